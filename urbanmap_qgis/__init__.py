@@ -1,0 +1,1 @@
+"""The core of UrbanMap: surveying mathematics on plain arrays, without QGIS."""

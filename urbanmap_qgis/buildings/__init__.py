@@ -1,0 +1,1 @@
+"""Building models from airborne laser points and rough outlines (J chapter 5)."""

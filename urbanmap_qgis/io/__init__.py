@@ -1,0 +1,1 @@
+"""File formats: point clouds, rasters, building outlines, city models and reports."""

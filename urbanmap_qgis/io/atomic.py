@@ -1,0 +1,46 @@
+"""Results are written beside their place and moved there when they are whole."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ..errors import OutputError
+
+
+@contextmanager
+def written_beside(path: str | os.PathLike) -> Iterator[Path]:
+    """Give a temporary path in the folder of `path`; move it to `path` if the block succeeds.
+
+    On an error the temporary file is removed and what stood at `path` before stays as it was.
+    The temporary name keeps the suffixes, because many writers choose their format by them.
+
+    Raises
+    ------
+    OutputError : the folder does not exist or cannot be written, or the file is locked.
+    """
+    target = Path(path)
+    folder = target.parent
+    if not folder.is_dir():
+        raise OutputError(f"The folder {folder} does not exist: create it or choose another output.")
+    if not os.access(folder, os.W_OK):
+        raise OutputError(f"The folder {folder} cannot be written: choose another output.")
+    if target.is_dir():
+        raise OutputError(f"{target} is a folder: give the name of a file.")
+    suffix = "".join(target.suffixes[-2:]) or target.suffix
+    temporary = folder / f".{target.stem.split('.')[0]}-{uuid.uuid4().hex[:8]}{suffix}"
+    try:
+        yield temporary
+        try:
+            os.replace(temporary, target)
+        except OSError as error:
+            raise OutputError(
+                f"{target} cannot be replaced ({error.strerror}): close the program that has it open."
+            ) from error
+    except OSError as error:
+        raise OutputError(f"{target} cannot be written ({error.strerror}).") from error
+    finally:
+        temporary.unlink(missing_ok=True)

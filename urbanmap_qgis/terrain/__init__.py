@@ -1,0 +1,1 @@
+"""The ground and the surface above it, from laser points."""
