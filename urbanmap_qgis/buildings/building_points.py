@@ -1,0 +1,62 @@
+"""The points of one building after another, from files of any size and order."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import laspy
+import numpy as np
+
+from ..errors import InputError
+from ..io.point_buckets import PointBuckets
+from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, usable
+from ..progress import SILENT, Progress
+
+BLOCK = 256
+"""Buildings that are worked on together."""
+
+
+def require_dimension(cloud: PointCloud, name: str, maker: str) -> None:
+    """Refuse a cloud without an attribute that an earlier step writes.
+
+    Raises
+    ------
+    InputError : some file has no such attribute.
+    """
+    if not cloud.has_dimension(name):
+        raise InputError(f"{cloud.paths[0].name} has no attribute {name}: run “{maker}” first and give its "
+                         "result.")
+
+
+def iter_building_blocks(cloud: PointCloud, layout: PointLayout, ids: np.ndarray,
+                         progress: Progress = SILENT) -> Iterator[tuple[np.ndarray, list[np.ndarray]]]:
+    """Give the records of the buildings `ids`, a block of buildings at a time.
+
+    Yields the rows of `ids` in the block and, for each, its records (of `layout`) in file order.
+    Points of other buildings, noise and withheld points are left out.
+    """
+    order = np.argsort(ids, kind="stable")
+    with PointBuckets(layout.dtype) as buckets:
+        for chunk in iter_chunks(cloud, progress):
+            building = np.asarray(chunk["building_id"]).astype(np.int64)
+            place = np.minimum(np.searchsorted(ids[order], building), len(ids) - 1)
+            keep = (ids[order][place] == building) & usable(chunk)
+            buckets.add(place[keep] // BLOCK, layout.adapt(chunk, keep))
+        for block in range((len(ids) + BLOCK - 1) // BLOCK):
+            rows = order[block * BLOCK:(block + 1) * BLOCK]
+            yield rows, _split(buckets.read(block), ids[rows])
+
+
+def _split(records: np.ndarray, ids: np.ndarray) -> list[np.ndarray]:
+    """Records of each building of a block; `ids` ascending."""
+    sequence = np.argsort(records["building_id"], kind="stable")
+    records = records[sequence]
+    starts = np.searchsorted(records["building_id"], ids, side="left")
+    ends = np.searchsorted(records["building_id"], ids, side="right")
+    return [records[start:end] for start, end in zip(starts, ends)]
+
+
+def coordinates(layout: PointLayout, records: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Scaled x, y and z (each (n,)) of records of a layout."""
+    points: laspy.ScaleAwarePointRecord = layout.view(records)
+    return np.asarray(points.x), np.asarray(points.y), np.asarray(points.z)

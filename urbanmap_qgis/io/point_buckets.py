@@ -1,0 +1,71 @@
+"""Sorting more points than memory holds: records put into buckets, on disk once they grow large."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+MEMORY_LIMIT = 300_000_000
+"""Bytes of records held in memory before the buckets move to disk."""
+
+
+class PointBuckets:
+    """Records grouped by an integer key, each group in the order of arrival.
+
+    Use as a context manager: temporary files are removed at the end.
+
+    Parameters
+    ----------
+    dtype : structured type of the records.
+    memory_limit : bytes kept in memory before everything held is written to temporary files.
+    """
+
+    def __init__(self, dtype: np.dtype, memory_limit: int = MEMORY_LIMIT):
+        self.dtype = dtype
+        self.memory_limit = memory_limit
+        self._pieces: dict[int, list[np.ndarray]] = {}
+        self._held = 0
+        self._folder: tempfile.TemporaryDirectory | None = None
+
+    def __enter__(self) -> PointBuckets:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self._pieces.clear()
+        if self._folder is not None:
+            self._folder.cleanup()
+
+    def add(self, keys: np.ndarray, records: np.ndarray) -> None:
+        """Put records (n,) into the buckets that `keys` (n,) name."""
+        if not len(records):
+            return
+        order = np.argsort(keys, kind="stable")
+        names, starts = np.unique(keys[order], return_index=True)
+        for name, piece in zip(names.tolist(), np.split(records[order], starts[1:])):
+            self._pieces.setdefault(name, []).append(piece)
+        self._held += records.nbytes
+        if self._held > self.memory_limit:
+            self._spill()
+
+    def read(self, key: int) -> np.ndarray:
+        """All records of a bucket, in the order in which they came; empty if there are none."""
+        stored = self._path(key)
+        pieces = [np.fromfile(stored, dtype=self.dtype)] if stored and stored.exists() else []
+        pieces += self._pieces.get(key, [])
+        return np.concatenate(pieces) if pieces else np.zeros(0, dtype=self.dtype)
+
+    def _path(self, key: int) -> Path | None:
+        return Path(self._folder.name, str(key)) if self._folder else None
+
+    def _spill(self) -> None:
+        """Append everything held in memory to one temporary file a bucket."""
+        if self._folder is None:
+            self._folder = tempfile.TemporaryDirectory(prefix="urbanmap-")
+        for key, pieces in self._pieces.items():
+            with self._path(key).open("ab") as stream:
+                for piece in pieces:
+                    piece.tofile(stream)
+        self._pieces.clear()
+        self._held = 0
