@@ -1,0 +1,324 @@
+"""Building segmentation by outlines (J 5.3.1): which points are which building's.
+
+The outlines are first moved to where the points show the buildings, then expanded. Only points that can be
+building take part: class 6 where the cloud is classified, otherwise what stands high above the ground.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+
+import numpy as np
+import shapely
+
+from ..errors import InputError, InsufficientDataError
+from ..execution import in_order
+from ..io.point_buckets import PointBuckets
+from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, usable
+from ..progress import SILENT, Progress
+from ..terrain.grid import Grid
+from ..terrain.surface import ground_raster, sample
+from .building_points import coordinates
+from .displacement import estimate_displacements, moved
+from .evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
+from .footprint import Footprints
+from .point_assignment import Assignment, assign_points
+
+TILE_POINTS = 3_000_000
+"""Points worked on together; the side of the tiles follows from the cloud's density."""
+
+TILE_SIDE = (150.0, 600.0)
+"""Least and greatest side (m) of a tile."""
+
+BUFFER = 60.0
+"""Reach (m) beyond a tile within which points and outlines are seen: wide enough for ground round blocks."""
+
+GROUND_CELL = 1.0
+"""Side (m) of the cells of the ground heights that are made where none are given."""
+
+NOT_BUILDING = (2, 3, 4, 5, 9, 11, 17)
+"""LAS classes that are never roofs: ground, vegetation, water, road surface, bridge deck."""
+
+MIN_CLASSED_SHARE = 0.2
+"""Class 6 is trusted for a building where it holds at least this share of its high points."""
+
+MIN_ROOF_POINTS = 3
+
+
+@dataclass(frozen=True)
+class SegmentationParameters:
+    """What the user can set.
+
+    Attributes
+    ----------
+    expansion : m by which outlines are expanded (J 5.3.1: "pre-defined threshold").
+    minimum_height : m above ground from which an unclassified point may be building.
+    maximum_displacement : m by which an outline may be moved to its points; 0 leaves them in place.
+    """
+
+    expansion: float = 1.0
+    minimum_height: float = 2.0
+    maximum_displacement: float = 2.5
+
+
+@dataclass(frozen=True)
+class SegmentedBuildings:
+    """One row a footprint.
+
+    Attributes
+    ----------
+    outlines : (n,) outlines at their found places.
+    points : (n,) points given to the building.
+    density : (n,) points inside the outline a m2.
+    ground : (n,) ground height, m; NaN where it is not known.
+    shift_x, shift_y, shift_sigma : (n,) displacement that was applied and its standard deviation, m.
+    status : (n,) words: "ok", or what is missing.
+    """
+
+    outlines: np.ndarray
+    points: np.ndarray
+    density: np.ndarray
+    ground: np.ndarray
+    shift_x: np.ndarray
+    shift_y: np.ndarray
+    shift_sigma: np.ndarray
+    shift_status: np.ndarray
+    status: np.ndarray
+
+    @classmethod
+    def empty(cls, footprints: Footprints) -> SegmentedBuildings:
+        """Rows for buildings of which nothing is known yet."""
+        count = len(footprints)
+        return cls(footprints.polygons.copy(), np.zeros(count, np.int64), np.zeros(count),
+                   np.full(count, np.nan), np.zeros(count), np.zeros(count), np.full(count, np.nan),
+                   np.full(count, "not observable", object), np.full(count, "no points", object))
+
+    def put(self, rows: np.ndarray, part: SegmentedBuildings) -> None:
+        """Fill in the rows that a tile has worked out."""
+        for name in self.__dataclass_fields__:
+            getattr(self, name)[rows] = getattr(part, name)
+
+
+@dataclass(frozen=True)
+class Tile:
+    """One piece of work: the outlines in and near a square, and the points round them."""
+
+    layout: PointLayout
+    records: np.ndarray
+    footprints: Footprints
+    rows: np.ndarray
+    own: np.ndarray
+    density: float
+    parameters: SegmentationParameters
+    ground: tuple[Grid, np.ndarray] | None = field(default=None)
+
+
+def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | os.PathLike,
+                      parameters: SegmentationParameters | None = None,
+                      ground: tuple[Grid, np.ndarray] | None = None, executor: Executor | None = None,
+                      progress: Progress = SILENT) -> SegmentedBuildings:
+    """Write the points of each building with its `building_id`, sorted by tile and building.
+
+    Parameters
+    ----------
+    cloud : the laser points, classified or not.
+    footprints : the outlines in the cloud's CRS.
+    output : LAZ file to write; it holds the buildings' points only.
+    ground : grid and ground heights (rows, columns), m; made from the points where not given.
+
+    Raises
+    ------
+    InputError : the cloud does not reach any outline.
+    """
+    parameters = parameters or SegmentationParameters()
+    layout = PointLayout(cloud, [("building_id", "building number")])
+    tiles = _Tiling(cloud, footprints)
+    table = SegmentedBuildings.empty(footprints)
+    with PointBuckets(layout.dtype) as buckets, cloud_writer(output, layout) as writer:
+        for chunk in iter_chunks(cloud, progress.part(0.0, 0.4)):
+            keep = usable(chunk)
+            records = layout.adapt(chunk, keep)
+            for keys, members in tiles.keys(np.asarray(chunk.x)[keep], np.asarray(chunk.y)[keep]):
+                buckets.add(keys, records[members])
+        pieces = _tiles(tiles, buckets, layout, footprints, parameters, ground)
+        for done, (rows, part, records) in enumerate(in_order(_segment_tile, pieces, executor)):
+            table.put(rows, part)
+            writer.write(records)
+            progress.part(0.4, 1.0).step((done + 1) / len(tiles.names))
+    return table
+
+
+class _Tiling:
+    """Square tiles over the outlines; each outline belongs to the tile of its centre."""
+
+    def __init__(self, cloud: PointCloud, footprints: Footprints):
+        rows = np.flatnonzero(footprints.usable)
+        bounds = shapely.bounds(footprints.polygons[rows])
+        low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
+        if (low > cloud.maximum[:2]).any() or (high < cloud.minimum[:2]).any():
+            raise InputError("The point cloud and the outlines do not overlap: check that both are of the "
+                             "same place and that their coordinate reference systems are set right.")
+        extent = np.maximum(cloud.maximum[:2] - cloud.minimum[:2], 1.0)
+        self.density = cloud.point_count / float(np.prod(extent))
+        self.side = float(np.clip(math.sqrt(TILE_POINTS / self.density), *TILE_SIDE))
+        self.origin = low - self.side * 1e-6
+        centre = (bounds[:, :2] + bounds[:, 2:]) / 2
+        self.columns = int((high[0] - low[0]) // self.side) + 2
+        self.rows = rows
+        self.bounds = bounds
+        self.tile_of_row = self._key(centre[:, 0], centre[:, 1])
+        self.names = np.unique(self.tile_of_row)
+
+    def _key(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        column = np.floor((x - self.origin[0]) / self.side).astype(np.int64)
+        row = np.floor((y - self.origin[1]) / self.side).astype(np.int64)
+        return np.where((column >= 0) & (column < self.columns) & (row >= 0), row * self.columns + column, -1)
+
+    def keys(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Tiles that points belong to, buffers included: pairs of keys and the points' numbers."""
+        seen: list[np.ndarray] = []
+        for dx in (-BUFFER, BUFFER):
+            for dy in (-BUFFER, BUFFER):
+                key = self._key(x + dx, y + dy)
+                new = np.isin(key, self.names)
+                for earlier in seen:
+                    new &= key != earlier
+                seen.append(key)
+                members = np.flatnonzero(new)
+                yield key[members], members
+
+    def near(self, name: int) -> np.ndarray:
+        """Rows of the outlines that reach into the tile or its buffer."""
+        row, column = divmod(int(name), self.columns)
+        x, y = self.origin[0] + column * self.side, self.origin[1] + row * self.side
+        low = np.array([x, y]) - BUFFER
+        high = np.array([x, y]) + self.side + BUFFER
+        meets = (self.bounds[:, :2] < high).all(axis=1) & (self.bounds[:, 2:] > low).all(axis=1)
+        return np.flatnonzero(meets)
+
+
+def _tiles(tiles: _Tiling, buckets: PointBuckets, layout: PointLayout, footprints: Footprints,
+           parameters: SegmentationParameters, ground: tuple[Grid, np.ndarray] | None) -> Iterator[Tile]:
+    """The pieces of work, tile after tile."""
+    for name in tiles.names:
+        near = tiles.near(name)
+        rows = tiles.rows[near]
+        part = Footprints(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows])
+        own = tiles.tile_of_row[near] == name
+        yield Tile(layout, buckets.read(int(name)), part, rows, own, tiles.density, parameters,
+                   _ground_part(ground, part.polygons))
+
+
+def _ground_part(ground: tuple[Grid, np.ndarray] | None,
+                 polygons: np.ndarray) -> tuple[Grid, np.ndarray] | None:
+    """The part of given ground heights that a tile needs."""
+    if ground is None:
+        return None
+    grid, heights = ground
+    x_min, y_min, x_max, y_max = shapely.total_bounds(polygons)
+    rows, columns, part = grid.window(x_min - BUFFER, y_min - BUFFER, x_max + BUFFER, y_max + BUFFER)
+    return (part, heights[rows, columns]) if part.rows and part.columns else None
+
+
+def _segment_tile(tile: Tile) -> tuple[np.ndarray, SegmentedBuildings, np.ndarray]:
+    """Rows, table and sorted records of the buildings that a tile owns."""
+    points = tile.layout.view(tile.records)
+    x, y, z = coordinates(tile.layout, tile.records)
+    classes = np.asarray(points.classification)
+    ground = tile.ground or _made_ground(x, y, z, classes, tile.footprints.polygons)
+    outlines, table = _placed_outlines(tile, x, y, z, classes, points, ground)
+    above = z - sample(*ground, x, y) if ground else np.full(len(z), np.inf)
+    assignment = _assign_candidates(x, y, z, classes, above, outlines, tile.parameters)
+    records = tile.records.copy()
+    own = np.isin(assignment.owner, np.flatnonzero(tile.own))
+    records["building_id"][own] = tile.footprints.ids[assignment.owner[own]]
+    order = np.flatnonzero(own)[np.argsort(assignment.owner[own], kind="stable")]
+    _count_points(table, assignment, outlines, ground)
+    mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
+    return tile.rows[tile.own], mine, records[order]
+
+
+def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
+                 polygons: np.ndarray) -> tuple[Grid, np.ndarray] | None:
+    """Ground heights of a tile from its own points, None where they hold no ground."""
+    if not len(x):
+        return None
+    x_min, y_min, x_max, y_max = shapely.total_bounds(polygons)
+    grid = Grid.covering(max(x.min(), x_min - BUFFER), max(y.min(), y_min - BUFFER),
+                         min(x.max(), x_max + BUFFER), min(y.max(), y_max + BUFFER), GROUND_CELL)
+    try:
+        return grid, ground_raster(x, y, z, classes if classes.any() else None, grid)
+    except InsufficientDataError:
+        return None
+
+
+def _placed_outlines(tile: Tile, x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
+                     points: object, ground: tuple[Grid, np.ndarray] | None
+                     ) -> tuple[np.ndarray, SegmentedBuildings]:
+    """Outlines of a tile moved to their points, and the table's first columns."""
+    table = SegmentedBuildings.empty(tile.footprints)
+    reach = tile.parameters.maximum_displacement
+    if not reach or not len(x):
+        return table.outlines, table
+    margin = reach + 5.0
+    x_min, y_min, x_max, y_max = shapely.total_bounds(tile.footprints.polygons)
+    grid = Grid.covering(x_min - margin, y_min - margin, x_max + margin, y_max + margin,
+                         evidence_cell(tile.density))
+    evidence = EvidenceAccumulator(grid)
+    evidence.add(x, y, z, classes, np.asarray(points.return_number), np.asarray(points.number_of_returns))
+    centre_x, centre_y = np.meshgrid(*grid.centres())
+    heights = (sample(*ground, centre_x.ravel(), centre_y.ravel()).reshape(grid.shape) if ground
+               else np.full(grid.shape, np.nan))
+    shifts = estimate_displacements(tile.footprints.polygons, evidence.evidence(heights), grid,
+                                    evidence.surface, reach)
+    table.outlines[:] = moved(tile.footprints.polygons, shifts)
+    table.shift_x[:], table.shift_y[:], table.shift_sigma[:] = shifts.dx, shifts.dy, shifts.sigma
+    table.shift_status[:] = shifts.status
+    return table.outlines, table
+
+
+def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray, above: np.ndarray,
+                       outlines: np.ndarray, parameters: SegmentationParameters) -> Assignment:
+    """Owners of the points that can be building: by class where it can be trusted, else by height."""
+    owner = np.full(len(x), -1, np.int64)
+    primary = np.zeros(len(x), bool)
+    high = ~np.isin(classes, (*NOT_BUILDING, BUILDING_CLASS)) & ~(above < parameters.minimum_height)
+
+    def take(candidates: np.ndarray, wanted: np.ndarray) -> Assignment:
+        found = assign_points(x[candidates], y[candidates], z[candidates], wanted, parameters.expansion)
+        taken = found.owner >= 0
+        owner[candidates[taken]], primary[candidates[taken]] = found.owner[taken], found.primary[taken]
+        return found
+
+    classed = take(np.flatnonzero(classes == BUILDING_CLASS), outlines)
+    trusted = _trusted_classes(classed, outlines, x[high], y[high])
+    owner[np.isin(owner, np.flatnonzero(~trusted))] = -1
+    take(np.flatnonzero(high), np.where(trusted, None, outlines))
+    return Assignment(owner, primary & (owner >= 0))
+
+
+def _trusted_classes(found: Assignment, outlines: np.ndarray, high_x: np.ndarray,
+                     high_y: np.ndarray) -> np.ndarray:
+    """Mask of the buildings whose class 6 points describe them: enough, and not a small share."""
+    classed = np.bincount(found.owner[found.primary & (found.owner >= 0)], minlength=len(outlines))
+    others = assign_points(high_x, high_y, np.zeros(len(high_x)), outlines, 0.0)
+    unclassed = np.bincount(others.owner[others.owner >= 0], minlength=len(outlines))
+    return (classed >= MIN_ROOF_POINTS) & (classed >= MIN_CLASSED_SHARE * (classed + unclassed))
+
+
+def _count_points(table: SegmentedBuildings, assignment: Assignment, outlines: np.ndarray,
+                  ground: tuple[Grid, np.ndarray] | None) -> None:
+    """Fill in points, density, ground height and status."""
+    count = len(outlines)
+    table.points[:] = np.bincount(assignment.owner[assignment.owner >= 0], minlength=count)
+    inside = np.bincount(assignment.owner[assignment.primary], minlength=count)
+    table.density[:] = inside / np.maximum(shapely.area(outlines), 1e-9)
+    if ground is not None:
+        centre = shapely.get_coordinates(shapely.point_on_surface(outlines))
+        table.ground[:] = sample(*ground, centre[:, 0], centre[:, 1])
+    table.status[:] = np.where(table.points >= MIN_ROOF_POINTS, "ok",
+                               np.where(table.points > 0, "too few points", "no points"))
