@@ -1,0 +1,43 @@
+"""What all tests share: real data where it is there, and small point clouds made on the spot."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import laspy
+import numpy as np
+import pytest
+from pyproj import CRS
+
+SHARED_DATA = Path(__file__).resolve().parents[1].parent / "shared" / "data"
+
+
+@pytest.fixture(scope="session")
+def real_data() -> Path:
+    """Folder of the real test data; tests that need it skip where it is absent."""
+    if not SHARED_DATA.is_dir():
+        pytest.skip(f"the real test data are not beside the checkout ({SHARED_DATA.name})")
+    return SHARED_DATA
+
+
+@pytest.fixture(scope="session")
+def make_cloud():
+    """Function that writes a LAS or LAZ file from arrays and gives back its path."""
+
+    def make(path: Path, x, y, z, epsg: int | None = 6677, point_format: int = 6, extra: dict | None = None,
+             **attributes) -> Path:
+        header = laspy.LasHeader(point_format=point_format, version="1.4" if point_format >= 6 else "1.2")
+        header.scales = [0.001] * 3
+        header.offsets = [float(np.floor(np.min(axis))) if len(axis) else 0.0 for axis in (x, y, z)]
+        if epsg:
+            header.add_crs(CRS.from_epsg(epsg))
+        for name in extra or {}:
+            header.add_extra_dim(laspy.ExtraBytesParams(name, np.uint32))
+        las = laspy.LasData(header)
+        las.x, las.y, las.z = np.asarray(x, float), np.asarray(y, float), np.asarray(z, float)
+        for name, values in {**(extra or {}), **attributes}.items():
+            las[name] = np.broadcast_to(values, len(las.x))
+        las.write(path)
+        return path
+
+    return make

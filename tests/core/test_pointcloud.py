@@ -1,0 +1,98 @@
+"""Reading and writing point clouds."""
+
+import laspy
+import numpy as np
+import pytest
+
+from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, OutputError
+from urbanmap_qgis.io.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud, read_all, usable
+from urbanmap_qgis.progress import Progress
+
+
+@pytest.fixture
+def points():
+    rng = np.random.default_rng(1)
+    return rng.uniform(0, 100, 5000).round(3), rng.uniform(0, 100, 5000).round(3), rng.uniform(0, 9, 5000).round(3)
+
+
+def copy(source, target, **kwargs):
+    cloud = open_cloud([source])
+    layout = PointLayout(cloud, **kwargs)
+    with cloud_writer(target, layout) as writer:
+        for chunk in iter_chunks(cloud, chunk_points=1700):
+            writer.write(layout.adapt(chunk, np.ones(len(chunk), bool)))
+    return laspy.read(target)
+
+
+def test_copy_keeps_every_attribute_and_the_order(tmp_path, make_cloud, points):
+    source = make_cloud(tmp_path / "街区.laz", *points, intensity=np.arange(5000), gps_time=np.arange(5000) / 7,
+                        extra={"part": np.arange(5000)[::-1]}, classification=6)
+    before, after = laspy.read(source), copy(source, tmp_path / "出力.laz", extra=[("building_id", "number")])
+    for name in before.point_format.dimension_names:
+        assert np.array_equal(before[name], after[name]), name
+    assert not np.asarray(after["building_id"]).any()
+    assert after.header.parse_crs().to_epsg() == 6677
+
+
+def test_files_of_different_formats_and_scales_become_one_cloud(tmp_path, make_cloud, points):
+    first = make_cloud(tmp_path / "a.las", *points, point_format=1, gps_time=5.0, intensity=77)
+    second = make_cloud(tmp_path / "b.laz", *points, point_format=7, red=9, extra={"part": 3})
+    cloud = open_cloud([first, second])
+    layout = PointLayout(cloud)
+    with cloud_writer(tmp_path / "both.laz", layout) as writer:
+        for chunk in iter_chunks(cloud):
+            writer.write(layout.adapt(chunk, np.ones(len(chunk), bool)))
+    both = laspy.read(tmp_path / "both.laz")
+    assert len(both) == 10000
+    assert np.abs(np.asarray(both.x) - np.tile(points[0], 2)).max() < 1e-6
+    assert set(np.asarray(both.intensity)[:5000]) == {77} and set(np.asarray(both["part"])[5000:]) == {3}
+
+
+def test_noise_withheld_and_absurd_points_are_not_usable(tmp_path, make_cloud):
+    path = make_cloud(tmp_path / "n.las", [0, 1, 2, 3, 4], [0] * 5, [1, 1, 1, 1, 2e5],
+                      classification=[1, 7, 18, 6, 6], withheld=[0, 0, 0, 1, 0])
+    chunk = next(iter_chunks(open_cloud([path])))
+    assert usable(chunk).tolist() == [True, False, False, False, False]
+
+
+def test_damaged_files_are_refused_in_one_sentence(tmp_path, make_cloud, points):
+    whole = make_cloud(tmp_path / "whole.laz", *points).read_bytes()
+    for name, content in {"half": whole[:len(whole) // 2], "text": b"not a cloud", "empty": b""}.items():
+        path = tmp_path / f"{name}.laz"
+        path.write_bytes(content)
+        with pytest.raises(InputError, match=name) as caught:
+            list(iter_chunks(open_cloud([path])))
+        assert "\n" not in str(caught.value)
+    with pytest.raises(InputError, match="does not exist"):
+        open_cloud([tmp_path / "missing.laz"])
+
+
+def test_truncated_las_is_told_from_a_whole_one(tmp_path, make_cloud, points):
+    path = make_cloud(tmp_path / "cut.las", *points)
+    path.write_bytes(path.read_bytes()[:-30 * 2000])
+    with pytest.raises(InputError, match="truncated"):
+        list(iter_chunks(open_cloud([path])))
+
+
+def test_no_points_and_mixed_crs_are_refused(tmp_path, make_cloud, points):
+    with pytest.raises(InsufficientDataError, match="no points"):
+        open_cloud([make_cloud(tmp_path / "none.las", [], [], [])])
+    with pytest.raises(InputError, match="one coordinate reference system"):
+        open_cloud([make_cloud(tmp_path / "a.las", *points), make_cloud(tmp_path / "b.las", *points, epsg=6678)])
+
+
+def test_failed_or_cancelled_writing_leaves_the_old_result(tmp_path, make_cloud, points):
+    source, target = make_cloud(tmp_path / "a.laz", *points), tmp_path / "result.laz"
+    target.write_text("precious")
+    layout = PointLayout(open_cloud([source]))
+    with pytest.raises(Cancelled), cloud_writer(target, layout):
+        list(iter_chunks(open_cloud([source]), Progress(cancelled=lambda: True)))
+    assert target.read_text() == "precious"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a.laz", "result.laz"]
+    with pytest.raises(OutputError, match="does not exist"), cloud_writer(tmp_path / "no" / "x.laz", layout):
+        pass
+
+
+def test_read_all_gives_scaled_coordinates(tmp_path, make_cloud, points):
+    read = read_all(open_cloud([make_cloud(tmp_path / "a.laz", *points)]), ["x", "z"])
+    assert np.allclose(read["x"], points[0], atol=1e-6) and np.allclose(read["z"], points[2], atol=1e-6)
