@@ -1,0 +1,209 @@
+"""Partition of a building's plan into roofs: the heights of J 5.3.2, and what the paper leaves open."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from scipy import ndimage
+from skimage.measure import label as label_regions
+
+from .height_histogram import BIN_SHIFT, BIN_WIDTH, HeightPeaks, height_peaks, minimum_points
+from .region_merging import RegionGraph
+from .roof_surface import RoofSurface
+
+PIECE_THICKNESS = 0.5
+"""Height range of the level pieces that roofs are put together from, m."""
+
+REFINEMENTS = 6
+"""Rounds of moving the boundaries between roofs; each moves them by one cell at most."""
+
+SMOOTHNESS = 0.15
+"""What one neighbouring cell of another roof weighs beside squared height errors, in distinct_step squared.
+
+Small enough that a real edge stays where the heights put it, large enough that single cells do not stand out.
+"""
+
+
+@dataclass(frozen=True)
+class RoofParameters:
+    """How roofs are told apart.
+
+    Attributes
+    ----------
+    bin_width, bin_shift : of the height histogram, m (J 5.3.2).
+    min_roof_area : smallest roof that the histogram looks for, m2 (J: 50).
+    min_roof_share : the same as a share of the outline's area, so that a shed of 20 m2 has a roof; the smaller
+        one of the two counts.
+    parapet_threshold : J's beta, in points of a bin; None for a share of the two maxima.
+    small_roof_area : smallest part that becomes a roof of its own, m2.
+    min_roof_width : m, narrower strips (parapets, wall hits) are part of their neighbour.
+    height_rmse : sloped roofs are cut into level ones as finely as this root mean square height error of the
+        building asks, m. None: the roofs of the paper stay whole.
+    distinct_step : m, parts with a step of this height between them are roofs of their own.
+    min_height : lowest roof above the ground, m.
+    max_roughness : m, rougher places are trees where the pulses' returns do not tell.
+    max_parapet : m, highest parapet above its roof.
+    """
+
+    bin_width: float = BIN_WIDTH
+    bin_shift: float = BIN_SHIFT
+    min_roof_area: float = 50.0
+    min_roof_share: float = 0.2
+    parapet_threshold: float | None = None
+    small_roof_area: float = 4.0
+    min_roof_width: float = 1.2
+    height_rmse: float | None = 0.6
+    distinct_step: float = 1.0
+    min_height: float = 2.0
+    max_roughness: float = 0.5
+    max_parapet: float = 1.5
+
+
+@dataclass(frozen=True)
+class RoofPartition:
+    """Roofs of a building in plan.
+
+    Attributes
+    ----------
+    labels : (rows, columns) int, 1..k the roofs, 0 = none.
+    height : (rows, columns) m, without gaps: a cell without a height of its own has that of the nearest one.
+    measured : (rows, columns) bool, cells with a height of their own that is no tree.
+    peaks : the roofs of the paper.
+    """
+
+    labels: np.ndarray
+    height: np.ndarray
+    measured: np.ndarray
+    peaks: HeightPeaks
+
+
+def partition_roofs(surface: RoofSurface, z: np.ndarray, density: float, outline_area: float,
+                   parameters: RoofParameters) -> RoofPartition:
+    """Cut a building's plan into roofs.
+
+    Parameters
+    ----------
+    surface : raster of the building.
+    z : (n,) heights of the points the raster was made from, m.
+    density : points/m2.
+    outline_area : m2.
+    """
+    tree = surface.trees(parameters.max_roughness)
+    measured = (surface.count > 0) & ~tree
+    if not measured.any():
+        measured = surface.count > 0
+    nearest = ndimage.distance_transform_edt(~measured, return_distances=False, return_indices=True)
+    height = surface.height[tuple(nearest)]
+    covered = cv2.morphologyEx(measured.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)) > 0
+
+    in_outline = surface.inside.ravel()[surface.cell_of_point]
+    smallest_roof = min(parameters.min_roof_area, parameters.min_roof_share * outline_area)
+    peaks = height_peaks(z[in_outline], parameters.bin_width, parameters.bin_shift,
+                         alpha=minimum_points(smallest_roof, density), beta=parameters.parapet_threshold)
+
+    smooth = cv2.medianBlur(height.astype(np.float32), 3)
+    labels = _pieces(smooth, covered, peaks, parameters)
+    smallest = min(parameters.small_roof_area, outline_area / 4) / surface.grid.cell**2
+    labels = _join(labels, height, peaks, smallest, parameters)
+    if parameters.height_rmse is not None:
+        labels = _refine(labels, height, parameters)
+    labels = _without_slivers(labels, height, smallest, surface.grid.cell, parameters)
+    labels = _of_this_building(labels, height, surface.inside, smallest, parameters)
+    return RoofPartition(labels, height, measured, peaks)
+
+
+def _pieces(height: np.ndarray, covered: np.ndarray, peaks: HeightPeaks,
+            parameters: RoofParameters) -> np.ndarray:
+    """Connected pieces of the plan that are level within PIECE_THICKNESS and in one roof of the paper."""
+    inner = height[covered]
+    piece = np.maximum(peaks.assign(inner), 0)
+    if parameters.height_rmse is not None:
+        # The cuts lie where they meet the fewest cells: a flat roof must not fall apart along a cut.
+        steps = 5
+        fine = np.floor((inner - inner.min()) * (steps / PIECE_THICKNESS)).astype(np.int64)
+        phase = np.bincount(fine % steps, minlength=steps)
+        shift = int(np.argmin(phase + np.roll(phase, 1)))
+        level = (fine - shift) // steps + 1
+        piece = piece * (level.max() + 1) + level
+    classes = np.zeros(height.shape, dtype=np.int64)
+    classes[covered] = piece + 1
+    return label_regions(classes, background=0, connectivity=1)
+
+
+def _join(labels: np.ndarray, height: np.ndarray, peaks: HeightPeaks, smallest: float,
+          parameters: RoofParameters) -> np.ndarray:
+    """Join pieces to roofs."""
+    graph = RegionGraph(labels, height)
+    graph.absorb_small(smallest, parameters.distinct_step)
+    if parameters.height_rmse is not None:
+        graph.merge_to_tolerance(parameters.height_rmse, smallest, parameters.distinct_step)
+    return graph.lookup()[labels]
+
+
+def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) -> np.ndarray:
+    """Move boundaries: each cell goes to the roof beside it that fits its height and its neighbours best."""
+    used = labels > 0
+    weight = SMOOTHNESS * parameters.distinct_step**2
+    for _ in range(REFINEMENTS):
+        n = np.bincount(labels.ravel())
+        mean = np.bincount(labels.ravel(), height.ravel()) / np.maximum(n, 1)
+        around = np.pad(labels, 1)
+        rows, columns = labels.shape
+        shifts = [around[1 + i:1 + i + rows, 1 + j:1 + j + columns]
+                  for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
+        best, lowest = labels, None
+        for candidate in (labels, shifts[1], shifts[3], shifts[4], shifts[6]):
+            energy = (height - mean[candidate])**2
+            for shifted in shifts:
+                energy = energy - weight * (shifted == candidate)
+            energy[candidate == 0] = np.inf
+            if lowest is None:
+                lowest = energy
+            else:
+                better = energy < lowest
+                best = np.where(better, candidate, best)
+                lowest = np.where(better, energy, lowest)
+        best = np.where(used, best, 0)
+        if np.array_equal(best, labels):
+            break
+        labels = best
+    return labels
+
+
+def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, cell: float,
+                     parameters: RoofParameters) -> np.ndarray:
+    """Connected roofs; small ones and strips narrower than a roof are joined to their neighbours."""
+    width = max(2, round(parameters.min_roof_width / cell))
+    square = np.ones((width, width), np.uint8)
+    labels = label_regions(labels, background=0, connectivity=1)
+    as_float = labels.astype(np.float32)
+    wide = labels[cv2.erode(as_float, square) == cv2.dilate(as_float, square)]
+    graph = RegionGraph(labels, height)
+    narrow = np.flatnonzero(np.bincount(wide, minlength=graph.size) == 0)
+    graph.absorb_small(smallest, parameters.distinct_step, frozenset(narrow.tolist()))
+    return graph.lookup()[labels]
+
+
+def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray, smallest: float,
+                      parameters: RoofParameters) -> np.ndarray:
+    """Drop what is not this building's: outside the outline, and no continuation of a roof that is inside.
+
+    Scraps without neighbours go too, unless nothing else is left. Labels come back as 1..k without gaps.
+    """
+    graph = RegionGraph(labels, height)
+    inner = np.bincount(labels[inside], minlength=graph.size)
+    own = {r for r in graph.regions() if inner[r] >= smallest / 2}
+    if not own:
+        own = set(graph.regions()[:1]) if not inner[1:].any() else {int(np.argmax(np.r_[0, inner[1:]]))}
+    front = list(own)
+    while front:
+        r = front.pop()
+        for other in graph.neighbours[r]:
+            if other not in own and graph.step(r, other) < parameters.distinct_step:
+                own.add(other)
+                front.append(other)
+    number = np.zeros(graph.size, dtype=np.int64)
+    number[sorted(own)] = np.arange(1, len(own) + 1)
+    return number[labels]

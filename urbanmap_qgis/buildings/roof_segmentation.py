@@ -1,0 +1,281 @@
+"""Roofs of one building from its points (J 5.3.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import shapely
+from scipy import ndimage
+
+from ..errors import InputError
+from ..terrain.grid import Grid
+from .roof_partition import RoofPartition, RoofParameters, partition_roofs
+from .roof_surface import RoofSurface, roof_surface
+
+OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
+"""What `RoofSegmentation.status` can be."""
+
+FEWEST_POINTS = 3
+"""A building with fewer usable points gets no roof."""
+
+POINTS_TO_DIVIDE = 12
+"""A building with fewer usable points gets one flat roof."""
+
+HEIGHT_TOLERANCE = 0.5
+"""Distance above or below the cells of a roof at which a point still belongs to it, m."""
+
+GAP_FILL = 1.5
+"""Inside cells this far from a supported one still get its roof, m; farther ones only under trees."""
+
+DEFAULTS = RoofParameters()
+
+NOWHERE = -1e9
+"""Height of what is no roof, m."""
+
+_NEIGHBOURHOOD = np.ones((3, 3), np.uint8)
+
+
+@dataclass(frozen=True)
+class RoofTable:
+    """One row for each roof, arrays (k,).
+
+    Attributes
+    ----------
+    number : 1..k, from low to high.
+    height : median height of the roof's points, m.
+    height_max : height of its highest point, m (the roof height of J 5.3.2: the top of the parapet).
+    points : number of points.
+    area : area of its cells in plan, m2.
+    density : points on its supported cells, points/m2.
+    rmse : root mean square distance of its points from `height`, m.
+    """
+
+    number: np.ndarray
+    height: np.ndarray
+    height_max: np.ndarray
+    points: np.ndarray
+    area: np.ndarray
+    density: np.ndarray
+    rmse: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.number)
+
+
+@dataclass(frozen=True)
+class RoofSegmentation:
+    """Roofs of one building.
+
+    Attributes
+    ----------
+    roof_of_point : (n,) int32 roof of each point, 0 = none (clutter, wall, tree, ground).
+    roofs : the table of the roofs.
+    grid : place of the plan raster.
+    roof_of_cell : (rows, columns) int32 roof of each cell, 0 = no roof.
+    supported : (rows, columns) bool, cells of a roof with its points in or right beside them. A cell with a roof
+        but without support lies inside the outline and was given the roof of the nearest supported cell.
+    inside : (rows, columns) bool, cell centre inside the outline. Inside cells without a roof have no data or
+        are open to the ground.
+    status : OK, FEW_POINTS (one flat roof, from too few points to tell parts apart) or NO_POINTS (no roof).
+    """
+
+    roof_of_point: np.ndarray
+    roofs: RoofTable
+    grid: Grid
+    roof_of_cell: np.ndarray
+    supported: np.ndarray
+    inside: np.ndarray
+    status: str
+
+
+def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry, ground: float,
+                  density: float, parameters: RoofParameters = DEFAULTS,
+                  multi_return: np.ndarray | None = None) -> RoofSegmentation:
+    """Roofs of one building.
+
+    The height histogram of J 5.3.2 gives the roofs of the paper. In plan they are cut into thin level pieces, and
+    these are joined again, cheapest first, until the heights would be worse than `height_rmse`: so sloped roofs
+    become a few level ones, a maximum of the histogram that is two roofs apart becomes two, and small roofs that
+    the histogram's threshold drops stand out.
+
+    Parameters
+    ----------
+    x, y, z : (n,) points of the building, m; may hold trees, walls, roof furniture and some ground.
+    outline : the primary (not expanded) outline, polygon or multipolygon.
+    ground : height of the ground at the building, m.
+    density : points/m2 of the cloud on roofs.
+    multi_return : (n,) bool, point of a pulse with several returns, if known: tells trees from rugged roofs.
+
+    Raises
+    ------
+    InputError : arrays of different lengths, coordinates, ground or density not finite.
+    """
+    x, y, z = (np.asarray(a, dtype=float) for a in (x, y, z))
+    _check(x, y, z, ground, density, multi_return)
+    high = z >= ground + parameters.min_height
+    usable = np.flatnonzero(high)
+    returns = None if multi_return is None else np.asarray(multi_return, dtype=bool)[usable]
+    surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
+    if len(usable) < FEWEST_POINTS:
+        return _no_roof(len(z), surface)
+    if len(usable) < POINTS_TO_DIVIDE:
+        return _one_roof(z, usable, surface)
+    plan = partition_roofs(surface, z[usable], density, outline.area, parameters)
+    of_point = roofs_of_points(plan, surface, z[usable], parameters)
+    open_cells = _open_cells(surface, x[~high], y[~high], parameters)
+    of_cell, supported = _complete(plan, surface, of_point, open_cells)
+    return _numbered(z, usable, surface, of_point, of_cell, supported, OK)
+
+
+def _check(x: np.ndarray, y: np.ndarray, z: np.ndarray, ground: float, density: float,
+           multi_return: np.ndarray | None) -> None:
+    if not (x.shape == y.shape == z.shape and x.ndim == 1):
+        raise InputError("The x, y and z of a building's points differ in number.")
+    if multi_return is not None and len(multi_return) != len(x):
+        raise InputError("The return numbers and the coordinates of a building's points differ in number.")
+    if not (np.isfinite(x).all() and np.isfinite(y).all() and np.isfinite(z).all()):
+        raise InputError("Some coordinates of a building's points are not numbers: remove them.")
+    if not (np.isfinite(density) and density > 0 and np.isfinite(ground)):
+        raise InputError("A building's ground height and point density must be numbers, density above 0.")
+
+
+def roofs_of_points(plan: RoofPartition, surface: RoofSurface, z: np.ndarray,
+                    parameters: RoofParameters) -> np.ndarray:
+    """Roof (n,) of each point of the raster, 0 for clutter.
+
+    A point belongs to the roof of its cell if its height is in the range of that roof's cells; else to a roof
+    beside it that has its height; else, up to a parapet's height above the border of its roof, it is the parapet.
+    """
+    low, high = _height_ranges(plan)
+    labels = plan.labels.ravel()
+    cell = surface.cell_of_point
+    own = labels[cell]
+    fits = (own > 0) & (z >= low[own]) & (z <= high[own])
+    roof = np.where(fits, own, 0)
+
+    rest = np.flatnonzero(~fits)
+    columns = surface.grid.columns
+    padded = np.pad(plan.labels, 1).ravel()
+    at = (cell[rest] // columns + 1) * (columns + 2) + cell[rest] % columns + 1
+    nearest = np.full(len(rest), np.inf)
+    middle = np.where(low <= high, (low + high) / 2, NOWHERE)
+    for shift in (-columns - 3, -columns - 2, -columns - 1, -1, 1, columns + 1, columns + 2, columns + 3):
+        beside = padded[at + shift]
+        distance = np.abs(z[rest] - middle[beside])
+        better = (beside > 0) & (z[rest] >= low[beside]) & (z[rest] <= high[beside]) & (distance < nearest)
+        roof[rest[better]] = beside[better]
+        nearest[better] = distance[better]
+
+    rest = rest[roof[rest] == 0]
+    on_border = _drops_beside(plan.labels, middle, parameters.distinct_step).ravel()[cell[rest]]
+    own = own[rest]
+    parapet = on_border & (own > 0) & (z[rest] > high[own]) & (z[rest] <= high[own] + parameters.max_parapet)
+    roof[rest[parapet]] = own[parapet]
+    return roof
+
+
+def _height_ranges(plan: RoofPartition) -> tuple[np.ndarray, np.ndarray]:
+    """Lowest and highest height (k + 1,) that points of each roof have, m; 0 and unmeasured roofs have none."""
+    use = plan.measured & (plan.labels > 0)
+    label, height = plan.labels[use], plan.height[use]
+    k = int(plan.labels.max(initial=0))
+    order = np.lexsort((height, label))
+    height = height[order]
+    n = np.bincount(label, minlength=k + 1)
+    start = np.cumsum(n) - n
+    cut = n // 20
+    low, high = np.full(k + 1, -NOWHERE), np.full(k + 1, NOWHERE)
+    some = n > 0
+    low[some] = height[(start + cut)[some]] - HEIGHT_TOLERANCE
+    high[some] = height[(start + n - 1 - cut)[some]] + HEIGHT_TOLERANCE
+    return low, high
+
+
+def _drops_beside(labels: np.ndarray, middle: np.ndarray, step: float) -> np.ndarray:
+    """Cells of a roof with no roof or a roof lower by `step` m in the 3 x 3 window around."""
+    height = np.where(labels > 0, middle[labels], NOWHERE)
+    lowest = cv2.erode(np.pad(height, 1, constant_values=NOWHERE), _NEIGHBOURHOOD)[1:-1, 1:-1]
+    return (labels > 0) & (lowest <= height - step)
+
+
+def _open_cells(surface: RoofSurface, x: np.ndarray, y: np.ndarray, parameters: RoofParameters) -> np.ndarray:
+    """Cells that show the ground: courtyards and places where the roof stands back."""
+    row, column, on_grid = surface.grid.cells(x, y)
+    ground = np.zeros(surface.grid.shape, dtype=bool)
+    ground[row[on_grid], column[on_grid]] = True
+    ground &= surface.count == 0
+    if not ground.any():
+        return ground
+    ground = cv2.morphologyEx(ground.astype(np.uint8), cv2.MORPH_CLOSE, _NEIGHBOURHOOD) > 0
+    ground &= surface.count == 0
+    part, _ = ndimage.label(ground)
+    large = np.bincount(part.ravel()) * surface.grid.cell**2 >= parameters.small_roof_area
+    large[0] = False
+    return large[part]
+
+
+def _complete(plan: RoofPartition, surface: RoofSurface, roof_of_point: np.ndarray,
+              open_cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Roof of each cell, with the gaps inside the outline filled, and whether points support it."""
+    hit = np.zeros(surface.grid.shape, dtype=np.uint8)
+    hit.ravel()[surface.cell_of_point[roof_of_point > 0]] = 1
+    supported = (cv2.morphologyEx(hit, cv2.MORPH_CLOSE, _NEIGHBOURHOOD) > 0) & (plan.labels > 0)
+    distance, nearest = ndimage.distance_transform_edt(~supported, return_indices=True)
+    under_clutter = (surface.count > 0) | (plan.labels > 0)
+    fill = surface.inside & ~open_cells & (under_clutter | (distance * surface.grid.cell <= GAP_FILL))
+    of_cell = np.where(supported | (fill & supported.any()), plan.labels[tuple(nearest)], 0)
+    return of_cell, supported
+
+
+def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point: np.ndarray,
+              of_cell: np.ndarray, supported: np.ndarray, status: str) -> RoofSegmentation:
+    """The result, with roofs numbered from low to high."""
+    k = int(of_cell.max(initial=0))
+    points = np.bincount(of_point, minlength=k + 1)
+    order = np.lexsort((z[usable], of_point))
+    start = np.cumsum(points) - points
+    sorted_z = z[usable][order]
+    present = np.flatnonzero(points[1:] > 0) + 1
+    first, last = start[present], start[present] + points[present] - 1
+    height = (sorted_z[(first + last) // 2] + sorted_z[(first + last + 1) // 2]) / 2
+    rank = np.argsort(height, kind="stable")
+    present, height = present[rank], height[rank]
+    number = np.zeros(k + 1, dtype=np.int32)
+    number[present] = np.arange(1, len(present) + 1)
+
+    of_point, of_cell = number[of_point], number[of_cell]
+    height_of = np.r_[0.0, height]
+    squares = np.bincount(of_point, (z[usable] - height_of[of_point])**2, len(present) + 1)[1:]
+    points = points[present]
+    cell_area = surface.grid.cell**2
+    area = np.bincount(of_cell.ravel(), minlength=len(present) + 1)[1:] * cell_area
+    firm = np.bincount(of_cell[supported], minlength=len(present) + 1)[1:] * cell_area
+    table = RoofTable(np.arange(1, len(present) + 1, dtype=np.int32), height, sorted_z[last[rank]], points,
+                      area, points / np.maximum(firm, cell_area), np.sqrt(squares / points))
+    roof_of_point = np.zeros(len(z), dtype=np.int32)
+    roof_of_point[usable] = of_point
+    return RoofSegmentation(roof_of_point, table, surface.grid, of_cell, supported & (of_cell > 0),
+                            surface.inside, status)
+
+
+def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSegmentation:
+    """One flat roof at the median height of the points, for want of more."""
+    inner = surface.inside.ravel()[surface.cell_of_point]
+    if inner.sum() < FEWEST_POINTS:
+        inner = np.ones(len(usable), dtype=bool)
+    near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * HEIGHT_TOLERANCE
+    if not near.any():
+        near = inner
+    of_cell = surface.inside.astype(np.int64)
+    of_cell.ravel()[surface.cell_of_point[near]] = 1
+    return _numbered(z, usable, surface, near.astype(np.int64), of_cell, surface.count > 0, FEW_POINTS)
+
+
+def _no_roof(n: int, surface: RoofSurface) -> RoofSegmentation:
+    nothing = np.empty(0)
+    table = RoofTable(np.empty(0, np.int32), nothing, nothing, np.empty(0, np.int64), nothing, nothing, nothing)
+    of_cell = np.zeros(surface.grid.shape, dtype=np.int32)
+    return RoofSegmentation(np.zeros(n, dtype=np.int32), table, surface.grid, of_cell, of_cell > 0,
+                            surface.inside, NO_POINTS)
