@@ -1,0 +1,161 @@
+"""Where the XML of GSI Fundamental Geospatial Data lies: files, folders, downloaded zips and zips in them."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import tempfile
+import zipfile
+import zlib
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import IO, Union
+
+from ..errors import InputError
+
+PathLike = Union[str, os.PathLike]
+
+# GSI names its files FG-GML-<map sheet>-<type of object>-<date>-<number>.xml.
+_OBJECT_TYPE = re.compile(r"FG-GML-.*?-([A-Z][A-Za-z]+)-\d{8}", re.IGNORECASE)
+_BUILDING_TYPES = {"blda", "bldl", "all"}
+_DEEPEST_ZIP = 4  # the site packs a zip of map sheets at most twice; deeper is a mistake or a bomb
+_SPOOL_BYTES = 32 * 2**20
+
+
+@dataclass(frozen=True)
+class XmlSource:
+    """One XML file, on disk or in a zip: its name for messages, its size in bytes and how to open it."""
+
+    name: str
+    size: int
+    open: Callable[[], IO[bytes]]
+
+    @property
+    def short_name(self) -> str:
+        """Name of the file without the folders, or zips, in which it lies."""
+        return re.split(r"[/\\]", self.name)[-1]
+
+
+@dataclass(frozen=True)
+class Listing:
+    """XML files that may hold buildings, and the names of those that by their name hold something else."""
+
+    sources: list[XmlSource]
+    others: list[str]
+
+
+def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack) -> Listing:
+    """List the XML files behind one path or several, in an order that depends on their names only.
+
+    A path is an .xml, a .zip (zips inside are opened too) or a folder, searched with all its subfolders.
+    Zip archives stay open until `stack` is closed.
+
+    Raises
+    ------
+    InputError : a path does not exist, a zip is damaged, empty or encrypted, or nothing is there to read.
+    """
+    given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
+    if not given:
+        raise InputError("No file was given: choose GSI building outlines (.xml, .zip or a folder of them).")
+    listing = Listing([], [])
+    for path in given:
+        found = len(listing.sources) + len(listing.others)
+        files = _files_of(Path(path))
+        for file in files:
+            with _explained(str(file)):
+                if zipfile.is_zipfile(file) or file.suffix.lower() == ".zip":
+                    _list_zip(stack.enter_context(zipfile.ZipFile(file)), str(file), listing, stack, depth=1)
+                else:
+                    chosen = XmlSource(str(file), file.stat().st_size, lambda file=file: file.open("rb"))
+                    _add(chosen, listing, by_name=Path(path).is_dir())
+        if len(listing.sources) + len(listing.others) == found:
+            raise InputError(f"{path} holds no .xml file: give building outlines as downloaded from the GSI.")
+    if not listing.sources:
+        raise InputError(f"{given[0]} holds no building outlines (BldA or BldL) but {listing.others[0]}: "
+                         "download the item 'outlines of buildings' from the GSI.")
+    return listing
+
+
+@contextmanager
+def opened(source: XmlSource) -> Iterator[IO[bytes]]:
+    """Open a source; what goes wrong while it is read becomes an `InputError` that names it."""
+    with _explained(source.name), source.open() as stream:
+        yield stream
+
+
+def _files_of(path: Path) -> list[Path]:
+    if path.is_file():
+        return [path]
+    if not path.is_dir():
+        raise InputError(f"{path} does not exist: check the path.")
+    return sorted((file for file in path.rglob("*") if file.suffix.lower() in {".xml", ".zip"}
+                   and file.is_file()), key=lambda file: file.as_posix())
+
+
+def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: ExitStack, depth: int) -> None:
+    if depth > _DEEPEST_ZIP:
+        raise InputError(f"{name} is a zip nested more than {_DEEPEST_ZIP} deep: unpack it first.")
+    entries = sorted((_entry_name(info), index, info) for index, info in enumerate(archive.infolist()))
+    for entry, _, info in entries:
+        suffix = Path(entry).suffix.lower()
+        if suffix not in {".xml", ".zip"} or info.is_dir() or entry.startswith("__MACOSX/"):
+            continue
+        label = f"{name}/{entry}"
+        if info.flag_bits & 0x1:
+            raise InputError(f"{label} is encrypted: unpack it with its password and give the .xml files.")
+        if suffix == ".xml":
+            source = XmlSource(label, info.file_size, lambda info=info: archive.open(info))
+            _add(source, listing, by_name=True)
+            continue
+        # A compressed stream can be read forwards only, a zip starts at its end: so unpack the inner one.
+        spool = stack.enter_context(tempfile.SpooledTemporaryFile(_SPOOL_BYTES))  # noqa: SIM115
+        with _explained(label):
+            with archive.open(info) as packed:
+                shutil.copyfileobj(packed, spool, 2**20)
+            spool.seek(0)
+            inner = stack.enter_context(zipfile.ZipFile(_seekable(spool)))
+        _list_zip(inner, label, listing, stack, depth + 1)
+
+
+def _seekable(spool: tempfile.SpooledTemporaryFile) -> IO[bytes]:
+    """The file inside a spooled file: before Python 3.11 the wrapper itself lacks `seekable`."""
+    if hasattr(spool, "seekable"):
+        return spool
+    spool.rollover()
+    return spool._file
+
+
+def _entry_name(info: zipfile.ZipInfo) -> str:
+    """Name of a zip entry; Japanese Windows writes cp932 without saying so, which Python reads as cp437."""
+    if info.flag_bits & 0x800:
+        return info.filename
+    try:
+        return info.filename.encode("cp437").decode("cp932")
+    except UnicodeError:
+        return info.filename
+
+
+def _add(source: XmlSource, listing: Listing, by_name: bool) -> None:
+    """Sort a file in; roads and the like beside the buildings are told by their names and not opened."""
+    kind = _OBJECT_TYPE.search(source.short_name)
+    if by_name and kind and kind.group(1).lower() not in _BUILDING_TYPES:
+        listing.others.append(source.name)
+    else:
+        listing.sources.append(source)
+
+
+@contextmanager
+def _explained(name: str) -> Iterator[None]:
+    """Turn the errors of reading files and zips into one sentence."""
+    try:
+        yield
+    except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+        raise InputError(f"{name} is damaged or not a zip file ({error}): download it again.") from error
+    except (NotImplementedError, RuntimeError) as error:
+        raise InputError(f"{name} cannot be unpacked here ({error}): "
+                         "unpack it and give the .xml files.") from error
+    except OSError as error:
+        raise InputError(f"{name} cannot be read ({error.strerror or error}): check the file.") from error
