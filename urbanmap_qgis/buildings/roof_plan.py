@@ -1,0 +1,246 @@
+"""A building's plan divided among its roofs without gaps or slivers (in place of J 5.3.3, step 4)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy import ndimage
+from shapely.affinity import translate
+from skimage import measure
+
+from ..errors import InputError
+from ..terrain.grid import Grid
+from .partition_lines import Cracks, candidate_lines, find_cracks
+from .piece_labels import choose_roofs
+from .plan_arrangement import Arrangement, arrange, dissolve
+
+GUESSED_CELL_WEIGHT = 0.3
+"""Weight of a cell without data, which took the label of its nearest neighbour."""
+LEAST_CONFUSION = 0.3
+"""Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost."""
+NEAR_BORDER = 1.5
+"""Metres; label borders farther from a polygon's edge are clutter, which `agreement` counts."""
+
+
+@dataclass(frozen=True)
+class PartitionParameters:
+    """How a plan is divided.
+
+    Attributes
+    ----------
+    min_line_length : metres of common border that make a dividing line.
+    merge_distance : metres; roof borders nearer than this to a parallel outline edge's line follow it, and
+        parallel dividing lines nearer than this are one.
+    min_roof_area : square metres; smaller pieces of roof join the neighbour that fits best.
+    smoothness : metres; a step in a border is kept where it pays more area than this times its length.
+    full_step : metres; labels of roofs differing less in height are cheaper to confuse.
+    max_lines : at most this many dividing lines, the strongest.
+    """
+
+    min_line_length: float = 1.5
+    merge_distance: float = 0.6
+    min_roof_area: float = 2.0
+    smoothness: float = 0.4
+    full_step: float = 1.0
+    max_lines: int = 40
+
+
+@dataclass(frozen=True)
+class RoofPartition:
+    """Polygons that fill the outline exactly.
+
+    Attributes
+    ----------
+    polygons : (k) Polygons; neighbours share exact edges and nodes.
+    roof_numbers : (k,) roof of each polygon; one roof can have several. 0 where there is no data at all.
+    no_data_share : share of the outline's area without labelled cells.
+    status : "ok"; "one roof"; "no data"; "lost roofs" (a roof larger than the least area found no place).
+    coverage : (k,) share of each roof's area with labelled cells.
+    agreement : (k,) share of each roof's labelled area that is labelled as this roof.
+    boundary_rms : (k,) metres, from the roof borders in the raster to the polygon's border, those within
+        `NEAR_BORDER`; nan without any.
+    """
+
+    polygons: tuple[shapely.Polygon, ...]
+    roof_numbers: np.ndarray
+    no_data_share: float
+    status: str
+    coverage: np.ndarray
+    agreement: np.ndarray
+    boundary_rms: np.ndarray
+
+
+def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.ndarray,
+                    heights: np.ndarray | None = None, parameters: PartitionParameters | None = None,
+                    points: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None) -> RoofPartition:
+    """Divide a building's plan among its roofs.
+
+    Straight lines where roofs meet (see `partition_lines`) cut the outline; each piece goes to the roof that
+    most of its cells say, smoothed; pieces of a roof are joined. All outer edges are the outline's own.
+
+    Parameters
+    ----------
+    outline : valid Polygon or MultiPolygon, courtyards as holes, already at its right place; metres.
+    labels_grid : where the raster lies. labels : (rows, columns) int, roof number of each cell, 0 = no data.
+    heights : (rows, columns) heights of cells in metres, nan = none; roofs of like height are then cheap to
+        confuse.
+    points : x, y and roof number of each point (0 = none), instead of the raster (labels of 0) or beside it:
+        cells that hold points take the roof most of them have.
+
+    Raises
+    ------
+    InputError : raster and grid do not fit, or the outline has no area.
+    """
+    parameters = parameters or PartitionParameters()
+    labels = np.asarray(labels)
+    if labels.shape != labels_grid.shape:
+        raise InputError("The roof raster has not the rows and columns of its grid.")
+    if outline.is_empty or outline.area <= 0:
+        raise InputError("The building outline has no area: repair or remove it.")
+    rows, columns, grid = labels_grid.window(*outline.bounds)
+    labels = labels[rows, columns]
+    if points is not None:
+        labels = _with_points(labels, grid, *points)
+    labels, numbers = _large_roofs(labels, parameters.min_roof_area / grid.cell ** 2)
+    if len(numbers) < 2:
+        return _undivided(outline, numbers, np.count_nonzero(labels) * grid.cell ** 2)
+    heights = None if heights is None else np.asarray(heights)[rows, columns]
+    return _divided(outline, grid, labels, numbers, heights, parameters)
+
+
+def _with_points(labels: np.ndarray, grid: Grid, x: np.ndarray, y: np.ndarray,
+                 roof: np.ndarray) -> np.ndarray:
+    """Label raster in which cells with points of roofs take the roof that most of them have."""
+    row, column, inside = grid.cells(x, y)
+    roof = np.asarray(roof)
+    use = inside & (roof > 0)
+    numbers, index = np.unique(roof[use], return_inverse=True)
+    if len(numbers) == 0:
+        return labels
+    cell = row[use] * grid.columns + column[use]
+    pairs, votes = np.unique(cell * len(numbers) + index, return_counts=True)
+    order = np.lexsort((pairs, votes))  # the last write of a cell is its best roof
+    result = labels.copy()
+    result.ravel()[pairs[order] // len(numbers)] = numbers[pairs[order] % len(numbers)]
+    return result
+
+
+def _large_roofs(labels: np.ndarray, smallest: float) -> tuple[np.ndarray, np.ndarray]:
+    """Labels without the roofs of fewer cells than `smallest` (unless all are so small), and the numbers left."""
+    numbers, index, cells = np.unique(labels, return_inverse=True, return_counts=True)
+    keep = (cells >= smallest) & (numbers > 0)
+    if not keep.any():
+        keep = numbers > 0
+    return np.where(keep, numbers, 0)[index].reshape(labels.shape), numbers[keep]
+
+
+def _undivided(outline: shapely.Geometry, numbers: np.ndarray, labelled_area: float) -> RoofPartition:
+    parts = tuple(shapely.get_parts(outline))
+    number = int(numbers[0]) if len(numbers) else 0
+    share = min(labelled_area / outline.area, 1.0)
+    k = len(parts)
+    return RoofPartition(parts, np.full(k, number), 1.0 - share, "one roof" if number else "no data",
+                         np.full(k, share), np.ones(k), np.full(k, np.nan))
+
+
+def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers: np.ndarray,
+             heights: np.ndarray | None, parameters: PartitionParameters) -> RoofPartition:
+    origin = np.floor([grid.x_min, grid.y_max])
+    local = translate(outline, -origin[0], -origin[1])
+    x, y = grid.centres()
+    x, y = x - origin[0], y - origin[1]
+    shapely.prepare(local)
+    mask = shapely.contains_xy(local, *np.meshgrid(x, y))
+    data = (labels > 0) & mask
+    filled = _filled(np.searchsorted(numbers, labels), data, mask, parameters.min_roof_area / grid.cell ** 2)
+    left = np.unique(filled[mask])
+    if len(left) < 2:
+        return _undivided(outline, numbers[left], np.count_nonzero(data) * grid.cell ** 2)
+    cracks = find_cracks(filled, x, y)
+    lines = candidate_lines(cracks, local, grid.cell, parameters.min_line_length, parameters.merge_distance,
+                            parameters.max_lines)
+    arrangement = arrange(local, lines)
+    row, column = np.nonzero(mask)
+    piece = _piece_of_cell(arrangement, lines, np.column_stack([x[column], y[row]]))
+    own, certain = filled[row, column], data[row, column]
+    weight = np.where(certain, 1.0, GUESSED_CELL_WEIGHT) * grid.cell ** 2
+    k = len(numbers)
+    votes = np.bincount(piece * k + own, weight, minlength=len(arrangement.pieces) * k).reshape(-1, k)
+    cost = votes @ _confusion(filled, data, heights, k, parameters.full_step)
+    chosen = choose_roofs(cost, arrangement, parameters.smoothness, parameters.min_roof_area)
+    polygons, label_of = dissolve(arrangement.pieces, chosen, local)
+    quality = _quality(polygons, label_of, chosen[piece], own, certain, cracks, k)
+    lost = set(own.tolist()) - set(label_of.tolist())
+    moved = tuple(translate(polygon, *origin) for polygon in polygons)
+    return RoofPartition(moved, numbers[label_of], float(1.0 - np.mean(certain)),
+                         "lost roofs" if lost else "ok", *quality)
+
+
+def _filled(index: np.ndarray, data: np.ndarray, mask: np.ndarray, smallest: float) -> np.ndarray:
+    """Roof index of every cell of the mask, elsewhere -1; gaps and specks take the nearest cell's roof."""
+    part = measure.label(_nearest(index, data, mask) + 1, background=0, connectivity=1)
+    speck = np.bincount(part.ravel()) < smallest
+    speck[0] = True
+    solid = data & ~speck[part]
+    return _nearest(index, solid if solid.any() else data, mask)
+
+
+def _nearest(index: np.ndarray, data: np.ndarray, mask: np.ndarray) -> np.ndarray:
+    row, column = ndimage.distance_transform_edt(~data, return_distances=False, return_indices=True)
+    return np.where(mask, index[row, column], -1)
+
+
+def _piece_of_cell(arrangement: Arrangement, lines: np.ndarray, xy: np.ndarray) -> np.ndarray:
+    """Number of the piece that each cell centre (n, 2) lies in."""
+    powers = 1 << np.arange(len(lines), dtype=np.int64)
+
+    def sides(p: np.ndarray) -> np.ndarray:
+        return ((p @ lines[:, :2].T) > lines[:, 2]) @ powers
+
+    codes, group = np.unique(sides(arrangement.inside), return_inverse=True)
+    place = np.minimum(np.searchsorted(codes, sides(xy)), len(codes) - 1)
+    first = np.zeros(len(codes), np.int64)
+    first[group[::-1]] = np.arange(len(group))[::-1]
+    result = first[place]
+    for several in np.flatnonzero(np.bincount(group) > 1):  # told apart by a bay of the outline, by no line
+        cells = np.flatnonzero(place == several)
+        for piece in np.flatnonzero(group == several):
+            inside = shapely.contains_xy(arrangement.pieces[piece], xy[cells, 0], xy[cells, 1])
+            result[cells[inside]] = piece
+    return result
+
+
+def _confusion(filled: np.ndarray, data: np.ndarray, heights: np.ndarray | None, k: int,
+               full_step: float) -> np.ndarray:
+    """(k, k) cost of giving a cell of one roof to another, 0 to 1, by their difference in height."""
+    cost = 1.0 - np.eye(k)
+    if heights is None:
+        return cost
+    usable = data & np.isfinite(heights)
+    label, height = filled[usable], heights[usable]
+    median = np.array([np.median(height[label == i]) if (label == i).any() else np.nan for i in range(k)])
+    step = np.abs(median[:, None] - median[None, :])
+    return cost * np.where(np.isfinite(step), np.clip(step / full_step, LEAST_CONFUSION, 1.0), 1.0)
+
+
+def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, own: np.ndarray, certain: np.ndarray,
+             cracks: Cracks, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Coverage, agreement and boundary RMS of each polygon (a roof's figures go to all its polygons)."""
+    cells = np.bincount(given, minlength=k)
+    with_data = np.bincount(given, certain, minlength=k)
+    agreeing = np.bincount(given, certain & (given == own), minlength=k)
+    coverage, agreement = with_data / np.maximum(cells, 1), agreeing / np.maximum(with_data, 1)
+    places = shapely.points(cracks.xy)
+    rms = np.full(len(polygons), np.nan)
+    for i in range(k):
+        mine = np.flatnonzero(label_of == i)
+        near = (cracks.left == i) | (cracks.right == i)
+        if len(mine) and near.any():
+            border = shapely.multilinestrings(shapely.get_rings([polygons[m] for m in mine]))
+            shapely.prepare(border)
+            distance = shapely.distance(border, places[near])
+            distance = distance[distance < NEAR_BORDER]
+            rms[mine] = np.sqrt(np.mean(distance ** 2)) if len(distance) else np.nan
+    return coverage[label_of], agreement[label_of], rms
