@@ -100,7 +100,10 @@ def repaired(buildings: Buildings) -> tuple[Buildings, int]:
 
 def _with_courtyards(rings: Buildings) -> tuple[Buildings, int]:
     """Polygons of closed lines; every second level of nesting within a type is a hole, not a building."""
-    polygons = shapely.polygons(rings.polygons) if len(rings.polygons) else np.empty(0, dtype=object)
+    if len(rings.polygons) == 0:
+        return rings, 0
+    coordinates, of_ring = shapely.get_coordinates(rings.polygons, return_index=True)
+    polygons = shapely.polygons(shapely.linearrings(coordinates, indices=of_ring))
     outlines = Buildings(polygons, rings.attributes)
     valid = shapely.is_valid(polygons)
     kinds = np.array([kind or "" for kind in rings.attributes["type"]], dtype=object)
