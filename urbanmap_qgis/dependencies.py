@@ -1,0 +1,297 @@
+"""Which Python packages UrbanMap needs, which are missing, and how they are installed.
+
+QGIS brings its own numpy (and often more). Packages are installed into a folder of their own that is searched after
+everything QGIS has, so that nothing QGIS came with is ever replaced.
+"""
+
+from __future__ import annotations
+
+import importlib.metadata
+import importlib.util
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from .errors import Cancelled, UrbanMapError
+
+
+class InstallError(UrbanMapError):
+    """The packages could not be installed."""
+
+
+@dataclass(frozen=True)
+class Package:
+    """A package as Python imports it and as pip names it."""
+
+    import_name: str
+    distribution: str
+    minimum: tuple[int, ...] = ()
+    below: tuple[int, ...] = ()
+
+    @property
+    def requirement(self) -> str:
+        """What pip is asked for, such as ``shapely>=2.0``."""
+        limits = []
+        if self.minimum:
+            limits.append(">=" + ".".join(map(str, self.minimum)))
+        if self.below:
+            limits.append("<" + ".".join(map(str, self.below)))
+        return self.distribution + ",".join(limits)
+
+
+@dataclass(frozen=True)
+class Missing:
+    """A package that is not there, or not in a version that works."""
+
+    package: Package
+    found_version: str = ""
+
+    def __str__(self) -> str:
+        if self.found_version:
+            return f"{self.package.requirement} (found {self.found_version})"
+        return self.package.distribution
+
+
+# OpenCV 5 is built for numpy 2 and does not load beside the numpy 1 of many QGIS builds.
+PACKAGES = {
+    package.import_name: package
+    for package in (
+        Package("numpy", "numpy", (1, 22)),
+        Package("scipy", "scipy", (1, 9)),
+        Package("shapely", "shapely", (2, 0)),
+        Package("pyproj", "pyproj", (3, 2)),
+        Package("rasterio", "rasterio", (1, 3)),
+        Package("laspy", "laspy", (2, 4)),
+        Package("lazrs", "lazrs", (0, 5)),
+        Package("cv2", "opencv-python-headless", (4, 5), (5,)),
+        Package("skimage", "scikit-image", (0, 19)),
+    )
+}
+
+
+def version_numbers(version: str) -> tuple[int, ...]:
+    """Leading numbers of a version: ``"2.1.0rc1"`` gives (2, 1, 0)."""
+    match = re.match(r"\d+(?:\.\d+)*", version)
+    return tuple(int(part) for part in match.group().split(".")) if match else ()
+
+
+def installed_version(package: Package) -> str:
+    """Version of an installed package, or an empty text where its installer left no record of it.
+
+    OpenCV comes under several names (opencv-python, a distribution's own build): any of them will do.
+    """
+    names = [package.distribution]
+    if package.import_name == "cv2":
+        names += ["opencv-python", "opencv-contrib-python-headless", "opencv-contrib-python", "opencv"]
+    for name in names:
+        try:
+            return importlib.metadata.version(name) or ""
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    return ""
+
+
+def find_missing(import_names: Iterable[str] = tuple(PACKAGES)) -> list[Missing]:
+    """Packages among `import_names` that are not there or too old or too new; nothing is imported."""
+    missing = []
+    for name in import_names:
+        package = PACKAGES[name]
+        if importlib.util.find_spec(name) is None:
+            missing.append(Missing(package))
+            continue
+        version = installed_version(package)
+        numbers = version_numbers(version)
+        too_old = bool(numbers and package.minimum and numbers < package.minimum)
+        too_new = bool(numbers and package.below and numbers >= package.below)
+        if too_old or too_new:
+            missing.append(Missing(package, version))
+    return missing
+
+
+def packages_folder(profile: str | os.PathLike) -> Path:
+    """Folder of a QGIS profile that holds UrbanMap's packages for the running Python version."""
+    version = f"py{sys.version_info.major}.{sys.version_info.minor}"
+    return Path(profile) / "python" / "urbanmap_packages" / version
+
+
+def activate(folder: str | os.PathLike) -> None:
+    """Let Python search `folder`, after everything it searches already."""
+    entry = str(folder)
+    if entry not in sys.path and os.path.isdir(entry):
+        sys.path.append(entry)
+    importlib.invalidate_caches()
+
+
+def python_executable() -> str:
+    """The Python interpreter of the running program.
+
+    Inside QGIS on Windows and macOS `sys.executable` is QGIS itself; starting that would open a second window.
+    """
+    name = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    running = Path(sys.executable or "python3")
+    prefix = Path(sys.exec_prefix)
+    base = getattr(sys, "_base_executable", None)
+    if platform.system() == "Windows":
+        candidates = [running, prefix / "python.exe", prefix / "python3.exe", prefix / "Scripts" / "python.exe",
+                      running.parent / "python3.exe", running.parent / "python.exe"]
+    else:
+        candidates = [running, prefix / "bin" / name, prefix / "bin" / "python3", running.parent / name,
+                      running.parent / "python3", running.parent / "bin" / name, running.parent / "bin" / "python3"]
+    if base:
+        candidates.append(Path(base))
+    for candidate in candidates:
+        if candidate.name.lower().startswith("python") and candidate.is_file():
+            return str(candidate)
+    return "python3"
+
+
+def numpy_pin() -> list[str]:
+    """Requirement that keeps pip to the numpy that is there, or nothing when there is none."""
+    version = installed_version(PACKAGES["numpy"])
+    return [f"numpy=={version}"] if version else []
+
+
+def install_command(missing: Sequence[Missing], folder: str | os.PathLike) -> list[str]:
+    """Arguments of the command that installs `missing` into `folder`.
+
+    numpy is pinned to the version that is there, so that the packages are chosen to fit it. pip may lay a copy
+    of it into the folder; `install` removes it, and a copy is never imported because the folder is searched last.
+    """
+    pin = [] if any(item.package.import_name == "numpy" for item in missing) else numpy_pin()
+    return [python_executable(), "-m", "pip", "install", "--upgrade", "--target", str(folder),
+            *pin, *(item.package.requirement for item in missing)]
+
+
+def shown_command(arguments: Sequence[str]) -> str:
+    """A command as one types it into this platform's shell."""
+    if platform.system() == "Windows":
+        return subprocess.list2cmdline(arguments)
+    return " ".join(f'"{part}"' if re.search(r"[^\w./=:+-]", part) else part for part in arguments)
+
+
+def missing_message(missing: Sequence[Missing], folder: str | os.PathLike) -> str:
+    """One text that names the missing packages and says how they are installed here."""
+    names = ", ".join(str(item) for item in missing)
+    noun = "package" if len(missing) == 1 else "packages"
+    command = shown_command(install_command(missing, folder))
+    return (f"Python {noun} missing: {names}. Install with the menu Plugins > UrbanMap > Install Python packages, "
+            f"or in a terminal with: {command}")
+
+
+def install(
+    missing: Sequence[Missing],
+    folder: str | os.PathLike,
+    report: Callable[[str], None] = lambda line: None,
+    cancelled: Callable[[], bool] = lambda: False,
+    pip_options: Sequence[str] = (),
+) -> None:
+    """Install `missing` into `folder` by pip, leaving out every package that is already there elsewhere.
+
+    pip works in a temporary folder first: a failed or cancelled installation changes nothing.
+
+    Parameters
+    ----------
+    report : called with each line that pip prints.
+    cancelled : asked between lines whether to stop.
+    pip_options : further options of ``pip install``, such as ``--no-index``.
+
+    Raises
+    ------
+    InstallError : pip is not there or failed.
+    Cancelled : the user stopped it.
+    """
+    if not missing:
+        return
+    target = Path(folder)
+    _require_pip()
+    target.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="urbanmap-install-", dir=target.parent) as scratch:
+        staging = Path(scratch) / "packages"
+        command = [*install_command(missing, staging), "--no-input", "--disable-pip-version-check", *pip_options]
+        constraints = Path(scratch) / "constraints.txt"
+        wanted = {item.package.import_name for item in missing}
+        kept = {package.distribution: installed_version(package)
+                for name, package in PACKAGES.items() if name not in wanted and installed_version(package)}
+        constraints.write_text("".join(f"{name}=={version}\n" for name, version in kept.items()), encoding="utf-8")
+        report(shown_command(command))
+        _run([*command, "--constraint", str(constraints)], report, cancelled)
+        for name in kept:
+            remove_distribution(staging, name)
+        _move_into(staging, target)
+    activate(target)
+
+
+def remove_distribution(folder: Path, name: str) -> None:
+    """Remove the files of one distribution from a folder that pip filled with ``--target``."""
+    for distribution in importlib.metadata.distributions(path=[str(folder)]):
+        if _plain(distribution.metadata["Name"]) != _plain(name):
+            continue
+        for file in distribution.files or ():
+            path = (folder / str(file)).resolve()
+            if folder.resolve() in path.parents:
+                path.unlink(missing_ok=True)
+        for path in sorted(folder.rglob("*"), key=lambda item: len(item.parts), reverse=True):
+            if path.is_dir() and (path.name == "__pycache__" or not any(path.iterdir())):
+                shutil.rmtree(path)
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def _require_pip() -> None:
+    python = python_executable()
+    try:
+        found = subprocess.run([python, "-m", "pip", "--version"], capture_output=True, check=False,
+                               env=_environment(), **_hidden_window())
+    except OSError as error:
+        raise InstallError(f"Python cannot be started as {python} ({error.strerror}).") from error
+    if found.returncode != 0:
+        advice = ("install it with: sudo apt install python3-pip" if platform.system() == "Linux"
+                  else f"install it with: {shown_command([python, '-m', 'ensurepip', '--user'])}")
+        raise InstallError(f"{python} has no pip, which installs Python packages: {advice}")
+
+
+def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Callable[[], bool]) -> None:
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                          text=True, encoding="utf-8", errors="replace", env=_environment(),
+                          **_hidden_window()) as process:
+        last = ""
+        for line in process.stdout:
+            if line.strip():
+                last = line.rstrip()
+                report(last)
+            if cancelled():
+                process.terminate()
+                process.wait()
+                raise Cancelled()
+    if process.returncode != 0:
+        raise InstallError(f"pip could not install the packages: {last or 'it gave no reason'}")
+
+
+def _environment() -> dict[str, str]:
+    environment = dict(os.environ, PYTHONIOENCODING="utf-8")
+    if platform.system() == "Darwin" and ".app/" in sys.exec_prefix:
+        environment["PYTHONHOME"] = sys.exec_prefix
+    return environment
+
+
+def _hidden_window() -> dict[str, int]:
+    return {"creationflags": subprocess.CREATE_NO_WINDOW} if platform.system() == "Windows" else {}
+
+
+def _move_into(staging: Path, target: Path) -> None:
+    for item in sorted(staging.iterdir()):
+        place = target / item.name
+        if place.is_dir():
+            shutil.rmtree(place)
+        elif place.exists():
+            place.unlink()
+        shutil.move(str(item), str(place))
