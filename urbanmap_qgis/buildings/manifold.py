@@ -1,0 +1,186 @@
+"""Small changes of a plan that keep the solid over it free of non-manifold edges.
+
+Round a plan node the roofs' heights must rise to one top and fall to one bottom. Where they rise twice
+(two high roofs touching only in the node, a courtyard touching the outline), four walls would meet in one
+vertical edge. The corner of a low cell is then cut off and given to the high cell beside it (or the other
+way round), a triangle of about a centimetre.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from .half_edges import OUTSIDE, HalfEdges
+
+CORNER_SIZE = 0.01
+"""Wanted length of the legs of a cut corner, m."""
+
+_SHORTEST_EDGE = 0.0015
+_WIDEST_CORNER = math.radians(170)
+
+
+@dataclass(frozen=True)
+class _Corner:
+    """Sector of a cell at a node, between the directions to `right` and, counterclockwise, to `left`."""
+
+    right: int
+    left: int
+    cell: int
+    height: int
+    angle: float
+
+
+@dataclass(frozen=True)
+class _Mend:
+    """Corners at one node that would change to another cell."""
+
+    corners: tuple[_Corner, ...]
+    target: int
+
+
+def mend_plan(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int, int]:
+    """Cut corners until the heights round every node have one top and one bottom.
+
+    Parameters
+    ----------
+    edges : half edges of one connected part; changed in place.
+    heights : height of each cell; `base` : height of what lies outside (same unit).
+
+    Returns
+    -------
+    Number of nodes mended, and of nodes that could not be (corners too sharp or too short).
+    """
+    done = failed = 0
+    for node in _meeting_points(edges):
+        for _ in range(len(edges.x)):
+            mends = list(_possible_mends(_corners(edges, node, heights, base)))
+            if not mends:
+                break
+            if not any(_cut(edges, node, mend) for mend in sorted(mends, key=_reluctance)):
+                failed += 1
+                break
+            done += 1
+    return done, failed
+
+
+def _meeting_points(edges: HalfEdges) -> list[int]:
+    """Nodes where four or more edges meet: with fewer, heights cannot rise twice."""
+    neighbours: dict[int, set[int]] = {}
+    for a, b in edges.cell:
+        neighbours.setdefault(a, set()).add(b)
+        neighbours.setdefault(b, set()).add(a)
+    return sorted(node for node, around in neighbours.items() if len(around) > 3)
+
+
+def _corners(edges: HalfEdges, node: int, heights: Sequence[int], base: int) -> list[_Corner]:
+    """Corners round a node, counterclockwise."""
+    around = {b for a, b in edges.cell if a == node} | {a for a, b in edges.cell if b == node}
+    spokes = sorted((edges.direction(node, other), other) for other in around)
+    corners = []
+    for (angle, right), (next_angle, left) in zip(spokes, [*spokes[1:], spokes[0]]):
+        cell = edges.cell.get((node, right), OUTSIDE)
+        height = base if cell == OUTSIDE else heights[cell]
+        corners.append(_Corner(right, left, cell, height, (next_angle - angle) % (2 * math.pi)))
+    return corners
+
+
+def _possible_mends(corners: list[_Corner]) -> Iterator[_Mend]:
+    """Every way to take away one of several tops: fill a dip between two, or cut one down; none if all is well."""
+    yield from _fill_dips(corners, 1)
+    yield from _fill_dips(corners, -1)
+
+
+def _fill_dips(corners: list[_Corner], sign: int) -> Iterator[_Mend]:
+    """Mends that raise the dip between neighbouring tops to the lower top (`sign` -1: upside down)."""
+    n = len(corners)
+    height = [sign * corner.height for corner in corners]
+    tops = [i for i in range(n) if height[i] > height[i - 1] and _falls_after(height, i)]
+    if len(tops) < 2:
+        return
+    for start, end in zip(tops, [*tops[1:], tops[0] + n]):
+        level = min(height[start], height[end % n])
+        between = [i % n for i in range(start, end + 1) if height[i % n] < level]
+        target = start if height[start] == level else end % n
+        yield _Mend(tuple(corners[i] for i in between), corners[target].cell)
+
+
+def _falls_after(height: list[int], i: int) -> bool:
+    """Whether the heights fall after the plateau that begins at `i`."""
+    n = len(height)
+    after = next((height[(i + k) % n] for k in range(1, n) if height[(i + k) % n] != height[i]), height[i])
+    return after < height[i]
+
+
+def _reluctance(mend: _Mend) -> tuple:
+    """Sorting key: opening a building to the outside comes last, few wide corners come first."""
+    return (mend.target == OUTSIDE, len(mend.corners), -min(corner.angle for corner in mend.corners))
+
+
+def _cut(edges: HalfEdges, node: int, mend: _Mend) -> bool:
+    """Carry a mend out; False, with nothing changed, where a corner is too wide or there is no room."""
+    room = 0.4 * _clearance(edges, node) * edges.resolution
+    narrowest = min(corner.angle for corner in mend.corners)
+    leg = max(CORNER_SIZE, _SHORTEST_EDGE / (2 * math.sin(min(narrowest, math.pi) / 2)))
+    leg = min(leg, room)
+    too_short = leg * min(1.0, 2 * math.sin(min(narrowest, math.pi) / 2)) < 0.99 * _SHORTEST_EDGE
+    if too_short or max(corner.angle for corner in mend.corners) > _WIDEST_CORNER:
+        return False
+    steps = leg / edges.resolution
+    split: dict[int, int] = {}
+    for corner in mend.corners:
+        for end in (corner.right, corner.left):
+            if end not in split:
+                split[end] = _split(edges, node, end, steps)
+    for corner in mend.corners:
+        _move_corner(edges, node, split[corner.right], split[corner.left], corner.cell, mend.target)
+    return True
+
+
+def _clearance(edges: HalfEdges, node: int) -> float:
+    """Distance from a node to the nearest other node or edge that does not end in it, lattice units."""
+    px, py = edges.x[node], edges.y[node]
+    nearest = math.inf
+    for a, b in edges.cell:
+        if a == node or b == node:
+            other = b if a == node else a
+            nearest = min(nearest, math.hypot(edges.x[other] - px, edges.y[other] - py))
+            continue
+        ax, ay = edges.x[a] - px, edges.y[a] - py
+        dx, dy = edges.x[b] - edges.x[a], edges.y[b] - edges.y[a]
+        along = min(max(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0), 1.0)
+        nearest = min(nearest, math.hypot(ax + along * dx, ay + along * dy))
+    return nearest
+
+
+def _split(edges: HalfEdges, node: int, end: int, steps: float) -> int:
+    """Put a new node on the edge from `node` to `end`, `steps` lattice units from `node`."""
+    dx, dy = edges.x[end] - edges.x[node], edges.y[end] - edges.y[node]
+    share = steps / math.hypot(dx, dy)
+    middle = edges.add_node(edges.x[node] + round(dx * share), edges.y[node] + round(dy * share))
+    for a, b in ((node, end), (end, node)):
+        cell = edges.cell.pop((a, b), None)
+        if cell is not None:
+            edges.cell[a, middle] = edges.cell[middle, b] = cell
+    return middle
+
+
+def _move_corner(edges: HalfEdges, node: int, right: int, left: int, cell: int, target: int) -> None:
+    """Move the triangle node, right, left from `cell` to `target`, and drop edges between equal cells."""
+    for edge in ((left, node), (node, right)):
+        _set(edges, edge, target)
+    _set(edges, (left, right), cell)
+    _set(edges, (right, left), target)
+    for a, b in ((node, right), (node, left)):
+        if edges.cell.get((a, b), OUTSIDE) == edges.cell.get((b, a), OUTSIDE):
+            edges.cell.pop((a, b), None)
+            edges.cell.pop((b, a), None)
+
+
+def _set(edges: HalfEdges, edge: tuple[int, int], cell: int) -> None:
+    """Say what lies at the left of a directed edge."""
+    if cell == OUTSIDE:
+        edges.cell.pop(edge, None)
+    else:
+        edges.cell[edge] = cell

@@ -1,0 +1,321 @@
+"""From roof polygons that overlap and leave gaps to an exact partition of a building's plan (J 5.3.4).
+
+Roofs are put on the plan from top to bottom, as J segments them: where two overlap, the plan belongs to the
+higher one. All lines are noded by snap rounding on one grid, so that neighbouring cells share their edges
+node by node and walls raised on them close exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..errors import InputError, InsufficientDataError
+from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
+
+_GAP = -1
+_NOT_PLAN = -2
+
+
+@dataclass(frozen=True)
+class Cell:
+    """A piece of the plan under one roof: polygon (m), the roof's id, height of the roof (m)."""
+
+    polygon: shapely.Polygon
+    roof_id: Hashable
+    height: float
+
+
+@dataclass(frozen=True)
+class PlanPartition:
+    """Cells of a plan, and what had to be decided to get them (areas in m2).
+
+    Attributes
+    ----------
+    cells : the cells, edge by edge beside each other, from the highest roof down.
+    overlap_area : plan that several roofs claimed (the highest has it).
+    gap_area : plan that no roof claimed, given to the roof with the longest common edge.
+    sliver_area : plan of cells too small or too narrow, given to a neighbour.
+    outside_area : area of roofs cut off because it lies outside the plan.
+    uncovered_area : part of the footprint left without a model, as no roof touches it.
+    """
+
+    cells: tuple[Cell, ...]
+    overlap_area: float
+    gap_area: float
+    sliver_area: float
+    outside_area: float
+    uncovered_area: float
+
+
+def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[shapely.Geometry],
+                   roof_heights: Sequence[float], roof_ids: Sequence[Hashable], *, grid_size: float = 0.01,
+                   min_area: float = 1.0, min_width: float = 0.3, limit: str = "footprint") -> PlanPartition:
+    """Cut a building's plan into cells of one roof each.
+
+    Parameters
+    ----------
+    footprint : Polygon or MultiPolygon, m; courtyards are its holes. May be None where `limit` is "roofs".
+    roof_polygons : polygons of the roofs, m; they may overlap, leave gaps, stick out or be invalid.
+    roof_heights, roof_ids : height (m) and id of each roof.
+    grid_size : nodes lie on multiples of this, m. With 1 cm no two nodes come nearer than validators' usual
+        snapping distance of 1 mm.
+    min_area : a cell smaller than this (m2) goes to the neighbour with the longest common edge.
+    min_width : so does a cell narrower than this (m) everywhere.
+    limit : "footprint": the plan is the footprint; "roofs": the plan is the union of the roofs, and holes
+        between them are filled where they are slivers or lie in the footprint.
+
+    Raises
+    ------
+    InputError : lengths differ, a height is not finite, or `limit` is unknown.
+    InsufficientDataError : no roof lies on the plan.
+    """
+    _check_input(footprint, roof_polygons, roof_heights, roof_ids, limit)
+    order = _top_to_bottom(roof_polygons, roof_heights, roof_ids)
+    geometries = np.array([roof_polygons[i] for i in order] + ([footprint] if footprint is not None else []),
+                          dtype=object)
+    origin = whole_metre_origin(shapely.total_bounds(geometries))
+    geometries = _cleaned(geometries, origin)
+    roofs = geometries[:len(order)]
+    outline = geometries[-1] if footprint is not None else None
+
+    lines = shapely.boundary(geometries if limit == "footprint" else roofs)
+    faces = shapely.get_parts(shapely.polygonize([shapely.union_all(lines, grid_size=grid_size)]))
+    if len(faces) == 0:
+        raise InsufficientDataError("No roof lies on the plan of the building: check outline and roofs.")
+    claims, labels = _labels(faces, roofs, outline, limit)
+    edges = half_edges(faces, (0.0, 0.0), grid_size)
+    areas = shapely.area(faces)
+    regions = _Regions(edges, areas, labels)
+    if limit == "roofs":
+        _close_courtyards(regions, faces, outline, min_area, min_width)
+    gap_area, uncovered = _fill_gaps(regions)
+    sliver_area = _merge_slivers(regions, faces, min_area, min_width)
+
+    cells = _cells(regions, edges, origin, order, roof_heights, roof_ids)
+    if not cells:
+        raise InsufficientDataError("No roof lies on the plan of the building: check outline and roofs.")
+    outside = labels == _NOT_PLAN
+    return PlanPartition(cells, float(areas[(claims > 1) & ~outside].sum()), gap_area, sliver_area,
+                         float(areas[(claims > 0) & outside].sum()), uncovered)
+
+
+def _check_input(footprint, roof_polygons, roof_heights, roof_ids, limit) -> None:
+    """Refuse what cannot be partitioned."""
+    if limit not in ("footprint", "roofs"):
+        raise InputError(f"The plan's limit is '{limit}': give 'footprint' or 'roofs'.")
+    if limit == "footprint" and footprint is None:
+        raise InputError("The plan's limit is the footprint, but there is none: give one, or limit to the roofs.")
+    if not len(roof_polygons) == len(roof_heights) == len(roof_ids):
+        raise InputError("Roof polygons, heights and ids differ in number: give one height and id for each roof.")
+    if len(roof_polygons) == 0:
+        raise InsufficientDataError("The building has no roof: give at least one.")
+    if not np.all(np.isfinite(np.asarray(roof_heights, dtype=float))):
+        raise InputError("A roof has no height: give a finite height for each roof.")
+
+
+def _top_to_bottom(roof_polygons, roof_heights, roof_ids) -> list[int]:
+    """Order of the roofs from the highest down; larger area, then id, decide among equals."""
+    areas = shapely.area(np.asarray(roof_polygons, dtype=object))
+    return sorted(range(len(areas)), key=lambda i: (-roof_heights[i], -round(areas[i], 6), str(roof_ids[i])))
+
+
+def _cleaned(geometries: np.ndarray, origin: tuple[float, float]) -> np.ndarray:
+    """Valid, flat geometries on a local origin."""
+    moved = shapely.transform(shapely.force_2d(geometries), lambda c: c - origin)
+    bad = ~shapely.is_valid(moved)
+    if bad.any():
+        moved[bad] = [_areas_of(geometry) for geometry in shapely.make_valid(moved[bad])]
+    return moved
+
+
+def _areas_of(geometry: shapely.Geometry) -> shapely.MultiPolygon:
+    """The polygons of a repaired geometry, without the lines and points that repairing leaves."""
+    parts = shapely.get_parts(shapely.get_parts(geometry))
+    return shapely.MultiPolygon([part for part in parts if part.geom_type == "Polygon"])
+
+
+def _labels(faces, roofs, outline, limit) -> tuple[np.ndarray, np.ndarray]:
+    """Number of roofs that claim each face, and the face's label: highest roof, gap, or not in the plan."""
+    inside = shapely.point_on_surface(faces)
+    hit = shapely.contains(roofs[:, None], inside)
+    claims = hit.sum(axis=0)
+    labels = np.where(claims > 0, hit.argmax(axis=0), _GAP)
+    if limit == "footprint":
+        labels[~shapely.contains(outline, inside)] = _NOT_PLAN
+    return claims, labels
+
+
+class _Regions:
+    """Faces grown together to regions of one label, with the lengths of their common edges.
+
+    A region is known by the number of one of its faces.
+    """
+
+    def __init__(self, edges: HalfEdges, areas: np.ndarray, labels: np.ndarray):
+        self.label = {i: label for i, label in enumerate(labels.tolist()) if label != _NOT_PLAN}
+        self.area = dict(enumerate(areas.tolist()))
+        self.faces = {i: [i] for i in self.label}
+        self.perimeter = dict.fromkeys(self.label, 0.0)
+        self.shared: dict[int, dict[int, float]] = {i: {} for i in self.label}
+        for (a, b), face in edges.cell.items():
+            if face not in self.label:
+                continue
+            length = edges.length(a, b)
+            self.perimeter[face] += length
+            other = edges.cell.get((b, a))
+            if other in self.label and other != face:
+                self.shared[face][other] = self.shared[face].get(other, 0.0) + length
+        for face in list(self.label):
+            if face in self.label:
+                self.relabel(face, self.label[face])
+
+    def relabel(self, region: int, label: int) -> None:
+        """Give a region a label and grow it together with its neighbours of that label."""
+        self.label[region] = label
+        while True:
+            same = [other for other in self.shared[region] if self.label[other] == label]
+            if not same:
+                return
+            for other in same:
+                self._absorb(region, other)
+
+    def _absorb(self, region: int, other: int) -> None:
+        """Add `other` to `region`."""
+        common = self.shared[region].pop(other)
+        self.perimeter[region] += self.perimeter.pop(other) - 2 * common
+        self.area[region] += self.area.pop(other)
+        self.faces[region] += self.faces.pop(other)
+        del self.label[other]
+        for third, length in self.shared.pop(other).items():
+            if third != region:
+                self.shared[region][third] = self.shared[third][region] = (
+                    self.shared[region].get(third, 0.0) + length)
+                del self.shared[third][other]
+
+    def best_neighbour(self, region: int) -> int | None:
+        """Label of the roof with the longest edge in common with a region, the higher of equals."""
+        lengths: dict[int, float] = {}
+        for other, length in self.shared[region].items():
+            label = self.label[other]
+            if label >= 0:
+                lengths[label] = lengths.get(label, 0.0) + length
+        return min(lengths, key=lambda label: (-round(lengths[label], 6), label), default=None)
+
+    def drop(self, region: int) -> None:
+        """Take a region out of the plan."""
+        for other in self.shared.pop(region):
+            del self.shared[other][region]
+        del self.label[region], self.faces[region]
+
+    def is_sliver(self, region: int, faces: np.ndarray, min_area: float, min_width: float) -> bool:
+        """Whether a region is smaller or everywhere narrower than wanted."""
+        if self.area[region] < min_area:
+            return True
+        # 2 A / P is never more than the width of the widest place, so most regions need no buffer.
+        if 2 * self.area[region] >= min_width * self.perimeter[region]:
+            return False
+        polygon = shapely.union_all(faces[self.faces[region]])
+        return bool(shapely.buffer(polygon, -min_width / 2).is_empty)
+
+
+def _close_courtyards(regions: _Regions, faces, outline, min_area: float, min_width: float) -> None:
+    """Take holes between roofs out of the plan, but for slivers and those the footprint calls building."""
+    for region in [r for r, label in regions.label.items() if label == _GAP]:
+        largest = max(regions.faces[region], key=lambda face: regions.area.get(face, 0.0))
+        building = outline is not None and shapely.contains(outline, shapely.point_on_surface(faces[largest]))
+        if not building and not regions.is_sliver(region, faces, min_area, min_width):
+            regions.drop(region)
+
+
+def _fill_gaps(regions: _Regions) -> tuple[float, float]:
+    """Give each gap to a roof beside it; return the area given and the area that no roof touches."""
+    gaps = [region for region, label in regions.label.items() if label == _GAP]
+    # Chosen before anything grows, so that the order of the gaps does not matter.
+    chosen = {region: regions.best_neighbour(region) for region in gaps}
+    given = sum(regions.area[region] for region in gaps if chosen[region] is not None)
+    left = sum(regions.area[region] for region in gaps if chosen[region] is None)
+    for region, label in chosen.items():
+        if label is None:
+            regions.drop(region)
+        else:
+            _grow(regions, region, label)
+    return given, left
+
+
+def _grow(regions: _Regions, region: int, label: int) -> None:
+    """Relabel a region that may have been absorbed under the same label already."""
+    if region in regions.label:
+        regions.relabel(region, label)
+
+
+def _merge_slivers(regions: _Regions, faces: np.ndarray, min_area: float, min_width: float) -> float:
+    """Give slivers to their neighbours, smallest first; return their area. One without neighbours stays."""
+    merged = 0.0
+    judged: dict[int, float] = {}
+    while True:
+        slivers = []
+        for region in regions.label:
+            if judged.get(region) == regions.area[region]:
+                continue
+            if regions.shared[region] and regions.is_sliver(region, faces, min_area, min_width):
+                slivers.append(region)
+            else:
+                judged[region] = regions.area[region]
+        if not slivers:
+            return merged
+        region = min(slivers, key=lambda r: (regions.area[r], min(regions.faces[r])))
+        merged += regions.area[region]
+        regions.relabel(region, regions.best_neighbour(region))
+
+
+def _cells(regions: _Regions, edges: HalfEdges, origin, order, heights, ids) -> tuple[Cell, ...]:
+    """Polygons of the regions, without nodes that only noding or merging left behind."""
+    region_of = {face: region for region, faces in regions.faces.items() for face in faces}
+    owned = {edge: region_of[face] for edge, face in edges.cell.items() if face in region_of}
+    outlines = {edge: region for edge, region in owned.items() if owned.get(edge[::-1]) != region}
+    merged = HalfEdges(edges.origin, edges.resolution, edges.x, edges.y, outlines)
+    _drop_straight_nodes(merged)
+    by_region: dict[int, list[tuple[int, int]]] = {region: [] for region in regions.label}
+    for edge, region in merged.cell.items():
+        by_region[region].append(edge)
+    made = []
+    for region, directed in by_region.items():
+        roof = order[regions.label[region]]
+        polygon, first = _polygon(merged, directed, origin)
+        made.append((regions.label[region], first, Cell(polygon, ids[roof], float(heights[roof]))))
+    made.sort(key=lambda item: item[:2])
+    return tuple(cell for _, _, cell in made)
+
+
+def _drop_straight_nodes(edges: HalfEdges) -> None:
+    """Remove nodes where only two edges meet and go straight on, at both sides of the line."""
+    neighbours: dict[int, set[int]] = {}
+    for a, b in edges.cell:
+        neighbours.setdefault(a, set()).add(b)
+        neighbours.setdefault(b, set()).add(a)
+    for node in sorted(neighbours):
+        if len(neighbours[node]) != 2:
+            continue
+        a, b = neighbours[node]
+        if edges.twice_area((a, node, b)) != 0 or b in neighbours[a]:
+            continue
+        for start, end in ((a, b), (b, a)):
+            cell = edges.cell.pop((start, node), None)
+            if cell is not None:
+                del edges.cell[node, end]
+                edges.cell[start, end] = cell
+        neighbours[a].symmetric_difference_update((node, b))
+        neighbours[b].symmetric_difference_update((node, a))
+
+
+def _polygon(edges: HalfEdges, directed, origin) -> tuple[shapely.Polygon, int]:
+    """Polygon of a region from its directed edges, and the lowest node of its outer ring."""
+    rings = trace_rings(edges, directed)
+    outer = [ring for ring in rings if edges.twice_area(ring) > 0]
+    holes = [ring for ring in rings if edges.twice_area(ring) < 0]
+    shape = [edges.coordinates(ring) + origin for ring in (outer[0], *holes)]
+    return shapely.Polygon(shape[0], shape[1:]), outer[0][0]

@@ -1,0 +1,213 @@
+"""Closed solids from the cells of a plan: roofs at their heights, walls between them, one ground (J 5.3.4)."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..errors import InputError
+from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
+from .manifold import mend_plan
+from .plan_partition import Cell
+
+ROOF, OUTER_WALL, INNER_WALL, GROUND = "roof", "outer wall", "inner wall", "ground"
+
+_UNITS = 10_000
+"""Lattice units a metre: coordinates are exact to 0.1 mm."""
+
+Face = tuple[tuple[int, ...], ...]
+"""Rings of vertex indices, not closed, the outer one first; counterclockwise seen from outside."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """A closed solid with horizontal roofs, vertical walls and a horizontal ground.
+
+    Attributes
+    ----------
+    vertices : (V, 3) coordinates, m.
+    faces : for each face its rings of vertex indices, outer ring first.
+    surface_type : of each face: "roof", "outer wall", "inner wall" or "ground".
+    roof_id : of each face: the roof, or for a wall the roof whose edge is its upper one; None for the ground.
+    mended_nodes : plan nodes where a corner of about 1 cm was moved between cells to keep the solid valid.
+    unmended_nodes : nodes that would have needed this but had no room: the solid is not valid there.
+    raised_roofs : roofs at or below the base, put at the least height above it.
+    """
+
+    vertices: np.ndarray
+    faces: tuple[Face, ...]
+    surface_type: tuple[str, ...]
+    roof_id: tuple[Hashable, ...]
+    mended_nodes: int = 0
+    unmended_nodes: int = 0
+    raised_roofs: int = 0
+
+
+def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: float = 0.1,
+                    least_step: float = 0.001) -> tuple[Solid, ...]:
+    """Raise the cells of a plan to solids, one for each part whose cells hang together by edges.
+
+    Parameters
+    ----------
+    cells : cells of one building, edge by edge beside each other (`partition_plan`).
+    base_height : height of the ground face, m.
+    least_height : a roof less than this above the base is put there (m); the solid counts them.
+    least_step : roofs whose heights differ by less than this (m) get the same height.
+
+    Raises
+    ------
+    InputError : the base height is not finite, or cells overlap.
+    """
+    if not np.isfinite(base_height):
+        raise InputError("The building has no base height: give the ground's height in metres.")
+    if not cells:
+        return ()
+    polygons = np.array([cell.polygon for cell in cells], dtype=object)
+    try:
+        edges = half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / _UNITS)
+    except ValueError as error:
+        raise InputError("Cells of one building overlap: cut its plan with partition_plan first.") from error
+    base = round(base_height * _UNITS)
+    heights, raised = _levels([cell.height for cell in cells], base, least_height, least_step)
+    solids = []
+    for part in _parts(edges, len(cells)):
+        directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
+        piece = HalfEdges(edges.origin, edges.resolution, edges.x, edges.y, directed)
+        mended, unmended = mend_plan(piece, heights, base)
+        builder = _Builder(piece, heights, base, [cell.roof_id for cell in cells])
+        solids.append(builder.solid(mended, unmended, sum(raised[cell] for cell in part)))
+    return tuple(solids)
+
+
+def _levels(heights: Sequence[float], base: int, least_height: float, least_step: float):
+    """Heights in lattice units, at least `least_height` over the base and never nearly equal; which were raised."""
+    lowest = base + max(round(least_height * _UNITS), 1)
+    units = [round(height * _UNITS) for height in heights]
+    raised = [unit < lowest for unit in units]
+    units = [max(unit, lowest) for unit in units]
+    level: dict[int, int] = {}
+    last = None
+    for unit in sorted(set(units)):
+        if last is None or unit - last >= round(least_step * _UNITS):
+            last = unit
+        level[unit] = last
+    return [level[unit] for unit in units], raised
+
+
+def _parts(edges: HalfEdges, count: int) -> list[set[int]]:
+    """Cells grouped by common edges, in the order of their first cells."""
+    beside: list[set[int]] = [set() for _ in range(count)]
+    for (a, b), cell in edges.cell.items():
+        other = edges.cell.get((b, a))
+        if other is not None:
+            beside[cell].add(other)
+    seen: set[int] = set()
+    parts = []
+    for first in range(count):
+        if first in seen:
+            continue
+        part, waiting = set(), [first]
+        while waiting:
+            cell = waiting.pop()
+            if cell not in part:
+                part.add(cell)
+                waiting.extend(beside[cell] - part)
+        seen |= part
+        parts.append(part)
+    return parts
+
+
+class _Builder:
+    """Collects the faces of one part; every vertex is a plan node at a height."""
+
+    def __init__(self, edges: HalfEdges, heights: Sequence[int], base: int, roof_ids: Sequence[Hashable]):
+        self.edges, self.heights, self.base, self.roof_ids = edges, heights, base, roof_ids
+        self.index: dict[tuple[int, int], int] = {}
+        self.faces: list[Face] = []
+        self.types: list[str] = []
+        self.ids: list[Hashable] = []
+
+    def solid(self, mended: int, unmended: int, raised: int) -> Solid:
+        """The finished solid: ground, roofs, walls."""
+        self._ground()
+        self._roofs()
+        self._walls()
+        nodes, levels = zip(*self.index)
+        vertices = np.empty((len(nodes), 3))
+        vertices[:, :2] = self.edges.coordinates(nodes)
+        vertices[:, 2] = np.array(levels) / _UNITS
+        return Solid(vertices, tuple(self.faces), tuple(self.types), tuple(self.ids), mended, unmended, raised)
+
+    def _add(self, rings: Iterable[Iterable[tuple[int, int]]], surface_type: str, roof_id: Hashable) -> None:
+        """Add a face given by rings of (node, height)."""
+        index = self.index
+        self.faces.append(tuple(tuple([index.setdefault(vertex, len(index)) for vertex in ring])
+                                for ring in rings))
+        self.types.append(surface_type)
+        self.ids.append(roof_id)
+
+    def _ground(self) -> None:
+        """One face under the whole part, seen from below; courtyards are its holes."""
+        cell = self.edges.cell
+        for outer, *holes in self._shapes([edge for edge in cell if edge[::-1] not in cell]):
+            self._add([[(node, self.base) for node in reversed(ring)] for ring in (outer, *holes)], GROUND, None)
+
+    def _roofs(self) -> None:
+        """One face for each cell; the line between two pieces of one cell bounds none."""
+        by_cell: dict[int, list[tuple[int, int]]] = {}
+        for edge, cell in self.edges.cell.items():
+            by_cell.setdefault(cell, []).append(edge)
+        for cell in sorted(by_cell):
+            height = self.heights[cell]
+            for rings in self._shapes(by_cell[cell]):
+                self._add([[(node, height) for node in ring] for ring in rings], ROOF, self.roof_ids[cell])
+
+    def _shapes(self, directed: list[tuple[int, int]]) -> list[list[list[int]]]:
+        """Rings of one connected piece, the outer one first."""
+        rings = trace_rings(self.edges, directed)
+        return [sorted(rings, key=lambda ring: self.edges.twice_area(ring) < 0)]
+
+    def _walls(self) -> None:
+        """One rectangle for each plan edge, its sides split where other walls end at the same node."""
+        cell, heights = self.edges.cell, self.heights
+        walls = []
+        stops: dict[int, set[int]] = {}
+        for (a, b), high in sorted(cell.items()):
+            low = cell.get((b, a))
+            bottom, top = self.base if low is None else heights[low], heights[high]
+            if top > bottom:
+                walls.append((a, b, bottom, top, high, OUTER_WALL if low is None else INNER_WALL))
+                for node in (a, b):
+                    stops.setdefault(node, set()).update((bottom, top))
+        ordered = {node: sorted(levels) for node, levels in stops.items()}
+        for a, b, bottom, top, high, surface_type in walls:
+            rising = [(b, level) for level in ordered[b] if bottom <= level <= top]
+            falling = [(a, level) for level in reversed(ordered[a]) if bottom <= level <= top]
+            self._add([[*rising, *falling]], surface_type, self.roof_ids[high])
+
+
+def surfaces(solid: Solid) -> np.ndarray:
+    """Faces of a solid as an array of shapely polygons with z."""
+    rings = [ring for face in solid.faces for ring in face]
+    closed = np.array([vertex for ring in rings for vertex in (*ring, ring[0])])
+    lines = shapely.linearrings(solid.vertices[closed], indices=np.repeat(
+        np.arange(len(rings)), [len(ring) + 1 for ring in rings]))
+    return shapely.polygons(lines, indices=np.repeat(
+        np.arange(len(solid.faces)), [len(face) for face in solid.faces]))
+
+
+def multipolygon(solids: Sequence[Solid]) -> shapely.MultiPolygon:
+    """All faces of a building's solids as one MultiPolygon with z."""
+    return shapely.MultiPolygon([polygon for solid in solids for polygon in surfaces(solid)])
+
+
+def volume(solid: Solid) -> float:
+    """Volume of a solid, m3: from its roofs, which lie over the ground like the lids of prisms."""
+    roofs = np.array([kind == ROOF for kind in solid.surface_type])
+    ground = solid.vertices[solid.faces[solid.surface_type.index(GROUND)][0][0], 2]
+    lids = surfaces(solid)[roofs]
+    height = np.array([solid.vertices[face[0][0], 2] for face, roof in zip(solid.faces, roofs) if roof])
+    return float(np.sum(shapely.area(lids) * (height - ground)))
