@@ -1,0 +1,43 @@
+"""The plugin is found by `qgis_process` from a link of any name, and says what it is."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+def listed_algorithms() -> list[str]:
+    """Module names in provider.py, read without importing QGIS."""
+    tree = ast.parse((ROOT / "algorithms" / "provider.py").read_text(encoding="utf-8"))
+    for node in tree.body:
+        if isinstance(node, ast.Assign) and node.targets[0].id == "ALGORITHMS":
+            return [module for module, _ in ast.literal_eval(node.value)]
+    raise AssertionError("no ALGORITHMS in provider.py")
+
+
+@pytest.mark.parametrize("folder", ["urbanmap_qgis", "urbanmap-qgis", "main"])
+def test_listed_from_any_folder_name(linked_profile, folder):
+    listing = linked_profile(folder).call("list")
+    assert listing.code == 0, listing.err
+    assert "UrbanMap" in listing.out
+    for name in listed_algorithms():
+        assert f"urbanmap:{name}\t" in listing.out, listing.err
+
+
+def test_help_says_what_parameters_mean(linked_profile):
+    text = linked_profile().call("help", "urbanmap:loadgsibuildings").out
+    assert "INPUT" in text and "OUTPUT" in text
+    assert "help" in text or "GML" in text
+
+
+def test_missing_input_is_one_sentence_and_exit_code_1(run_algorithm, tmp_path):
+    output = tmp_path / "out.gpkg"
+    done = run_algorithm("urbanmap:loadgsibuildings", INPUT=tmp_path / "無い.xml", OUTPUT=output)
+    assert done.code == 1
+    assert f"{tmp_path / '無い.xml'}" in done.err
+    assert "Traceback" not in done.err + done.out
+    assert not output.exists()
