@@ -1,0 +1,337 @@
+"""Ground points by cloth simulation (Zhang et al. 2016; J 3.2.3.1).
+
+A cloth is drawn up against the cloud from below: it rests against the ground and stays taut under buildings,
+trees and vehicles. Points within a threshold of it are ground.
+
+Zhang lets the cloth move in time steps and stops after a number of them. Here its place of rest is computed
+directly: the taut surface with u <= z everywhere and, where it does not touch, curvature = -weight (a membrane
+over an obstacle), by projected relaxation from coarse to fine. It is the same for every cut of the data, does
+not depend on a time step, and is reached in tens of sweeps. Three things are added to the paper's filter:
+a stiff trend surface carries the cloth, so that slopes need no slack; points alone below the ground are left
+out; and the slope step of the paper (lift the cloth to ground that continues without a jump) is repeated
+until nothing changes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError, InsufficientDataError
+from ..progress import SILENT, Progress
+from .delaunay import extreme_in_cells
+from .grid import Grid
+from .outliers import isolated, lonely_limit, plausible
+from .sampling import sample
+from .trend import trend_surface
+
+# Curvature of the free cloth, 1/m, by rigidness: 1 steep slopes, 2 hills, 3 flat towns. At 0.002 it sags 1.5 m
+# under a hall of 100 m by 100 m.
+_CURVATURE = {1: 0.02, 2: 0.006, 3: 0.002}
+_SETTLED = 0.002
+_STEP = 0.3
+_LAYER = 0.2
+_LOOSE_DEPTH = 0.5
+_NEIGHBOUR_STEP = 1.0
+
+
+@dataclass(frozen=True)
+class ClothSettings:
+    """Parameters of the filter, with J's values.
+
+    Parameters
+    ----------
+    resolution : spacing of the cloth's nodes, m (J Table 3-2: 2 m).
+    threshold : largest distance of a ground point from the cloth, m (0.2 m).
+    iterations : most sweeps on each level of detail; it stops earlier when settled (1000).
+    rigidness : 1 (steep slopes), 2 (hills) or 3 (flat towns, large buildings).
+    """
+
+    resolution: float = 2.0
+    threshold: float = 0.2
+    iterations: int = 1000
+    rigidness: int = 3
+
+    def __post_init__(self) -> None:
+        if not self.resolution > 0 or not self.threshold > 0 or self.iterations < 1:
+            raise InputError("Cloth resolution, threshold and iterations must be greater than 0.")
+        if self.rigidness not in _CURVATURE:
+            raise InputError("The cloth's rigidness must be 1, 2 or 3.")
+
+    @property
+    def sag(self) -> float:
+        """Height that weight adds in one relaxation of a free node, m."""
+        return _CURVATURE[self.rigidness] * self.resolution ** 2 / 4
+
+
+JAVANMARDI = ClothSettings()
+"""The settings of J Table 3-2."""
+
+
+def classify_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,
+                    progress: Progress = SILENT) -> np.ndarray:
+    """Which points are ground, (n,) bool.
+
+    Parameters
+    ----------
+    x, y, z : (n,) metres; points that are not finite or of absurd height are not ground.
+
+    Raises
+    ------
+    InsufficientDataError : no usable point.
+    """
+    grid, heights = cloth_surface(x, y, z, settings, progress)
+    return near_cloth(x, y, z, grid, heights, settings.threshold)
+
+
+def cloth_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,
+                  progress: Progress = SILENT) -> tuple[Grid, np.ndarray]:
+    """The settled cloth.
+
+    Parameters
+    ----------
+    x, y, z : (n,) metres.
+
+    Returns
+    -------
+    The grid of its nodes (at the cell centres, cells on multiples of the resolution) and its heights (rows,
+    columns), float64, without gaps.
+
+    Raises
+    ------
+    InsufficientDataError : no usable point.
+    """
+    usable = plausible(x, y, z)
+    if not usable.all():
+        x, y, z = x[usable], y[usable], z[usable]
+    if not len(z):
+        raise InsufficientDataError("The cloud has no point with a usable height.")
+    grid = Grid.covering(x.min(), y.min(), x.max(), y.max(), settings.resolution)
+    spacing = np.sqrt(grid.rows * grid.columns / len(z)) * settings.resolution
+    lowest = lowest_heights(x, y, z, grid, lonely_limit(spacing))
+    progress.step(0.4)
+    first = hang(lowest, settings, progress.part(0.4, 0.5))
+    lowest = lowest_layer(x, y, z, grid, lowest, first)
+    progress.step(0.7)
+    return grid, settle(lowest, settings, progress.part(0.7, 0.9))
+
+
+def near_cloth(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, heights: np.ndarray,
+               threshold: float) -> np.ndarray:
+    """Points within `threshold` metres of the cloth in height, (n,) bool."""
+    row, column, inside = grid.cells(x, y)
+    with np.errstate(invalid="ignore"):
+        # The cloth is taut: what is far from it at the next node need not be interpolated.
+        candidate = inside & (np.abs(z - heights[row, column]) < threshold + 2 * grid.cell)
+    ground = np.zeros(len(z), dtype=bool)
+    candidate = np.flatnonzero(candidate)
+    height = sample(grid, heights, x[candidate], y[candidate])
+    ground[candidate] = np.abs(z[candidate] - height) <= threshold
+    return ground
+
+
+def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lonely: int = 5) -> np.ndarray:
+    """Lowest believable height of each cell, (rows, columns), inf where there is none.
+
+    Left out are points alone in space (`outliers.isolated`), and the lowest points of a cell where fewer than
+    five (or 5 % of those around) lie within half a metre of each other and no neighbouring cell has its lowest
+    points at that height: multipath below the ground.
+
+    A cell's answer depends on the points within two voxels and two cells of it.
+    """
+    inside = plausible(x, y, z)
+    row, column, on_grid = grid.cells(x, y)
+    inside &= on_grid
+    points = np.flatnonzero(inside)
+    points = points[~isolated(x[points], y[points], z[points], lonely=lonely)]
+    cell = row[points] * grid.columns + column[points]
+    height = z[points]
+    size = grid.rows * grid.columns
+    lowest = extreme_in_cells(cell, height, size, highest=False)
+    around = _around(np.bincount(cell, minlength=size).reshape(grid.shape).astype(float)).ravel()
+    limit = np.minimum(4.0, 0.05 * around)
+    for _ in range(4):
+        loose = _loose(lowest.reshape(grid.shape), cell, height, limit.reshape(grid.shape)).ravel()
+        if not loose.any():
+            break
+        drop = loose[cell] & (height < lowest[cell] + _LOOSE_DEPTH)
+        cell, height = cell[~drop], height[~drop]
+        lowest = np.where(loose, np.inf, lowest)
+        again = loose[cell]
+        refound = extreme_in_cells(cell[again], height[again], size, highest=False)
+        lowest = np.minimum(lowest, refound)
+    return lowest.reshape(grid.shape)
+
+
+def _around(values: np.ndarray) -> np.ndarray:
+    """Sum of each cell and its eight neighbours."""
+    padded = np.pad(values, 1)
+    across = padded[:, :-2] + padded[:, 1:-1] + padded[:, 2:]
+    return across[:-2] + across[1:-1] + across[2:]
+
+
+def _loose(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray, limit: np.ndarray) -> np.ndarray:
+    """Cells whose lowest points are too few to be believed, (rows, columns) bool."""
+    bottom = height < lowest.ravel()[cell] + _LOOSE_DEPTH
+    support = np.bincount(cell[bottom], minlength=lowest.size).reshape(lowest.shape).astype(float)
+    total = support.copy()
+    padded_lowest = np.pad(lowest, 1, constant_values=np.inf)
+    padded_support = np.pad(support, 1)
+    rows, columns = lowest.shape
+    for down in range(3):
+        for right in range(3):
+            if down == 1 and right == 1:
+                continue
+            window = slice(down, down + rows), slice(right, right + columns)
+            with np.errstate(invalid="ignore"):
+                level = np.abs(padded_lowest[window] - lowest) < _NEIGHBOUR_STEP
+            total += np.where(level, padded_support[window], 0.0)
+    return np.isfinite(lowest) & (total <= limit)
+
+
+def lowest_layer(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowest: np.ndarray,
+                 cloth: np.ndarray) -> np.ndarray:
+    """Height of the lowest layer of each cell at its centre, (rows, columns), inf where there is none.
+
+    The mean, over the points within 0.2 m of the lowest one, of their height above the first cloth, added to
+    the cloth's height at the centre: a sloping cell is then not represented by its lower edge, nor level
+    ground by its noise. `lowest` (from `lowest_heights`) tells which points are believed.
+
+    A cell's answer depends on its own points only.
+    """
+    row, column, inside = grid.cells(x, y)
+    cell = row * grid.columns + column
+    floor = lowest.ravel()[cell]
+    with np.errstate(invalid="ignore"):
+        candidate = inside & (z >= floor) & (z < floor + 2 * grid.cell)
+    points = np.flatnonzero(candidate)
+    cell = cell[points]
+    above = z[points] - sample(grid, cloth, x[points], y[points])
+    size = grid.rows * grid.columns
+    bottom = extreme_in_cells(cell, above, size, highest=False)
+    layer = above <= bottom[cell] + _LAYER
+    count = np.bincount(cell[layer], minlength=size)
+    total = np.bincount(cell[layer], weights=above[layer], minlength=size)
+    mean = np.divide(total, count, out=np.full(size, np.inf), where=count > 0)
+    return cloth + mean.reshape(grid.shape)
+
+
+def hang(lowest: np.ndarray, settings: ClothSettings, progress: Progress = SILENT) -> np.ndarray:
+    """Cloth at rest against `lowest` (rows, columns; inf where empty), without the slope step."""
+    trend = trend_surface(lowest, settings.resolution)
+    return trend + _rest(lowest - trend, settings, np.zeros(lowest.shape, dtype=bool), progress)
+
+
+def settle(lowest: np.ndarray, settings: ClothSettings, progress: Progress = SILENT) -> np.ndarray:
+    """Cloth at rest against `lowest`, lifted to all ground that continues without a jump.
+
+    Parameters
+    ----------
+    lowest : (rows, columns) metres, inf where there is no point.
+
+    Returns
+    -------
+    (rows, columns) metres, nowhere above `lowest`.
+    """
+    trend = trend_surface(lowest, settings.resolution)
+    obstacle = lowest - trend
+    pinned = np.zeros(lowest.shape, dtype=bool)
+    cloth = _rest(obstacle, settings, pinned, progress)
+    for _ in range(20):
+        progress.check()
+        grown = _grow(obstacle, pinned | (obstacle - cloth <= settings.threshold))
+        if np.array_equal(grown, pinned):
+            break
+        pinned = grown
+        cloth = _rest(obstacle, settings, pinned, progress, start=np.where(pinned, obstacle, cloth))
+    return trend + cloth
+
+
+def _grow(obstacle: np.ndarray, ground: np.ndarray) -> np.ndarray:
+    """Ground nodes and all that are joined to them by steps below 0.3 m, (rows, columns) bool."""
+    ground = ground.copy()
+    frontier = ground
+    while frontier.any():
+        reached = np.zeros_like(ground)
+        for axis in (0, 1):
+            for here, there in _pairs(axis):
+                with np.errstate(invalid="ignore"):
+                    smooth = np.abs(obstacle[here] - obstacle[there]) < _STEP
+                reached[there] |= frontier[here] & smooth
+        frontier = reached & ~ground
+        ground |= frontier
+    return ground
+
+
+def _pairs(axis: int) -> tuple[tuple[tuple[slice, slice], tuple[slice, slice]], ...]:
+    """Slices of each node and its next neighbour along an axis, in both directions."""
+    first, second = [slice(None)] * 2, [slice(None)] * 2
+    first[axis], second[axis] = slice(None, -1), slice(1, None)
+    return ((tuple(first), tuple(second)), (tuple(second), tuple(first)))
+
+
+def _rest(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarray, progress: Progress,
+          start: np.ndarray | None = None) -> np.ndarray:
+    """Membrane at rest below `obstacle` (inf: none), held to it where `pinned`.
+
+    Without a start, the place of rest on a grid twice as coarse is the start.
+    """
+    finite = np.isfinite(obstacle)
+    if not finite.any():
+        raise InsufficientDataError("The cloud has no point with a usable height.")
+    if start is None:
+        if min(obstacle.shape) <= 4:
+            start = np.full(obstacle.shape, obstacle[finite].min())
+        else:
+            coarse = ClothSettings(settings.resolution * 2, settings.threshold, settings.iterations,
+                                   settings.rigidness)
+            pooled = _lowest_of_four(obstacle)
+            start = _rest(pooled, coarse, np.zeros(pooled.shape, dtype=bool), progress)
+            start = start.repeat(2, axis=0).repeat(2, axis=1)[:obstacle.shape[0], :obstacle.shape[1]]
+    return _relax(start, obstacle, np.where(finite, settings.sag, 0.0), pinned, settings.iterations, progress)
+
+
+def _lowest_of_four(obstacle: np.ndarray) -> np.ndarray:
+    """Obstacle on a grid twice as coarse."""
+    rows, columns = obstacle.shape
+    padded = np.pad(obstacle, ((0, rows % 2), (0, columns % 2)), constant_values=np.inf)
+    return padded.reshape(padded.shape[0] // 2, 2, padded.shape[1] // 2, 2).min(axis=(1, 3))
+
+
+def _relax(start: np.ndarray, obstacle: np.ndarray, sag: np.ndarray, pinned: np.ndarray, iterations: int,
+           progress: Progress) -> np.ndarray:
+    """Projected over-relaxation in checkerboard order until no node moves by more than 2 mm in a sweep."""
+    rows, columns = start.shape
+    cloth = np.pad(np.minimum(start, obstacle), 1, mode="edge")
+    floor = np.where(pinned, obstacle, -np.inf)
+    quarters = [(slice(i, rows, 2), slice(j, columns, 2)) for i, j in ((0, 0), (1, 1), (0, 1), (1, 0))
+                if i < rows and j < columns]
+    parts = [(q, np.ascontiguousarray(obstacle[q]), np.ascontiguousarray(sag[q]),
+              np.ascontiguousarray(floor[q])) for q in quarters]
+    inner = cloth[1:-1, 1:-1]
+    north, south, west, east = cloth[:-2, 1:-1], cloth[2:, 1:-1], cloth[1:-1, :-2], cloth[1:-1, 2:]
+    factor = 1.7
+    for sweep in range(iterations):
+        moved = 0.0
+        for quarter, ceiling, weight, hold in parts:
+            old = inner[quarter]
+            new = north[quarter] + south[quarter]
+            new += west[quarter]
+            new += east[quarter]
+            new *= 0.25
+            new += weight
+            new -= old
+            new *= factor
+            new += old
+            np.minimum(new, ceiling, out=new)
+            np.maximum(new, hold, out=new)
+            moved = max(moved, float(np.abs(new - old).max()))
+            inner[quarter] = new
+        cloth[0], cloth[-1] = cloth[1], cloth[-2]
+        cloth[:, 0], cloth[:, -1] = cloth[:, 1], cloth[:, -2]
+        if moved < _SETTLED:
+            break
+        if sweep % 50 == 49:
+            progress.check()
+    return inner.copy()

@@ -1,0 +1,67 @@
+"""Points that cannot belong to a surface: absurd heights, and points that hang alone in the air or below it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+LOWEST_HEIGHT = -500.0
+HIGHEST_HEIGHT = 9000.0
+VOXEL = 4.0
+LONELY = 5
+
+
+def plausible(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Which points have finite coordinates and a height that exists on Earth (metres), (n,) bool."""
+    with np.errstate(invalid="ignore"):
+        return (np.isfinite(x) & np.isfinite(y) & (z >= LOWEST_HEIGHT) & (z <= HIGHEST_HEIGHT))
+
+
+def lonely_limit(spacing: float, voxel: float = VOXEL) -> int:
+    """Limit of `isolated` for points about `spacing` metres apart: a quarter of what flat ground would have."""
+    return int(min(LONELY, 0.25 * (3 * voxel / spacing) ** 2))
+
+
+def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,
+             lonely: int = LONELY) -> np.ndarray:
+    """Points with at most `lonely` points, themselves included, in the 3 x 3 x 3 voxels round them, (n,) bool.
+
+    Voxels lie on multiples of `voxel` metres, so that the answer for a point depends only on the points within
+    two voxels of it, not on the tile. `lonely_limit` gives a limit that suits sparse clouds.
+    """
+    if not len(z):
+        return np.zeros(0, dtype=bool)
+    column, columns = _steps(x, voxel)
+    row, rows = _steps(y, voxel)
+    level, levels = _levels(z, voxel)
+    index = (level * rows + row) * columns + column
+    count = np.bincount(index, minlength=levels * rows * columns).astype(np.int32)
+    around = count.reshape(levels, rows, columns)
+    for axis in range(3):
+        around = _sum_of_three(around, axis)
+    return (around.ravel() <= lonely)[index]
+
+
+def _steps(coordinate: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:
+    """Voxel number along one axis, from 1, and how many there are with an empty one at both ends."""
+    lowest = np.floor(coordinate.min() / voxel)
+    step = (np.floor(coordinate / voxel) - (lowest - 1)).astype(np.int64)
+    return step, int(step.max()) + 2
+
+
+def _levels(z: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:
+    """Like `_steps` in height, with runs of empty levels shrunk to one: one point at 5 km costs no memory."""
+    step, count = _steps(z, voxel)
+    used = np.bincount(step, minlength=count) > 0
+    needed = used.copy()
+    needed[1:] |= used[:-1]
+    needed[:-1] |= used[1:]
+    return (np.cumsum(needed) - 1)[step], int(needed.sum())
+
+
+def _sum_of_three(counts: np.ndarray, axis: int) -> np.ndarray:
+    """Each element plus its two neighbours along an axis."""
+    moved = np.moveaxis(counts, axis, 0)
+    total = moved.copy()
+    total[1:] += moved[:-1]
+    total[:-1] += moved[1:]
+    return np.moveaxis(total, 0, axis)
