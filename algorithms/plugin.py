@@ -29,7 +29,7 @@ class UrbanMapPlugin:
     def initProcessing(self):
         """Register the provider."""
         self.provider = UrbanMapProvider()
-        QgsApplication.processingRegistry().addProvider(self.provider)
+        self.provider.register()
 
     def initGui(self):
         """Register the provider and add the menu."""

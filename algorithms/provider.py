@@ -6,7 +6,7 @@ import importlib
 import traceback
 from pathlib import Path
 
-from qgis.core import Qgis, QgsMessageLog, QgsProcessingModelAlgorithm, QgsProcessingProvider
+from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
 from .parameters import tr
@@ -18,6 +18,9 @@ MODELS = ROOT / "resources" / "models"
 ALGORITHMS = (
     ("loadgsibuildings", "LoadGsiBuildings"),
 )
+
+# What importing a module with a mistake in it raises.
+BROKEN_MODULE = (ImportError, SyntaxError, NameError, AttributeError, TypeError, ValueError, OSError)
 
 
 class UrbanMapProvider(QgsProcessingProvider):
@@ -41,11 +44,22 @@ class UrbanMapProvider(QgsProcessingProvider):
     def versionInfo(self):
         return plugin_version()
 
+    def register(self) -> None:
+        """Add the provider to QGIS, then load its algorithms.
+
+        In this order, because a model finds its steps, and with them its outputs, through the registry.
+        """
+        QgsApplication.processingRegistry().addProvider(self)
+        self.refreshAlgorithms()
+
+    def load(self):
+        return True
+
     def loadAlgorithms(self):
         for module, class_name in ALGORITHMS:
             try:
                 algorithm = getattr(importlib.import_module(f".{module}", __package__), class_name)()
-            except (ImportError, AttributeError, SyntaxError):
+            except BROKEN_MODULE:
                 self._warn(tr("The algorithm {0} cannot be loaded:").format(module), traceback.format_exc())
                 continue
             self.addAlgorithm(algorithm)
@@ -54,10 +68,10 @@ class UrbanMapProvider(QgsProcessingProvider):
             if model.fromFile(str(path)):
                 self.addAlgorithm(model)
             else:
-                self._warn(tr("The model {0} cannot be loaded.").format(path.name), "")
+                self._warn(tr("The model {0} cannot be loaded.").format(path.name))
 
     @staticmethod
-    def _warn(sentence: str, detail: str) -> None:
+    def _warn(sentence: str, detail: str = "") -> None:
         QgsMessageLog.logMessage(f"{sentence}\n{detail}".strip(), "UrbanMap", Qgis.MessageLevel.Warning)
 
 

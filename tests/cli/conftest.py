@@ -1,6 +1,7 @@
 """Real `qgis_process` runs with the checkout as a plugin in a clean profile.
 
-The plain fixture for most tests is `run_algorithm`: `run_algorithm("urbanmap:segmentroofs", POINTS=[a, b], BIN_WIDTH=0.5)`.
+The plain fixture for most tests is `run_algorithm`:
+`run_algorithm("urbanmap:segmentroofs", POINTS=[a, b], BIN_WIDTH=0.5)`.
 """
 
 from __future__ import annotations
@@ -50,6 +51,8 @@ class Profile:
             **kept,
             "HOME": str(self.home),
             "LANG": "C.UTF-8",
+            # The Python inside QGIS takes its home from the first python3 on the path, which may be another one.
+            "PATH": os.pathsep.join(["/usr/bin", "/bin", os.environ.get("PATH", "")]),
             "PYTHONPATH": os.pathsep.join(map(str, packages)),
             "QGIS_CUSTOM_CONFIG_PATH": str(self.home / "config"),
             "QGIS_PLUGINPATH": str(self.plugins),

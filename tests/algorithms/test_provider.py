@@ -1,0 +1,172 @@
+"""The provider: what it lists, how it bears broken modules, models, and packages that are not there."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+CONTRACT = ("surfacefromals", "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
+            "buildingmodels", "buildingsfromals")
+
+LIST_WITHOUT_PACKAGES = """
+import sys
+sys.path.insert(0, {folder!r})
+import conftest
+
+class Blocker:
+    def find_spec(self, name, path=None, target=None):
+        if name in {names!r}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+
+for name in {names!r}:
+    sys.modules.pop(name, None)
+sys.meta_path.insert(0, Blocker())
+from qgis.core import QgsApplication
+application = QgsApplication([], False, {profile!r})
+application.initQgis()
+plugin = conftest.load_plugin().classFactory(None)
+plugin.initProcessing()
+print("listed", *sorted(item.name() for item in plugin.provider.algorithms()))
+"""
+
+
+@pytest.fixture
+def provider(qgis_app):
+    from qgis.core import QgsApplication
+
+    return QgsApplication.processingRegistry().providerById("urbanmap")
+
+
+@pytest.fixture
+def log(qgis_app):
+    from qgis.core import QgsApplication
+
+    lines = []
+    receiver = QgsApplication.messageLog().messageReceived[str, str, "Qgis::MessageLevel"]
+
+    def keep(text, tag, level):
+        lines.append((tag, text))
+
+    receiver.connect(keep)
+    yield lines
+    receiver.disconnect(keep)
+
+
+def test_provider_says_who_it_is(provider):
+    assert provider.name() == "UrbanMap"
+    assert not provider.icon().isNull()
+    assert re.fullmatch(r"\d+\.\d+\.\d+", provider.versionInfo())
+
+
+def test_every_listed_module_is_there(provider, plugin):
+    listed = {module for module, _ in plugin("algorithms.provider").ALGORITHMS}
+    assert listed <= {item.name() for item in provider.algorithms()}
+    assert listed <= set(CONTRACT)
+
+
+def test_every_algorithm_is_complete(provider, plugin):
+    base = plugin("algorithms.base").UrbanMapAlgorithm
+    groups = plugin("algorithms.base").GROUPS
+    known = plugin("urbanmap_qgis.dependencies").PACKAGES
+    for listed in provider.algorithms():
+        algorithm = listed.create()
+        if not isinstance(algorithm, base):
+            continue
+        assert algorithm.name() == algorithm.ID == algorithm.ID.lower()
+        assert algorithm.displayName() and algorithm.HELP and algorithm.tags()
+        assert algorithm.groupId() in groups
+        assert not algorithm.icon().isNull()
+        assert set(algorithm.REQUIRES) <= set(known)
+        for definition in algorithm.parameterDefinitions():
+            assert definition.name() == definition.name().upper(), (algorithm.ID, definition.name())
+            assert definition.help().strip(), (algorithm.ID, definition.name())
+            assert definition.description().strip(), (algorithm.ID, definition.name())
+        for output in algorithm.outputDefinitions():
+            text = algorithm.output_helps().get(output.name())
+            parameter = algorithm.parameterDefinition(output.name())
+            assert text or (parameter is not None and parameter.help()), (algorithm.ID, output.name())
+
+
+def test_icons_of_all_groups_are_there(plugin):
+    base = plugin("algorithms.base")
+    assert all((base.ICONS / f"{group}.svg").is_file() for group in base.GROUPS)
+
+
+def test_broken_module_is_named_and_hides_nothing(provider, plugin, monkeypatch, log):
+    module = plugin("algorithms.provider")
+    before = {item.name() for item in provider.algorithms()}
+    monkeypatch.setattr(module, "ALGORITHMS", (("nosuchmodule", "NoSuchClass"), *module.ALGORITHMS))
+    provider.refreshAlgorithms()
+    assert {item.name() for item in provider.algorithms()} == before
+    ((tag, text),) = [line for line in log if "nosuchmodule" in line[1]]
+    assert tag == "UrbanMap"
+    assert text.startswith("The algorithm nosuchmodule cannot be loaded:")
+
+
+def test_models_are_registered_with_their_outputs(provider, plugin, monkeypatch, tmp_path, log):
+    from qgis.core import (
+        QgsProcessingModelAlgorithm,
+        QgsProcessingModelChildAlgorithm,
+        QgsProcessingModelChildParameterSource,
+        QgsProcessingModelOutput,
+        QgsProcessingModelParameter,
+        QgsProcessingParameterFile,
+    )
+
+    model = QgsProcessingModelAlgorithm("oneload", "Workflows")
+    model.addModelParameter(QgsProcessingParameterFile("INPUT", "Outlines"), QgsProcessingModelParameter("INPUT"))
+    step = QgsProcessingModelChildAlgorithm("urbanmap:loadgsibuildings")
+    step.setChildId("load")
+    step.addParameterSources("INPUT", [QgsProcessingModelChildParameterSource.fromModelParameter("INPUT")])
+    output = QgsProcessingModelOutput("Footprints", "Footprints")
+    output.setChildId("load")
+    output.setChildOutputName("OUTPUT")
+    step.setModelOutputs({"Footprints": output})
+    model.addChildAlgorithm(step)
+    assert model.toFile(str(tmp_path / "oneload.model3"))
+    (tmp_path / "torn.model3").write_text("<model", encoding="utf-8")
+
+    monkeypatch.setattr(plugin("algorithms.provider"), "MODELS", tmp_path)
+    provider.refreshAlgorithms()
+    listed = provider.algorithm("oneload")
+    assert [item.name() for item in listed.outputDefinitions()] == ["load:Footprints"]
+    assert [text for tag, text in log if tag == "UrbanMap"] == ["The model torn.model3 cannot be loaded."]
+    monkeypatch.undo()
+    provider.refreshAlgorithms()
+    assert provider.algorithm("oneload") is None
+
+
+def test_file_outputs_of_earlier_steps_can_be_chosen_as_points(plugin, provider):
+    """What the modeller of QGIS 3.22 offers for a multiple-files parameter: files and outputs that are files."""
+    from qgis.core import QgsProcessingOutputFile, QgsProcessingParameterMultipleLayers
+
+    base = plugin("algorithms.base")
+
+    class Step(base.UrbanMapAlgorithm):
+        ID = "step"
+        NAME = "Step"
+
+        def declare(self):
+            self.add_points()
+            self.add_points_output()
+
+    step = Step().create()
+    assert isinstance(step.parameterDefinition("POINTS"), QgsProcessingParameterMultipleLayers)
+    assert isinstance(step.outputDefinition("OUTPUT"), QgsProcessingOutputFile)
+
+
+def test_listed_while_packages_are_missing(tmp_path, plugin):
+    names = [name for name in plugin("urbanmap_qgis.dependencies").PACKAGES if name != "numpy"]
+    code = LIST_WITHOUT_PACKAGES.format(folder=str(Path(__file__).parent), names=names, profile=str(tmp_path))
+    environment = dict(os.environ, QGIS_CUSTOM_CONFIG_PATH=str(tmp_path))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False,
+                          env=environment, timeout=120)
+    listed = [line.split()[1:] for line in done.stdout.splitlines() if line.startswith("listed")]
+    modules = {module for module, _ in plugin("algorithms.provider").ALGORITHMS}
+    assert listed and modules <= set(listed[0]), done.stderr
