@@ -21,7 +21,9 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, usable
 from ..progress import SILENT, Progress
 from ..terrain.grid import Grid
-from ..terrain.surface import ground_raster, sample
+from ..terrain.sampling import sample
+from ..terrain.surface import ground_raster
+from .base_height import outline_ground
 from .building_points import coordinates
 from .displacement import estimate_displacements, moved
 from .evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
@@ -74,7 +76,7 @@ class SegmentedBuildings:
     outlines : (n,) outlines at their found places.
     points : (n,) points given to the building.
     density : (n,) points inside the outline a m2.
-    ground : (n,) ground height, m; NaN where it is not known.
+    ground : (n,) lowest ground height along the outline, m; NaN where it is not known.
     shift_x, shift_y, shift_sigma : (n,) displacement that was applied and its standard deviation, m.
     status : (n,) words: "ok", or what is missing.
     """
@@ -318,7 +320,6 @@ def _count_points(table: SegmentedBuildings, assignment: Assignment, outlines: n
     inside = np.bincount(assignment.owner[assignment.primary], minlength=count)
     table.density[:] = inside / np.maximum(shapely.area(outlines), 1e-9)
     if ground is not None:
-        centre = shapely.get_coordinates(shapely.point_on_surface(outlines))
-        table.ground[:] = sample(*ground, centre[:, 0], centre[:, 1])
+        table.ground[:] = outline_ground(outlines, *ground)
     table.status[:] = np.where(table.points >= MIN_ROOF_POINTS, "ok",
                                np.where(table.points > 0, "too few points", "no points"))

@@ -1,0 +1,64 @@
+"""urbanmap:roofpolygons."""
+
+from __future__ import annotations
+
+from .base import UrbanMapAlgorithm
+from .layers import make_fields
+from .outlines import footprints_of
+
+
+class RoofPolygons(UrbanMapAlgorithm):
+    ID = "roofpolygons"
+    NAME = "Roof polygons"
+    GROUP = "buildings"
+    SOURCE = "Javanmardi 2018, 5.3.3"
+    KEYWORDS = ("building", "roof", "polygon", "alpha shape", "Hough", "outline")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Draws the polygon of each roof from its points.\n"
+        "The method “partition” divides each outline among its roofs along straight lines where roofs meet: no "
+        "gaps, no slivers, common edges. The method “paper” outlines each roof on its own: radius outlier removal, "
+        "alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines; it leaves the "
+        "outline aside and needs roofs of simple shape."
+    )
+
+    def declare(self):
+        self.add_points(help="Points with the attributes building_id and roof_id, from “Segment roofs”.")
+        self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”.")
+        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "paper"), "partition")
+        self.add_choice("HEIGHT", "Roof height", "Height of a roof from its points: the median, or the highest point "
+                        "as in the paper (the top of the parapet).", ("robust", "maximum"), "robust")
+        self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
+                              "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
+                              "coverage (share of the area with points), boundary_rms (m), status.")
+        self.add_number_output("ROOFS", "Roofs", "Number of polygons.")
+        self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Outlines that got no polygon.")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+        import shapely
+
+        from ..urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons
+        from ..urbanmap_qgis.io.pointcloud import open_cloud
+
+        progress = self.progress(feedback)
+        table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
+        footprints = footprints_of(table, progress)
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context), table.crs_wkt)
+        self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", table.crs)
+        settings = PolygonParameters(self.parameterAsString(parameters, "METHOD", context),
+                                     self.parameterAsString(parameters, "HEIGHT", context))
+        roofs = cloud_roof_polygons(cloud, footprints, settings, progress=progress)
+        without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
+        if without:
+            progress.warn(f"{without} of {len(footprints)} buildings got no roof polygon.")
+        fields = make_fields(("building_id", "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
+                             ("points", "int"), ("density", "real"), ("rmse", "real"), ("coverage", "real"),
+                             ("boundary_rms", "real"), ("status", "text"))
+        geometries = shapely.force_3d(np.array(roofs.polygon, dtype=object), np.array(roofs.height, float))
+        columns = {field.name(): getattr(roofs, field.name()) for field in fields}
+        return {
+            "OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
+                                       "PolygonZ", "roof_polygons", progress),
+            "ROOFS": len(roofs.polygon), "WITHOUT_ROOFS": without,
+        }

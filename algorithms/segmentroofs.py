@@ -1,0 +1,101 @@
+"""urbanmap:segmentroofs."""
+
+from __future__ import annotations
+
+from .base import UrbanMapAlgorithm
+from .layers import make_fields
+from .outlines import BUILDING_ID, footprints_of, numbers
+
+
+class SegmentRoofs(UrbanMapAlgorithm):
+    ID = "segmentroofs"
+    NAME = "Segment roofs"
+    GROUP = "buildings"
+    SOURCE = "Javanmardi 2018, 5.3.2"
+    KEYWORDS = ("building", "roof", "height", "histogram", "ALS", "lidar", "segmentation")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Tells the roofs of each building apart by the histogram of its points' heights.\n"
+        "The histogram has overlapping bins. Each maximum with more points than the least roof area holds is a "
+        "roof; a parapet's maximum is joined with its roof's. Beyond the paper, one maximum that is two roofs "
+        "apart in plan becomes two, small roofs that stand out are kept, and sloped roofs become a few level ones, "
+        "as finely as the height error asks."
+    )
+
+    def declare(self):
+        self.add_points(help="Points with the attribute building_id, from “Segment buildings”.")
+        self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”; their fields ground and "
+                          "density are used where they are there.")
+        self.add_distance("BIN_WIDTH", "Bin width", "Width of a histogram bin in metres.", 0.5, 0.05, 10.0)
+        self.add_distance("BIN_SHIFT", "Bin shift", "Distance in metres from one bin to the next; smaller than the "
+                          "width, so that bins overlap.", 0.1, 0.01, 10.0)
+        self.add_number("MIN_ROOF_AREA", "Least roof area", "Area in square metres that a maximum of the histogram "
+                        "must hold to be a roof (times the density: the paper's alpha). Buildings that are small "
+                        "themselves are searched for a fifth of their own area.", 50.0, 0.5, 100000.0, "m2")
+        self.add_number("PARAPET_THRESHOLD", "Parapet threshold", "Two maxima are one roof where the histogram "
+                        "between them stays above this number of points (the paper's beta). Without it, a share "
+                        "of the two maxima.", None, 0, None, "points", optional=True)
+        self.add_number("SMALL_ROOF_AREA", "Least area of a small roof", "Area in square metres of the smallest "
+                        "part that stands out in height and becomes a roof of its own.", 4.0, 0.5, 1000.0, "m2",
+                        advanced=True)
+        self.add_distance("HEIGHT_RMSE", "Height error of sloped roofs", "Sloped roofs are cut into level ones until "
+                          "the building's root mean square height error in metres is below this; 0 keeps the "
+                          "roofs of the paper whole.", 0.6, 0.0, 10.0, advanced=True)
+        self.add_distance("MIN_HEIGHT", "Least roof height", "Height in metres above the ground below which nothing "
+                          "is a roof.", 2.0, 0.0, 20.0, advanced=True)
+        self.add_points_output("OUTPUT", "Roof points", "The buildings' points with the attribute roof_id: the "
+                               "number of the roof in its building, 0 for trees, walls and roof furniture.")
+        self.add_layer_output("OUTPUT_ROOFS", "Roofs", "Table of the roofs: building_id, roof_id, height (robust, m), "
+                              "height_max (highest point as in the paper, m), points, area (m2), density (points a "
+                              "m2), rmse (m), status.", source_type=_table())
+        self.add_number_output("ROOFS", "Roofs", "Number of roofs found.")
+        self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Buildings in whose points no roof was "
+                               "found.")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ..urbanmap_qgis.buildings.roof_partition import RoofParameters
+        from ..urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
+        from ..urbanmap_qgis.io.pointcloud import open_cloud
+
+        progress = self.progress(feedback)
+        table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
+        footprints = footprints_of(table, progress)
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context), table.crs_wkt)
+        self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", table.crs)
+        beta = parameters.get("PARAPET_THRESHOLD")
+        settings = RoofParameters(
+            bin_width=self.parameterAsDouble(parameters, "BIN_WIDTH", context),
+            bin_shift=self.parameterAsDouble(parameters, "BIN_SHIFT", context),
+            min_roof_area=self.parameterAsDouble(parameters, "MIN_ROOF_AREA", context),
+            parapet_threshold=None if beta is None else self.parameterAsDouble(parameters, "PARAPET_THRESHOLD",
+                                                                               context),
+            small_roof_area=self.parameterAsDouble(parameters, "SMALL_ROOF_AREA", context),
+            height_rmse=self.parameterAsDouble(parameters, "HEIGHT_RMSE", context) or None,
+            min_height=self.parameterAsDouble(parameters, "MIN_HEIGHT", context))
+        known = numbers(table, "density")
+        positive = known[known > 0] if known is not None else np.zeros(0)
+        output = self.output_path(parameters, "OUTPUT", context)
+        roofs, status = segment_cloud_roofs(cloud, footprints, output, settings, numbers(table, "ground"),
+                                            float(np.median(positive)) if len(positive) else None,
+                                            progress=progress)
+        without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
+        if without:
+            progress.warn(f"{without} of {len(footprints)} buildings have no roof in their points.")
+        fields = make_fields((BUILDING_ID, "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
+                             ("points", "int"), ("area", "real"), ("density", "real"), ("rmse", "real"),
+                             ("status", "text"))
+        columns = {field.name(): getattr(roofs, field.name()) for field in fields}
+        return {
+            "OUTPUT": str(output),
+            "OUTPUT_ROOFS": self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs,
+                                             progress=progress),
+            "ROOFS": len(roofs.roof_id), "WITHOUT_ROOFS": without,
+        }
+
+
+def _table():
+    from qgis.core import QgsProcessing
+
+    return QgsProcessing.SourceType.TypeVector

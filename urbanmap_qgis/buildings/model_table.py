@@ -1,0 +1,106 @@
+"""What is known of every model, as columns for layers, CityJSON attributes and the report."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..io.report import Report
+from .model_stage import BLOCK, GROUND_UNKNOWN, NOT_MODELLED, OK, SIMPLIFIED, BuildingModel, ground_area
+from .solid import volume
+
+COLUMNS: tuple[tuple[str, str], ...] = (
+    ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),
+    ("height", "real"), ("area", "real"), ("volume", "real"), ("points", "int"), ("density", "real"),
+    ("rmse_z", "real"), ("rmse_z95", "real"), ("median_dz", "real"), ("rmse_3d", "real"), ("p95", "real"),
+    ("coverage", "real"), ("unseen", "real"),
+)
+"""Names and kinds of the columns, in order."""
+
+WORST = 10
+"""Buildings that the report lists as the worst."""
+
+
+def model_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
+    """Columns of `COLUMNS`, one entry a model; NaN where a figure is not known.
+
+    base: height of the ground face; height: highest roof above it; area and volume of the solids; the rest is
+    `quality.ModelFit`, density (points a m2) and unseen (share of the plan without points).
+    """
+    rows = [_row(model) for model in models]
+    return {name: [row[name] for row in rows] for name, _ in COLUMNS}
+
+
+def _row(model: BuildingModel) -> dict:
+    nan = float("nan")
+    fit = model.fit
+    top = max((float(solid.vertices[:, 2].max()) for solid in model.solids), default=nan)
+    return {
+        "building_id": model.building_id, "status": model.status, "reason": model.reason, "roofs": model.roofs,
+        "base": model.base, "height": top - model.base, "area": ground_area(model.solids) if model.solids else nan,
+        "volume": sum(volume(solid) for solid in model.solids) if model.solids else nan,
+        "points": fit.points if fit else 0, "density": model.density, "unseen": model.unseen,
+        **{name: getattr(fit, name) if fit else nan
+           for name in ("rmse_z", "rmse_z95", "median_dz", "rmse_3d", "p95", "coverage")},
+    }
+
+
+def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
+                       settings: Mapping[str, object]) -> None:
+    """Write the HTML report of a run: counts, quality, the worst buildings with reasons, the settings.
+
+    Parameters
+    ----------
+    columns : as `model_columns` gives them.
+    settings : names and values of the inputs and parameters.
+    """
+    status = np.array(columns["status"], dtype=object)
+    report = Report("Building models")
+    report.section("Result")
+    report.facts({
+        "Buildings": len(status),
+        "Modelled, sound": int((status == OK).sum()),
+        "Modelled, ground assumed": int((status == GROUND_UNKNOWN).sum()),
+        "Simplified to one height": int((status == SIMPLIFIED).sum()),
+        "Plain blocks": int((status == BLOCK).sum()),
+        "Without a model": int((status == NOT_MODELLED).sum()),
+        "Roofs": int(sum(columns["roofs"])),
+        "Mean RMSE of roof heights (m)": _mean(columns["rmse_z"]),
+        "Mean RMSE of the best 95 % (m)": _mean(columns["rmse_z95"]),
+        "Mean point to model distance, RMSE (m)": _mean(columns["rmse_3d"]),
+    })
+    if (status == NOT_MODELLED).any():
+        report.warning(f"{int((status == NOT_MODELLED).sum())} buildings have no model; they keep their rows, with "
+                       "the reason, in the result.")
+    report.section("Quality")
+    report.paragraph("Distances of the roof points to the models. Flat roofs are modelled as they are; sloped roofs "
+                     "become level ones, so that their height differences show the slope, not an error of survey.")
+    report.histogram(np.array(columns["rmse_z95"], float), "RMSE of height, best 95 % (m)", "Buildings by height error",
+                     upper=2.0)
+    report.histogram(np.array(columns["p95"], float), "95th percentile of distance (m)",
+                     "Buildings by point to model distance", upper=4.0)
+    report.histogram(np.array(columns["density"], float), "points a m²", "Buildings by point density")
+    report.histogram(100 * np.array(columns["unseen"], float), "% of the plan", "Buildings by plan without points")
+    _worst(report, columns)
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _worst(report: Report, columns: Mapping[str, Sequence]) -> None:
+    """The buildings to look at first: those without a model, then those that fit worst."""
+    p95 = np.array(columns["p95"], float)
+    missing = np.array(columns["status"], dtype=object) == NOT_MODELLED
+    order = np.lexsort((np.array(columns["building_id"]), -np.where(np.isfinite(p95), p95, -1.0), ~missing))[:WORST]
+    report.section(f"The worst {len(order)}")
+    names = ("building_id", "status", "reason", "roofs", "points", "rmse_z95", "p95", "unseen")
+    heads = ("building", "status", "reason", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "unseen share")
+    report.table(heads, [[columns[name][row] for name in names] for row in order])
+
+
+def _mean(values: Sequence[float]) -> float:
+    finite = np.array(values, float)
+    finite = finite[np.isfinite(finite)]
+    return float(finite.mean()) if len(finite) else float("nan")

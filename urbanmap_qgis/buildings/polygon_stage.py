@@ -1,0 +1,192 @@
+"""Roof polygons of all buildings of a cloud (J 5.3.3): blocks of buildings, one building after another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+
+import numpy as np
+import shapely
+
+from ..execution import in_order
+from ..io.pointcloud import PointCloud, PointLayout
+from ..progress import SILENT, Progress
+from ..terrain.grid import Grid
+from .building_points import coordinates, iter_building_blocks, require_dimension
+from .footprint import Footprints
+from .roof_plan import partition_roofs
+from .roof_polygon import paper_roof_polygons
+
+SEGMENT_ROOFS = "Segment roofs"
+
+CELL = (0.25, 1.0)
+"""Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""
+
+BLOCK_STATUS = "plain block"
+
+PARTITION, PAPER = "partition", "paper"
+"""The methods: a plan divided without gaps, or each roof outlined on its own as the paper does."""
+
+ROBUST, MAXIMUM = "robust", "maximum"
+"""The roof heights: the median of the roof's points, or the highest of them as in the paper."""
+
+
+@dataclass(frozen=True)
+class PolygonParameters:
+    """What the user can set: one of the methods and one of the heights above."""
+
+    method: str = PARTITION
+    height: str = ROBUST
+
+
+@dataclass
+class RoofPolygons:
+    """One row a polygon; a roof in several parts has several rows. Heights and lengths in m.
+
+    Attributes
+    ----------
+    polygon : plan polygons. building_id, roof_id : what they belong to; roof 0 is a plain block.
+    height, height_max : robust height and that of the highest point.
+    points, density : roof points over the polygon, and a m2 of it.
+    rmse : root mean square height difference of these points to `height`.
+    coverage : share of the polygon's area with roof points. boundary_rms : of its inner edges to the points'.
+    status : words.
+    """
+
+    polygon: list = field(default_factory=list)
+    building_id: list = field(default_factory=list)
+    roof_id: list = field(default_factory=list)
+    height: list = field(default_factory=list)
+    height_max: list = field(default_factory=list)
+    points: list = field(default_factory=list)
+    density: list = field(default_factory=list)
+    rmse: list = field(default_factory=list)
+    coverage: list = field(default_factory=list)
+    boundary_rms: list = field(default_factory=list)
+    status: list = field(default_factory=list)
+
+    def extend(self, other: RoofPolygons) -> None:
+        """Append the rows of another table."""
+        for name in self.__dataclass_fields__:
+            getattr(self, name).extend(getattr(other, name))
+
+
+@dataclass(frozen=True)
+class PolygonBlock:
+    """One piece of work: buildings and their points."""
+
+    layout: PointLayout
+    ids: np.ndarray
+    records: list[np.ndarray]
+    polygons: np.ndarray
+    parameters: PolygonParameters
+
+
+def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: PolygonParameters | None = None,
+                        executor: Executor | None = None, progress: Progress = SILENT) -> RoofPolygons:
+    """Roof polygons from points that carry `building_id` and `roof_id`.
+
+    Buildings come in the order of their ids. A building with points but no roof becomes a plain block at the
+    median height of its points; one without points has no row.
+    """
+    for name in ("building_id", "roof_id"):
+        require_dimension(cloud, name, SEGMENT_ROOFS)
+    layout = PointLayout(cloud)
+    table = RoofPolygons()
+    blocks = (PolygonBlock(layout, footprints.ids[rows], records, footprints.polygons[rows],
+                           parameters or PolygonParameters())
+              for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.0, 0.2)))
+    done = 0
+    for count, part in in_order(_block_polygons, blocks, executor):
+        table.extend(part)
+        done += count
+        progress.part(0.2, 1.0).step(done / len(footprints))
+    return table
+
+
+def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
+    """Number of buildings in a block and their polygons."""
+    table = RoofPolygons()
+    for number, outline, records in zip(block.ids.tolist(), block.polygons, block.records):
+        if outline is None or not len(records):
+            continue
+        x, y, z = coordinates(block.layout, records)
+        roof = records["roof_id"].astype(np.int64)
+        if not roof.any():
+            _add_block(table, number, outline, z)
+        else:
+            _METHODS[block.parameters.method](table, number, outline, (x, y, z), roof, block.parameters)
+    return len(block.ids), table
+
+
+def _add_block(table: RoofPolygons, number: int, outline: shapely.Geometry, z: np.ndarray) -> None:
+    """Rows of a plain block over the whole outline."""
+    height = float(np.median(z))
+    for part in shapely.get_parts(outline):
+        _add(table, number, 0, part, height, float(z.max()), z, math.nan, math.nan, BLOCK_STATUS)
+
+
+def _add(table: RoofPolygons, number: int, roof_id: int, polygon: shapely.Polygon, height: float, top: float,
+         z: np.ndarray, coverage: float, boundary_rms: float, status: str) -> None:
+    rmse = float(np.sqrt(np.mean((z - height) ** 2))) if len(z) else math.nan
+    row = RoofPolygons([polygon], [number], [roof_id], [height], [top], [len(z)], [len(z) / polygon.area], [rmse],
+                       [coverage], [boundary_rms], [status])
+    table.extend(row)
+
+
+def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,
+                 parameters: PolygonParameters) -> None:
+    """The whole outline divided among its roofs: no gaps, common edges."""
+    x, y, z = points
+    on_roof = roof > 0
+    x, y, z, roof = x[on_roof], y[on_roof], z[on_roof], roof[on_roof]
+    cell = float(np.clip(1 / math.sqrt(max(len(x), 1) / outline.area), *CELL))
+    grid = Grid.covering(*outline.bounds, cell)
+    partition = partition_roofs(outline, grid, np.zeros(grid.shape, np.int32), _cell_heights(grid, x, y, z),
+                                points=(x, y, roof))
+    levels = {roof_id: _height(z[roof == roof_id], parameters) for roof_id in np.unique(roof).tolist()}
+    for place, (polygon, roof_id) in enumerate(zip(partition.polygons, partition.roof_numbers.tolist())):
+        own = roof == roof_id
+        shapely.prepare(polygon)
+        own[own] = shapely.contains_xy(polygon, x[own], y[own])
+        height = _height(z[own], parameters) if own.any() else levels[roof_id]
+        top = float(z[own].max()) if own.any() else height
+        _add(table, number, roof_id, polygon, height, top, z[own], float(partition.coverage[place]),
+             float(partition.boundary_rms[place]), partition.status)
+
+
+def _cell_heights(grid: Grid, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Mean height of the points in each cell, NaN where there are none."""
+    row, column, inside = grid.cells(x, y)
+    cell = (row * grid.columns + column)[inside]
+    size = grid.rows * grid.columns
+    count = np.bincount(cell, minlength=size)
+    total = np.bincount(cell, weights=z[inside], minlength=size)
+    mean = np.full(size, np.nan)
+    np.divide(total, count, out=mean, where=count > 0)
+    return mean.reshape(grid.shape)
+
+
+def _height(z: np.ndarray, parameters: PolygonParameters) -> float:
+    """Height of a roof from its points, m."""
+    return float(z.max() if parameters.height == MAXIMUM else np.median(z))
+
+
+def _outline_each(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,
+                  parameters: PolygonParameters) -> None:
+    """Each roof outlined on its own, as the paper does."""
+    x, y, z = points
+    density = np.count_nonzero(roof) / outline.area
+    for drawn in paper_roof_polygons(x, y, roof, density):
+        own = roof == drawn.roof_number
+        height = _height(z[own], parameters)
+        if drawn.polygon is None:
+            continue
+        for polygon in shapely.get_parts(drawn.polygon):
+            _add(table, number, drawn.roof_number, polygon, height, float(z[own].max()), z[own], math.nan, math.nan,
+                 drawn.status)
+
+
+_METHODS: dict[str, Callable] = {PARTITION: _divide_plan, PAPER: _outline_each}

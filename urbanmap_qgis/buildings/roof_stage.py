@@ -1,0 +1,139 @@
+"""Roof segmentation of all buildings of a cloud (J 5.3.2): blocks of buildings, one building after another."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import Executor
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..execution import in_order
+from ..io.pointcloud import PointCloud, PointLayout, cloud_writer
+from ..progress import SILENT, Progress
+from .building_points import coordinates, iter_building_blocks, require_dimension
+from .footprint import Footprints
+from .roof_partition import RoofParameters
+from .roof_segmentation import RoofSegmentation, segment_roofs
+
+SEGMENT_BUILDINGS = "Segment buildings"
+
+
+@dataclass(frozen=True)
+class RoofRows:
+    """One row a roof, all arrays (k,); see `roof_segmentation.RoofTable` for the columns."""
+
+    building_id: np.ndarray
+    roof_id: np.ndarray
+    height: np.ndarray
+    height_max: np.ndarray
+    points: np.ndarray
+    area: np.ndarray
+    density: np.ndarray
+    rmse: np.ndarray
+    status: np.ndarray
+
+
+@dataclass(frozen=True)
+class RoofBlock:
+    """One piece of work: buildings and their points."""
+
+    layout: PointLayout
+    rows: np.ndarray
+    records: list[np.ndarray]
+    polygons: np.ndarray
+    ground: np.ndarray
+    density: float
+    parameters: RoofParameters
+
+
+def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str | os.PathLike,
+                        parameters: RoofParameters | None = None, ground: np.ndarray | None = None,
+                        density: float | None = None, executor: Executor | None = None,
+                        progress: Progress = SILENT) -> tuple[RoofRows, np.ndarray]:
+    """Write the buildings' points with their `roof_id`, and give the table of the roofs.
+
+    Parameters
+    ----------
+    cloud : points with `building_id`.
+    footprints : outlines at their right places (J: the primary outlines).
+    ground : (n,) ground height of each building, m; the lowest of its points where NaN or not given.
+    density : points/m2 on roofs (J: d); measured inside the outlines where not given.
+
+    Returns
+    -------
+    The roofs, and the status (n,) of each building in words.
+    """
+    require_dimension(cloud, "building_id", SEGMENT_BUILDINGS)
+    layout = PointLayout(cloud, [("roof_id", "roof number in its building")])
+    rows_of_roofs: list[tuple] = []
+    status = np.full(len(footprints), "no points", dtype=object)
+    grounds = np.full(len(footprints), np.nan) if ground is None else np.asarray(ground, float)
+    found = density or measured_density(cloud, layout, footprints, progress.part(0.0, 0.2))
+    blocks = (RoofBlock(layout, rows, records, footprints.polygons[rows], grounds[rows], found,
+                        parameters or RoofParameters())
+              for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.2, 0.4)))
+    done = 0
+    with cloud_writer(output, layout) as writer:
+        for rows, records, roofs in in_order(_segment_block, blocks, executor):
+            for row, result in zip(rows, roofs):
+                if result is not None:
+                    status[row] = result.status
+                    rows_of_roofs.extend(_table_rows(int(footprints.ids[row]), result))
+            writer.write(records)
+            done += len(rows)
+            progress.part(0.4, 1.0).step(done / len(footprints))
+    return _columns(rows_of_roofs), status
+
+
+def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footprints,
+                     progress: Progress = SILENT) -> float:
+    """Median over the buildings of the points inside the outline a m2 of its area (J's d)."""
+    densities = []
+    for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress):
+        for row, own in zip(rows, records):
+            polygon = footprints.polygons[row]
+            if polygon is None or not len(own):
+                continue
+            x, y, _ = coordinates(layout, own)
+            shapely.prepare(polygon)
+            densities.append(np.count_nonzero(shapely.contains_xy(polygon, x, y)) / polygon.area)
+    positive = [value for value in densities if value > 0]
+    return float(np.median(positive)) if positive else 1.0
+
+
+def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[RoofSegmentation | None]]:
+    """Rows, records with `roof_id`, and the segmentation of each building of a block."""
+    results: list[RoofSegmentation | None] = []
+    for polygon, records, ground in zip(block.polygons, block.records, block.ground):
+        if polygon is None or not len(records):
+            results.append(None)
+            continue
+        x, y, z = coordinates(block.layout, records)
+        several = np.asarray(block.layout.view(records).number_of_returns) > 1
+        result = segment_roofs(x, y, z, polygon, _known_ground(ground, z, block.parameters), block.density,
+                               block.parameters, several)
+        records["roof_id"] = result.roof_of_point
+        results.append(result)
+    joined = np.concatenate(block.records) if block.records else np.zeros(0, block.layout.dtype)
+    return block.rows, joined, results
+
+
+def _known_ground(ground: float, z: np.ndarray, parameters: RoofParameters) -> float:
+    """The ground under a building; where unknown, so low that all its points stand above it."""
+    return float(ground) if np.isfinite(ground) else float(z.min()) - parameters.min_height
+
+
+def _table_rows(building_id: int, result: RoofSegmentation) -> Iterator[tuple]:
+    table = result.roofs
+    for values in zip(table.number, table.height, table.height_max, table.points, table.area, table.density,
+                      table.rmse):
+        yield (building_id, *values, result.status)
+
+
+def _columns(rows: list[tuple]) -> RoofRows:
+    """Rows of roofs as columns with their types."""
+    types = (np.int64, np.int64, float, float, np.int64, float, float, float, object)
+    return RoofRows(*(np.array([row[place] for row in rows], dtype=kind) for place, kind in enumerate(types)))
