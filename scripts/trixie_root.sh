@@ -6,7 +6,7 @@
 #                                           beside it, if it is there; changes to the copy are thrown away)
 #   scripts/trixie_root.sh remove           delete the cached root
 #
-# Needs Debian or Ubuntu, root rights, and the network while building (about 4 minutes, 2 GB).
+# Needs Debian or Ubuntu, root rights, and the network while building (2 to 4 minutes, 2 GB).
 # The root lies under $XDG_CACHE_HOME (default /var/cache), outside the checkout.
 set -euo pipefail
 
@@ -126,11 +126,11 @@ run() {
     local bundle=/etc/ssl/certs/ca-certificates.crt
     if [ -f "$bundle" ]; then mounts+=("$bundle:$bundle:ro"); fi
     local settings=(
-        HOME=/ci/home TMPDIR=/tmp XDG_CACHE_HOME=/root/.cache
+        HOME=/ci/home TMPDIR=/tmp PIP_CACHE_DIR=/root/.cache/pip
         LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin
     )
     # shellcheck disable=SC2016
-    enter "$root" "${mounts[@]}" -- env -u XDG_RUNTIME_DIR -u PYTHONPATH -u VIRTUAL_ENV "${settings[@]}" \
+    enter "$root" "${mounts[@]}" -- env -u XDG_RUNTIME_DIR -u XDG_CACHE_HOME -u PYTHONPATH -u VIRTUAL_ENV "${settings[@]}" \
         sh -c 'cd /ci/checkout && exec "$@"' sh "$@" || status=$?
     return "$status"
 }
