@@ -23,7 +23,7 @@ from ..progress import SILENT, Progress
 from .delaunay import extreme_in_cells
 from .grid import Grid
 from .outliers import isolated, lonely_limit, plausible
-from .sampling import sample
+from .sampling import Bilinear, sample
 from .trend import trend_surface
 
 # Curvature of the free cloth, 1/m, by rigidness: 1 steep slopes, 2 hills, 3 flat towns. At 0.002 it sags 1.5 m
@@ -81,8 +81,12 @@ def classify_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: Cloth
     ------
     InsufficientDataError : no usable point.
     """
-    grid, heights = cloth_surface(x, y, z, settings, progress)
-    return near_cloth(x, y, z, grid, heights, settings.threshold)
+    usable = _usable(x, y, z)
+    _grid, heights, bottom = _drape(x[usable], y[usable], z[usable], settings, progress)
+    ground = bottom.points[np.abs(bottom.z - bottom.place.heights(heights)) <= settings.threshold]
+    mask = np.zeros(len(z), dtype=bool)
+    mask[ground if isinstance(usable, slice) else np.flatnonzero(usable)[ground]] = True
+    return mask
 
 
 def cloth_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,
@@ -102,32 +106,62 @@ def cloth_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSe
     ------
     InsufficientDataError : no usable point.
     """
+    usable = _usable(x, y, z)
+    grid, heights, _bottom = _drape(x[usable], y[usable], z[usable], settings, progress)
+    return grid, heights
+
+
+def _usable(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray | slice:
+    """What picks the plausible points: all of them, or a mask."""
     usable = plausible(x, y, z)
-    if not usable.all():
-        x, y, z = x[usable], y[usable], z[usable]
-    if not len(z):
+    if not usable.any():
         raise InsufficientDataError("The cloud has no point with a usable height.")
+    return slice(None) if usable.all() else usable
+
+
+def _drape(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings,
+           progress: Progress) -> tuple[Grid, np.ndarray, BottomPoints]:
+    """The settled cloth, and the points near the bottom of each cell."""
     grid = Grid.covering(x.min(), y.min(), x.max(), y.max(), settings.resolution)
+    # One cell more: bilinear places need two in each direction.
+    grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
     spacing = np.sqrt(grid.rows * grid.columns / len(z)) * settings.resolution
     lowest = lowest_heights(x, y, z, grid, lonely_limit(spacing))
     progress.step(0.4)
-    first = hang(lowest, settings, progress.part(0.4, 0.5))
-    lowest = lowest_layer(x, y, z, grid, lowest, first)
+    trend = trend_surface(lowest, settings.resolution)
+    first = hang(lowest, trend, settings, progress.part(0.4, 0.5))
+    bottom = bottom_points(x, y, z, grid, lowest)
+    lowest = lowest_layer(bottom, first)
     progress.step(0.7)
-    return grid, settle(lowest, settings, progress.part(0.7, 0.9))
+    return grid, settle(lowest, trend, settings, progress.part(0.7, 0.9)), bottom
+
+
+def cell_numbers(x: np.ndarray, y: np.ndarray, grid: Grid) -> np.ndarray:
+    """Flat cell number of each point, (n,) int32; the grid must cover all points."""
+    column = ((x - grid.x_min) * (1.0 / grid.cell)).astype(np.int32)
+    row = ((grid.y_max - y) * (1.0 / grid.cell)).astype(np.int32)
+    # A point on the lower or right edge belongs to the last cell.
+    np.minimum(column, grid.columns - 1, out=column)
+    np.minimum(row, grid.rows - 1, out=row)
+    row *= np.int32(grid.columns)
+    row += column
+    return row
 
 
 def near_cloth(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, heights: np.ndarray,
                threshold: float) -> np.ndarray:
     """Points within `threshold` metres of the cloth in height, (n,) bool."""
-    row, column, inside = grid.cells(x, y)
-    with np.errstate(invalid="ignore"):
-        # The cloth is taut: what is far from it at the next node need not be interpolated.
-        candidate = inside & (np.abs(z - heights[row, column]) < threshold + 2 * grid.cell)
     ground = np.zeros(len(z), dtype=bool)
-    candidate = np.flatnonzero(candidate)
-    height = sample(grid, heights, x[candidate], y[candidate])
-    ground[candidate] = np.abs(z[candidate] - height) <= threshold
+    x_min, y_min, x_max, y_max = grid.bounds
+    with np.errstate(invalid="ignore"):
+        inside = (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max) & np.isfinite(z)
+    points = np.arange(len(z)) if inside.all() else np.flatnonzero(inside)
+    if len(points) < len(z):
+        x, y, z = x[points], y[points], z[points]
+    # The cloth is taut: what is far from it at the nearest node need not be interpolated.
+    near = np.flatnonzero(np.abs(z - heights.ravel()[cell_numbers(x, y, grid)]) < threshold + 2 * grid.cell)
+    height = sample(grid, heights, x[near], y[near])
+    ground[points[near]] = np.abs(z[near] - height) <= threshold
     return ground
 
 
@@ -138,30 +172,32 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lone
     five (or 5 % of those around) lie within half a metre of each other and no neighbouring cell has its lowest
     points at that height: multipath below the ground.
 
-    A cell's answer depends on the points within two voxels and two cells of it.
+    All points must be plausible and on the grid. A cell's answer depends on the points within two voxels and
+    two cells of it.
     """
-    inside = plausible(x, y, z)
-    row, column, on_grid = grid.cells(x, y)
-    inside &= on_grid
-    points = np.flatnonzero(inside)
-    points = points[~isolated(x[points], y[points], z[points], lonely=lonely)]
-    cell = row[points] * grid.columns + column[points]
-    height = z[points]
+    cell, height = cell_numbers(x, y, grid), z
+    alone = isolated(x, y, z, lonely=lonely)
+    if alone.any():
+        height = np.where(alone, np.inf, z)
     size = grid.rows * grid.columns
     lowest = extreme_in_cells(cell, height, size, highest=False)
-    around = _around(np.bincount(cell, minlength=size).reshape(grid.shape).astype(float)).ravel()
-    limit = np.minimum(4.0, 0.05 * around)
+    limit = np.minimum(4.0, 0.05 * _around(np.bincount(cell, minlength=size).reshape(grid.shape)))
+    support = _support(lowest, cell, height)
     for _ in range(4):
-        loose = _loose(lowest.reshape(grid.shape), cell, height, limit.reshape(grid.shape)).ravel()
-        if not loose.any():
+        loose = _loose(lowest.reshape(grid.shape), support.reshape(grid.shape), limit).ravel()
+        members = np.flatnonzero(loose[cell])
+        if not len(members):
             break
-        drop = loose[cell] & (height < lowest[cell] + _LOOSE_DEPTH)
-        cell, height = cell[~drop], height[~drop]
-        lowest = np.where(loose, np.inf, lowest)
-        again = loose[cell]
-        refound = extreme_in_cells(cell[again], height[again], size, highest=False)
-        lowest = np.minimum(lowest, refound)
+        left = members[height[members] >= lowest[cell[members]] + _LOOSE_DEPTH]
+        refound = extreme_in_cells(cell[left], height[left], size, highest=False)
+        lowest = np.where(loose, refound, lowest)
+        support = np.where(loose, _support(refound, cell[left], height[left]), support)
     return lowest.reshape(grid.shape)
+
+
+def _support(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
+    """Number of points within half a metre above the lowest of each cell, (cells,)."""
+    return np.bincount(cell[height < lowest[cell] + _LOOSE_DEPTH], minlength=lowest.size)
 
 
 def _around(values: np.ndarray) -> np.ndarray:
@@ -171,10 +207,8 @@ def _around(values: np.ndarray) -> np.ndarray:
     return across[:-2] + across[1:-1] + across[2:]
 
 
-def _loose(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray, limit: np.ndarray) -> np.ndarray:
+def _loose(lowest: np.ndarray, support: np.ndarray, limit: np.ndarray) -> np.ndarray:
     """Cells whose lowest points are too few to be believed, (rows, columns) bool."""
-    bottom = height < lowest.ravel()[cell] + _LOOSE_DEPTH
-    support = np.bincount(cell[bottom], minlength=lowest.size).reshape(lowest.shape).astype(float)
     total = support.copy()
     padded_lowest = np.pad(lowest, 1, constant_values=np.inf)
     padded_support = np.pad(support, 1)
@@ -186,55 +220,74 @@ def _loose(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray, limit: np.n
             window = slice(down, down + rows), slice(right, right + columns)
             with np.errstate(invalid="ignore"):
                 level = np.abs(padded_lowest[window] - lowest) < _NEIGHBOUR_STEP
-            total += np.where(level, padded_support[window], 0.0)
+            total += np.where(level, padded_support[window], 0)
     return np.isfinite(lowest) & (total <= limit)
 
 
-def lowest_layer(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowest: np.ndarray,
-                 cloth: np.ndarray) -> np.ndarray:
+@dataclass(frozen=True)
+class BottomPoints:
+    """The believed points near the bottom of their cell: all that can become ground.
+
+    Attributes
+    ----------
+    points : (m,) their indices. cell : (m,) flat cell numbers. z : (m,) heights.
+    place : where they lie between the cell centres.
+    """
+
+    points: np.ndarray
+    cell: np.ndarray
+    z: np.ndarray
+    place: Bilinear
+
+
+def bottom_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowest: np.ndarray) -> BottomPoints:
+    """Points up to two cell widths (a slope of 60 degrees) above the lowest believed height of their cell.
+
+    Parameters
+    ----------
+    x, y, z : (n,) metres, all on the grid. lowest : (rows, columns) from `lowest_heights`.
+    """
+    cell = cell_numbers(x, y, grid)
+    height = z - lowest.ravel()[cell]
+    points = np.flatnonzero((height >= 0) & (height < 2 * grid.cell))
+    return BottomPoints(points, cell[points], z[points], Bilinear.at(grid, x[points], y[points]))
+
+
+def lowest_layer(bottom: BottomPoints, cloth: np.ndarray) -> np.ndarray:
     """Height of the lowest layer of each cell at its centre, (rows, columns), inf where there is none.
 
     The mean, over the points within 0.2 m of the lowest one, of their height above the first cloth, added to
     the cloth's height at the centre: a sloping cell is then not represented by its lower edge, nor level
-    ground by its noise. `lowest` (from `lowest_heights`) tells which points are believed.
-
-    A cell's answer depends on its own points only.
+    ground by its noise. A cell's answer depends on its own points only.
     """
-    row, column, inside = grid.cells(x, y)
-    cell = row * grid.columns + column
-    floor = lowest.ravel()[cell]
-    with np.errstate(invalid="ignore"):
-        candidate = inside & (z >= floor) & (z < floor + 2 * grid.cell)
-    points = np.flatnonzero(candidate)
-    cell = cell[points]
-    above = z[points] - sample(grid, cloth, x[points], y[points])
-    size = grid.rows * grid.columns
-    bottom = extreme_in_cells(cell, above, size, highest=False)
-    layer = above <= bottom[cell] + _LAYER
-    count = np.bincount(cell[layer], minlength=size)
-    total = np.bincount(cell[layer], weights=above[layer], minlength=size)
-    mean = np.divide(total, count, out=np.full(size, np.inf), where=count > 0)
-    return cloth + mean.reshape(grid.shape)
+    above = bottom.z - bottom.place.heights(cloth)
+    lowest = extreme_in_cells(bottom.cell, above, cloth.size, highest=False)
+    layer = np.flatnonzero(above <= lowest[bottom.cell] + _LAYER)
+    cell = bottom.cell[layer]
+    count = np.bincount(cell, minlength=cloth.size)
+    total = np.bincount(cell, weights=above[layer], minlength=cloth.size)
+    mean = np.divide(total, count, out=np.full(cloth.size, np.inf), where=count > 0)
+    return cloth + mean.reshape(cloth.shape)
 
 
-def hang(lowest: np.ndarray, settings: ClothSettings, progress: Progress = SILENT) -> np.ndarray:
+def hang(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
+         progress: Progress = SILENT) -> np.ndarray:
     """Cloth at rest against `lowest` (rows, columns; inf where empty), without the slope step."""
-    trend = trend_surface(lowest, settings.resolution)
     return trend + _rest(lowest - trend, settings, np.zeros(lowest.shape, dtype=bool), progress)
 
 
-def settle(lowest: np.ndarray, settings: ClothSettings, progress: Progress = SILENT) -> np.ndarray:
+def settle(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
+           progress: Progress = SILENT) -> np.ndarray:
     """Cloth at rest against `lowest`, lifted to all ground that continues without a jump.
 
     Parameters
     ----------
-    lowest : (rows, columns) metres, inf where there is no point.
+    lowest : (rows, columns) metres, inf where there is no point. trend : (rows, columns), see `trend_surface`.
 
     Returns
     -------
     (rows, columns) metres, nowhere above `lowest`.
     """
-    trend = trend_surface(lowest, settings.resolution)
     obstacle = lowest - trend
     pinned = np.zeros(lowest.shape, dtype=bool)
     cloth = _rest(obstacle, settings, pinned, progress)

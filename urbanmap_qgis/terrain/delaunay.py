@@ -261,10 +261,13 @@ def triangulate(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     if len(x) < 3:
         raise InsufficientDataError("A surface needs at least three points: check the input's extent.")
     blocks = Blocks.for_spacing(typical_spacing(x, y))
-    parts = [points[block_triangles(x[points], y[points], blocks, column, row)]
-             for column, row, points in _points_of_blocks(x, y, blocks)]
-    small = np.concatenate(parts) if parts else np.empty((0, 3), dtype=np.int64)
-    edges = open_edges(small)
+    parts, edge_parts = [np.empty((0, 3), dtype=np.int64)], [np.empty((0, 2), dtype=np.int64)]
+    for column, row, points in _points_of_blocks(x, y, blocks):
+        corners = block_triangles(x[points], y[points], blocks, column, row)
+        parts.append(points[corners])
+        edge_parts.append(points[open_edges(corners)])
+    small = np.concatenate(parts)
+    edges = cancel_twins(np.concatenate(edge_parts))
     unused = np.ones(len(x), dtype=bool)
     unused[small] = False
     members = np.union1d(edges, np.flatnonzero(unused))

@@ -44,7 +44,7 @@ def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,
 def _steps(coordinate: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:
     """Voxel number along one axis, from 1, and how many there are with an empty one at both ends."""
     lowest = np.floor(coordinate.min() / voxel)
-    step = (np.floor(coordinate / voxel) - (lowest - 1)).astype(np.int64)
+    step = (np.floor(coordinate / voxel) - (lowest - 1)).astype(np.int32)
     return step, int(step.max()) + 2
 
 
