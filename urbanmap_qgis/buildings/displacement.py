@@ -1,0 +1,223 @@
+"""Official outlines that are off by a metre or two, moved to where the laser points show the buildings.
+
+J 5.3.1 takes the outlines of the 2D map as a good estimation of the buildings. Where a map is displaced, that
+fails; here all outlines are placed together, like a jigsaw: each should cover building and nothing else, none
+should overlap its neighbour, and walls that neighbours share should meet.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import shapely
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from ..errors import InputError
+from ..progress import SILENT, Progress
+from ..terrain.grid import Grid
+from .displacement_adjust import adjusted, snapped
+from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums
+from .displacement_pairs import neighbours, overlap_tables, walls_between
+from .displacement_search import (
+    COARSE_STEP,
+    DEPART,
+    FINE_STEPS,
+    Jigsaw,
+    choose,
+    coarse_search,
+    fine_search,
+    lattice,
+)
+
+KEPT, MOVED, NOT_OBSERVABLE = "kept", "moved", "not observable"
+MAX_SHIFT = 2.5  # m
+OUTLINES_AT_ONCE = 1000  # connected sets of outlines are worked on together up to this number
+LEAST_SEEN = 0.25  # share of its area that must be covered by building evidence somewhere in reach
+STACKED = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
+NOISE = 0.8  # m2, worth that chance adds: sets the scale of sigma
+REGISTER_SIGMA = 0.15  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
+LEAST_COMMON = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
+MOVED_FROM = 0.005  # m, shorter shifts are none
+
+
+@dataclass(frozen=True)
+class Displacements:
+    """Shifts of n outlines, in the order given.
+
+    dx, dy : (n,) m, to be added to the outline; sigma : (n,) m, uncertainty of dx and of dy (each);
+    score_before, score_after : (n,) in [-1, 1], mean building evidence under the outline as given and as moved;
+    status : (n,) of "kept", "moved", "not observable" (no building to be seen in reach: the outline follows the
+        common shift of its connected set, which is mostly none).
+    """
+
+    dx: np.ndarray
+    dy: np.ndarray
+    sigma: np.ndarray
+    score_before: np.ndarray
+    score_after: np.ndarray
+    status: np.ndarray
+
+
+def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Grid,
+                           surface: np.ndarray | None = None, max_shift: float = MAX_SHIFT,
+                           progress: Progress = SILENT) -> Displacements:
+    """Where each outline belongs, found for all outlines together.
+
+    First the common shift of every connected set of outlines (a map sheet is often off as a whole), then each
+    outline's own: a search on a coarse and two finer lattices, last an adjustment wall to wall. An outline leaves
+    the common shift only where the evidence for it is clear. The result depends on the outlines of a connected set
+    (nearer to each other than twice `max_shift`), not on other sets nor on the order of outlines.
+
+    Parameters
+    ----------
+    polygons : (n,) shapely polygons or multipolygons; missing or empty ones get status "not observable".
+    evidence : (rows, columns) in [-1, 1] on `grid`, see `EvidenceAccumulator.evidence`.
+    surface : not used yet by the search; (rows, columns) highest z.
+    max_shift : m, longest shift of an outline.
+
+    Raises
+    ------
+    InputError : evidence not on the grid, or `max_shift` not positive.
+    """
+    polygons = np.asarray(polygons, dtype=object)
+    evidence = np.asarray(evidence)
+    if evidence.shape != grid.shape:
+        raise InputError("The building evidence does not lie on its grid: give both the same rows and columns.")
+    if not max_shift >= COARSE_STEP:
+        raise InputError(f"The longest shift of an outline must be at least {COARSE_STEP} m.")
+    n = len(polygons)
+    shifts, sigma = np.zeros((n, 2)), np.full(n, float(max_shift))
+    before, after, seen = np.zeros(n), np.zeros(n), np.zeros(n, bool)
+    sums = row_sums(np.nan_to_num(evidence), grid.cell)
+    usable = np.flatnonzero(shapely.is_geometry(polygons) & (shapely.area(polygons) > 0))
+    usable = usable[_place_order(polygons[usable])]
+    pairs = neighbours(polygons[usable], 2 * max_shift)
+    done = 0
+    for members, own_pairs in _batches(len(usable), pairs):
+        progress.step(done / max(len(usable), 1))
+        which = usable[members]
+        part = _placed(polygons[which], own_pairs, sums, grid, max_shift)
+        shifts[which], sigma[which], before[which], after[which], seen[which] = part
+        done += len(members)
+    progress.step(1.0)
+    far = np.hypot(*shifts.T) >= MOVED_FROM
+    status = np.where(seen, np.where(far, MOVED, KEPT), NOT_OBSERVABLE)
+    return Displacements(shifts[:, 0], shifts[:, 1], sigma, before, after, status)
+
+
+def moved(polygons: np.ndarray, displacements: Displacements) -> np.ndarray:
+    """The outlines (n,) at their new places; missing ones stay missing."""
+    polygons = np.array(polygons, dtype=object)
+    points, owner = shapely.get_coordinates(polygons, include_z=True, return_index=True)
+    points[:, 0] += displacements.dx[owner]
+    points[:, 1] += displacements.dy[owner]
+    flat = ~shapely.has_z(polygons)[owner]
+    if flat.all():
+        return shapely.set_coordinates(polygons, points[:, :2])
+    points[flat, 2] = 0
+    return np.where(shapely.has_z(polygons), shapely.set_coordinates(polygons, points),
+                    shapely.force_2d(shapely.set_coordinates(polygons.copy(), points)))
+
+
+def _place_order(polygons: np.ndarray) -> np.ndarray:
+    """An order that depends on where the outlines lie, not on how they were listed."""
+    box = shapely.bounds(polygons)
+    return np.lexsort((shapely.area(polygons), box[:, 3], box[:, 2], box[:, 1], box[:, 0]))
+
+
+def _batches(n: int, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Connected sets, put together to batches: members (m,), ascending, and their pairs numbered within."""
+    if not n:
+        return []
+    _, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
+    size = np.bincount(label)
+    batch = (np.cumsum(size) - size) // OUTLINES_AT_ONCE
+    of_outline, of_pair = batch[label], batch[label[pairs[:, 0]]]
+    number = np.empty(n, np.int64)
+    result = []
+    by_outline, by_pair = np.argsort(of_outline, kind="stable"), np.argsort(of_pair, kind="stable")
+    for b in np.unique(batch):
+        members = by_outline[slice(*np.searchsorted(of_outline[by_outline], (b, b + 1)))]
+        number[members] = np.arange(len(members))
+        own = by_pair[slice(*np.searchsorted(of_pair[by_pair], (b, b + 1)))]
+        result.append((members, number[pairs[own]].reshape(-1, 2)))
+    return result
+
+
+def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid, max_shift: float
+            ) -> tuple[np.ndarray, ...]:
+    """Shifts, sigma, scores before and after, and whether observable, of one batch."""
+    area = shapely.area(polygons)
+    jigsaw = _jigsaw(polygons, area, pairs, sums, grid, max_shift)
+    jigsaw, best_cover = _with_common_shift(jigsaw, max_shift)
+    shifts = coarse_search(jigsaw, max_shift)
+    beliefs = []
+    for step, width in FINE_STEPS:
+        shifts, belief = fine_search(jigsaw, shifts, step, width)
+        beliefs.append(belief)
+    for _ in range(2):
+        better = adjusted(jigsaw, shifts)
+        shifts = choose(jigsaw, np.concatenate((
+            shifts[:, None], better[:, None], jigsaw.common[:, None],
+            snapped(jigsaw, shifts, max_shift, 4), snapped(jigsaw, better, max_shift, 4)), axis=1))
+    seen = best_cover >= LEAST_SEEN * area
+    shifts = np.where(seen[:, None], shifts, jigsaw.common)
+    shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
+    sigma = np.where(seen, _sigma(beliefs[0], FINE_STEPS[0][0], max_shift), max_shift)
+    cover = jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None]
+    return shifts, sigma, cover[:, 0], cover[:, 1], seen
+
+
+def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid,
+            max_shift: float) -> Jigsaw:
+    edges = edges_of(polygons)
+    pieces = pieces_of(edges)
+    reach = 2 * max_shift
+    overlaps = overlap_tables(polygons, pieces, pairs, reach)
+    middle = overlaps.shape[1] // 2
+    stacked = overlaps[:, middle, middle] > STACKED * area[pairs].min(axis=1)
+    overlaps[stacked] = 0
+    perimeter = np.bincount(edges.owner, np.hypot(*(edges.end - edges.start).T), len(polygons))
+    return Jigsaw(edges, pieces, pieces_of(edges, COARSE_PIECE), perimeter, sums, grid, pairs,
+                  walls_between(edges, pairs, reach), overlaps, np.zeros((len(polygons), 2)))
+
+
+def _with_common_shift(jigsaw: Jigsaw, max_shift: float) -> tuple[Jigsaw, np.ndarray]:
+    """The jigsaw with the common shift of every connected set, and the best cover (n,) m2 of each outline."""
+    n = len(jigsaw.perimeter)
+    pairs = jigsaw.pairs
+    sets, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
+    steps = lattice(COARSE_STEP, max_shift) * COARSE_STEP
+    cover = jigsaw.cover(np.broadcast_to(steps, (n, *steps.shape)), coarse=True)
+    table = _sum_by(label, cover, sets)
+    shift = steps[table.argmax(1)]
+    for step, _ in FINE_STEPS:
+        around = shift[:, None] + lattice(1, 2.9) * step
+        finer = _sum_by(label, jigsaw.cover(around[label]), sets)
+        shift = np.take_along_axis(around, finer.argmax(1)[:, None, None], 1)[:, 0]
+    gain = finer.max(1) - table[:, np.flatnonzero((steps == 0).all(1))[0]]
+    # Chance adds up slower than the outlines; what is common to roofs against walls is no shift of the map.
+    price = DEPART * np.bincount(label, jigsaw.perimeter, sets) / np.sqrt(np.bincount(label, minlength=sets))
+    clear = (gain >= price) & (np.hypot(*shift.T) >= LEAST_COMMON)
+    shift = np.where(clear[:, None], shift, 0)
+    return replace(jigsaw, common=shift[label]), cover.max(1)
+
+
+def _sum_by(label: np.ndarray, values: np.ndarray, groups: int) -> np.ndarray:
+    """Sums (groups, k) of the rows (n, k) that carry each label."""
+    result = np.zeros((groups, values.shape[1]))
+    np.add.at(result, label, values)
+    return result
+
+
+def _sigma(belief: np.ndarray, step: float, max_shift: float) -> np.ndarray:
+    """Uncertainty (n,) m of a shift, from how fast the belief (n, 25) falls off around its best place."""
+    places = lattice(1, 2.9) * step
+    loss = belief.max(1, keepdims=True) - belief
+    best = places[belief.argmax(1)]
+    away = places[None] - best[:, None]
+    weight = np.exp(-np.minimum(loss / NOISE, 50.0))
+    spread = (weight[..., None] * away**2).sum(1) / weight.sum(1)[:, None]
+    return np.minimum(np.sqrt(spread.mean(1) + REGISTER_SIGMA**2), max_shift)

@@ -1,0 +1,158 @@
+"""How two neighbouring outlines fit together, for every shift of one against the other.
+
+Outlines of one register that touch share their walls to the centimetre: once each is at its place, their edges
+meet with neither gap nor overlap. So the outlines themselves tell where a neighbour belongs, even where a party
+wall shows in no height.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.fft
+import shapely
+
+from .displacement_boundary import Edges, Pieces
+
+# m, cells that overlaps are computed on: a whole fraction of the coarse lattice; they hold shares, not 0 or 1.
+MASK_CELL = 0.25
+PARALLEL = np.sin(np.radians(2.0))  # edges of a shared wall differ less than this in direction
+SHORTEST_WALL = 0.8  # m
+CORNER = 0.5  # m of shared wall that two corners falling together are worth
+EQUAL = 0.03  # m: walls whose lengths differ less are drawn on one another, not by chance
+TWIN = 4.0  # times the worth of a wall where both its ends fall together
+PAIRS_AT_ONCE = 256
+
+
+@dataclass(frozen=True)
+class Walls:
+    """Edges of two outlines that would fall on each other at some shift r = (shift of j - shift of i).
+
+    pair : (m,) number of the pair, sorted; along, normal : (m, 2) unit vectors of i's edge;
+    gap : (m,) the edges lie on one line where normal.r = gap;
+    length : (m,) of i's edge; low, high : (m,) where j's edge begins and ends along i's edge at r = 0; all in m.
+    """
+
+    pair: np.ndarray
+    along: np.ndarray
+    normal: np.ndarray
+    gap: np.ndarray
+    length: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+
+
+def neighbours(polygons: np.ndarray, reach: float) -> np.ndarray:
+    """Pairs (m, 2) of outlines that lie within `reach` m of each other, first < second, sorted."""
+    tree = shapely.STRtree(polygons)
+    first, second = tree.query(polygons, predicate="dwithin", distance=reach)
+    pairs = np.column_stack((first, second))[first < second]
+    return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
+
+
+def walls_between(edges: Edges, pairs: np.ndarray, reach: float) -> Walls:
+    """Antiparallel edges of each pair (p, 2) that a relative shift of up to `reach` m can bring together."""
+    count = np.bincount(edges.owner, minlength=int(pairs.max()) + 1 if len(pairs) else 0)
+    first = np.cumsum(count) - count
+    combinations = count[pairs[:, 0]] * count[pairs[:, 1]]
+    pair = np.repeat(np.arange(len(pairs)), combinations)
+    number = np.arange(len(pair)) - np.repeat(np.cumsum(combinations) - combinations, combinations)
+    i, j = pairs[pair].T
+    a, b = first[i] + number // count[j], first[j] + number % count[j]
+    vector = edges.end - edges.start
+    length = np.hypot(*vector.T)
+    unit = vector / length[:, None]
+    opposite = ((np.einsum("ij,ij->i", unit[a], unit[b]) < 0) & (np.minimum(length[a], length[b]) > SHORTEST_WALL)
+                & (np.abs(unit[a, 0] * unit[b, 1] - unit[a, 1] * unit[b, 0]) < PARALLEL))
+    pair, a, b = pair[opposite], a[opposite], b[opposite]
+    along = unit[a]
+    normal = np.column_stack((along[:, 1], -along[:, 0]))
+    low = np.einsum("ij,ij->i", along, edges.end[b] - edges.start[a])
+    high = np.einsum("ij,ij->i", along, edges.start[b] - edges.start[a])
+    middle = (edges.start[a] + edges.end[a] - edges.start[b] - edges.end[b]) / 2
+    gap = np.einsum("ij,ij->i", normal, middle)
+    near = (np.abs(gap) <= reach) & (low - length[a] < reach) & (high > -reach)
+    return Walls(pair[near], along[near], normal[near], gap[near], length[a][near], low[near], high[near])
+
+
+def fit(walls: Walls, shifts: np.ndarray, width: float) -> np.ndarray:
+    """Metres of wall (and corners) that fall together, of each wall (m,) at its relative shifts (m, k, 2): (m, k).
+
+    Full value at an exact meeting, falling to none at `width` m.
+    """
+    across = _nearness(np.einsum("ij,ikj->ik", walls.normal, shifts) - walls.gap[:, None], width)
+    slide = np.einsum("ij,ikj->ik", walls.along, shifts)
+    low, high, length = walls.low[:, None] + slide, walls.high[:, None] + slide, walls.length[:, None]
+    shared = np.maximum(np.minimum(high, length) - np.maximum(low, 0), 0)
+    ends = _nearness(low, width), _nearness(high - length, width)
+    twin = TWIN * length * (np.abs(walls.high - walls.low - walls.length) < EQUAL)[:, None] * ends[0] * ends[1]
+    return across * (shared + CORNER * (ends[0] + ends[1]) * (shared > 0) + twin)
+
+
+def _nearness(distance: np.ndarray, width: float) -> np.ndarray:
+    return np.maximum(1 - (distance / width) ** 2, 0)
+
+
+def fit_tables(walls: Walls, pairs: int, shifts: np.ndarray, width: float) -> np.ndarray:
+    """`fit` added up for each pair: (pairs, k); shifts (k, 2) for all, or (pairs, k, 2)."""
+    table = np.zeros((pairs, shifts.shape[-2]))
+    for begin in range(0, len(walls.pair), 4096):
+        part = Walls(*(getattr(walls, name)[begin:begin + 4096] for name in Walls.__dataclass_fields__))
+        own = shifts[part.pair] if shifts.ndim == 3 else np.broadcast_to(shifts, (len(part.pair), *shifts.shape))
+        first = np.flatnonzero(np.r_[True, part.pair[1:] != part.pair[:-1]])
+        table[part.pair[first]] += np.add.reduceat(fit(part, own, width), first, axis=0)
+    return table
+
+
+def overlap_tables(polygons: np.ndarray, pieces: Pieces, pairs: np.ndarray, reach: float) -> np.ndarray:
+    """Area (m2) that two outlines share at relative shifts (shift of j - shift of i) on a lattice.
+
+    Returns (p, 2 q + 1, 2 q + 1) float32: [p, q + v, q + u] for the shift (u, v) * MASK_CELL, q = reach / MASK_CELL
+    rounded up. Correlation of the two masks by FFT, on the windows that can meet only.
+    """
+    q = int(np.ceil(reach / MASK_CELL))
+    tables = np.zeros((len(pairs), 2 * q + 1, 2 * q + 1), np.float32)
+    if not len(pairs):
+        return tables
+    box = shapely.bounds(polygons)
+    a, b = box[pairs[:, 0]], box[pairs[:, 1]]
+    low = np.maximum(np.minimum(a[:, :2], b[:, :2]), np.maximum(a[:, :2], b[:, :2]) - reach)
+    high = np.minimum(np.maximum(a[:, 2:], b[:, 2:]), np.minimum(a[:, 2:], b[:, 2:]) + reach)
+    size = np.ceil((high - low).max(axis=1) / MASK_CELL).astype(int) + 1
+    side = np.array([scipy.fft.next_fast_len(int(16 * np.ceil((s + q) / 16)), real=True) for s in size])
+    count = np.bincount(pieces.owner, minlength=len(polygons))
+    first = np.cumsum(count) - count
+    for n in np.unique(side):
+        of_size = np.flatnonzero(side == n)
+        at_once = max(1, PAIRS_AT_ONCE * 64**2 // n**2)
+        for begin in range(0, len(of_size), at_once):
+            use = of_size[begin:begin + at_once]
+            mask_i = _masks(pieces, first, count, pairs[use, 0], low[use], int(n))
+            mask_j = _masks(pieces, first, count, pairs[use, 1], low[use], int(n))
+            product = scipy.fft.rfft2(mask_i) * np.conj(scipy.fft.rfft2(mask_j))
+            table = scipy.fft.irfft2(product, (n, n)) * np.float32(MASK_CELL**2)
+            index = np.arange(-q, q + 1)
+            # Rounded, so that the number of transforms done at once cannot show in the last digits.
+            tables[use] = np.maximum(np.round(table[:, index[:, None], index[None, :]], 3), 0)
+    return tables
+
+
+def _masks(pieces: Pieces, first: np.ndarray, count: np.ndarray, outline: np.ndarray, corner: np.ndarray,
+           n: int) -> np.ndarray:
+    """Share of every cell that an outline covers, (k, n, n) float32; row 0, column 0 at the window's low corner."""
+    number = count[outline]
+    window = np.repeat(np.arange(len(outline)), number)
+    piece = np.arange(len(window)) + np.repeat(first[outline] - (np.cumsum(number) - number), number)
+    column = np.maximum((pieces.x[piece] - corner[window, 0]) / MASK_CELL, 0)
+    row = np.floor((pieces.y[piece] - corner[window, 1]) / MASK_CELL).astype(int)
+    use = (row >= 0) & (row < n) & (column < n - 1)
+    window, column, row = window[use], column[use], row[use]
+    area = -pieces.dy[piece][use] / MASK_CELL
+    cell = column.astype(int)
+    flat = (window * n + row) * n + cell
+    part = column - cell
+    total = len(outline) * n * n
+    # A boundary piece covers, or uncovers, all to its right: its share of its own cell, then whole cells.
+    steps = np.bincount(flat, area * (1 - part), total) + np.bincount(flat + 1, area * part, total)
+    return np.cumsum(steps.reshape(-1, n, n), axis=2).astype(np.float32)

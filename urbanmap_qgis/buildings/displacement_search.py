@@ -1,0 +1,174 @@
+"""The jigsaw of outlines: what an arrangement is worth, and the search for the best one.
+
+Worth (m2) of an arrangement: building evidence covered, less what is covered that is no building, less overlaps,
+plus walls that meet their neighbours', less what it costs to depart from the common shift.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..terrain.grid import Grid
+from .displacement_boundary import Edges, Pieces, sums_inside
+from .displacement_pairs import MASK_CELL, Walls, fit_tables
+
+OVERLAP = 1.5  # worth lost per m2 of overlap: 1 for the evidence counted twice, the rest for the overlap itself
+WALL = 0.3  # m2 that one metre of meeting wall is worth
+DEPART = 0.1  # m: an outline departs from the common shift only if it gains such a strip all around it
+DEPART_OVER = 0.25  # m, the whole price is paid from this departure on
+TIE = 0.01  # m2 a metre of boundary and of departure: decides where nothing else does
+COARSE_STEP = 0.5  # m
+FINE_STEPS = ((0.2, 0.4), (0.1, 0.25))  # m: step of the lattice, distance at which a wall no longer meets
+COARSE_WIDTH, EXACT_WIDTH = 0.6, 0.15  # m, the same distance for the coarse lattice and for the last choice
+ROUNDS = 16
+DAMPING = 0.3
+PAIRS_AT_ONCE = 2048  # pairs whose tables over all candidates are held at once
+
+
+@dataclass(frozen=True)
+class Jigsaw:
+    """Everything that tells the worth of an arrangement of n outlines with p pairs of neighbours.
+
+    edges, pieces, coarse : boundaries; perimeter : (n,) m; sums, grid : row sums of the evidence;
+    pairs : (p, 2) first < second; walls : see `Walls`; overlaps : tables of `overlap_tables`;
+    common : (n, 2) m, shift of the whole set that each outline belongs to.
+    """
+
+    edges: Edges
+    pieces: Pieces
+    coarse: Pieces
+    perimeter: np.ndarray
+    sums: np.ndarray
+    grid: Grid
+    pairs: np.ndarray
+    walls: Walls
+    overlaps: np.ndarray
+    common: np.ndarray
+
+    def cover(self, shifts: np.ndarray, coarse: bool = False) -> np.ndarray:
+        """Evidence covered (m2) by each outline at its shifts (n, k, 2): (n, k)."""
+        return sums_inside(self.coarse if coarse else self.pieces, shifts, self.sums, self.grid)
+
+    def single(self, shifts: np.ndarray, coarse: bool = False) -> np.ndarray:
+        """Worth (m2) of each outline by itself at its shifts (n, k, 2): (n, k)."""
+        away = np.hypot(*np.moveaxis(shifts - self.common[:, None], 2, 0))
+        price = DEPART * np.minimum(away / DEPART_OVER, 1) + TIE * away
+        return self.cover(shifts, coarse) - self.perimeter[:, None] * price
+
+    def relative(self, shifts: np.ndarray) -> np.ndarray:
+        """Shift (p, 2) of the second outline of each pair against the first."""
+        return shifts[self.pairs[:, 1]] - shifts[self.pairs[:, 0]]
+
+    def together(self, relative: np.ndarray, width: float) -> np.ndarray:
+        """Worth (m2) of each pair at its relative shifts (p, k, 2): (p, k)."""
+        return (WALL * fit_tables(self.walls, len(self.pairs), relative, width)
+                - OVERLAP * self._overlap(relative))
+
+    def _overlap(self, relative: np.ndarray) -> np.ndarray:
+        """Overlap (m2) at relative shifts (p, k, 2), bilinear in the tables."""
+        side = self.overlaps.shape[1]
+        place = np.clip(relative / MASK_CELL + side // 2, 0, side - 1.001)
+        cell = place.astype(np.int64)
+        u, v = np.moveaxis(place - cell, 2, 0)
+        flat = (np.arange(len(relative))[:, None] * side + cell[..., 1]) * side + cell[..., 0]
+        table = self.overlaps.reshape(-1)
+        below = table[flat] * (1 - u) + table[flat + 1] * u
+        above = table[flat + side] * (1 - u) + table[flat + side + 1] * u
+        return below * (1 - v) + above * v
+
+
+def lattice(step: float, reach: float) -> np.ndarray:
+    """Whole numbers (k, 2) of steps whose length is at most `reach` m."""
+    q = int(np.floor(reach / step + 1e-9))
+    square = _square(q)
+    return square[np.hypot(*square.T) * step <= reach + 1e-9]
+
+
+def _square(q: int) -> np.ndarray:
+    steps = np.arange(-q, q + 1)
+    return np.stack(np.meshgrid(steps, steps), -1).reshape(-1, 2)
+
+
+def best_together(single: np.ndarray, pairs: np.ndarray, worth: Callable[[slice], np.ndarray]) -> np.ndarray:
+    """Belief (n, k) in every candidate of every outline: its worth with the others at their best around it.
+
+    Max-sum message passing, all outlines at once, a fixed number of rounds: the work is linear in the outlines,
+    each outline hears of others at most `ROUNDS` neighbours away, and no order of outlines matters.
+
+    Parameters
+    ----------
+    single : (n, k) worth of the candidates by themselves.
+    worth : gives for a slice of the pairs (m, k, k): candidate of the first outline, of the second.
+    """
+    single = single.astype(np.float32)
+    if not len(pairs):
+        return single
+    parts = [slice(b, b + PAIRS_AT_ONCE) for b in range(0, len(pairs), PAIRS_AT_ONCE)]
+    held = worth(parts[0]).astype(np.float32) if len(parts) == 1 else None
+    to_second = np.zeros((len(pairs), single.shape[1]), np.float32)
+    to_first = np.zeros_like(to_second)
+    belief = single
+    first, second = pairs.T
+    receiver = np.concatenate((first, second))
+    order = np.argsort(receiver, kind="stable")
+    begin = np.flatnonzero(np.r_[True, np.diff(receiver[order]) > 0])
+    for _ in range(ROUNDS):
+        new_second, new_first = np.empty_like(to_second), np.empty_like(to_first)
+        for part in parts:
+            table = worth(part).astype(np.float32) if held is None else held
+            of_first = belief[first[part]] - to_first[part]
+            of_second = belief[second[part]] - to_second[part]
+            new_second[part] = (of_first[:, :, None] + table).max(1)
+            new_first[part] = (of_second[:, None, :] + table).max(2)
+        to_second = _damped(to_second, new_second)
+        to_first = _damped(to_first, new_first)
+        belief = single.copy()
+        belief[receiver[order][begin]] += np.add.reduceat(np.concatenate((to_first, to_second))[order], begin, axis=0)
+    return belief
+
+
+def _damped(old: np.ndarray, new: np.ndarray) -> np.ndarray:
+    return np.float32(DAMPING) * old + np.float32(1 - DAMPING) * (new - new.max(1, keepdims=True))
+
+
+def coarse_search(jigsaw: Jigsaw, max_shift: float) -> np.ndarray:
+    """Best shifts (n, 2) on the coarse lattice within `max_shift` m."""
+    steps = lattice(COARSE_STEP, max_shift)
+    n, q = len(jigsaw.perimeter), 2 * int(np.abs(steps).max())
+    single = jigsaw.single(np.broadcast_to(steps * COARSE_STEP, (n, *steps.shape)), coarse=True)
+    fits = fit_tables(jigsaw.walls, len(jigsaw.pairs), _square(q) * COARSE_STEP, COARSE_WIDTH)
+    stride, middle = round(COARSE_STEP / MASK_CELL), jigsaw.overlaps.shape[1] // 2
+    at = middle + stride * _square(q)
+    tables = (WALL * fits - OVERLAP * jigsaw.overlaps[:, at[:, 1], at[:, 0]]).astype(np.float32)
+    difference = steps[None, :] - steps[:, None]
+    index = (difference[..., 1] + q) * (2 * q + 1) + difference[..., 0] + q
+    belief = best_together(single, jigsaw.pairs, lambda part: tables[part][:, index])
+    return steps[belief.argmax(1)] * COARSE_STEP
+
+
+def fine_search(jigsaw: Jigsaw, shifts: np.ndarray, step: float, width: float) -> tuple[np.ndarray, np.ndarray]:
+    """Best shifts (n, 2) on a lattice of two steps around `shifts`, and the belief (n, 25) in its places."""
+    steps, differences = _square(2), _square(4)
+    around = shifts[:, None] + steps * step
+    difference = steps[None, :] - steps[:, None]
+    index = (difference[..., 1] + 4) * 9 + difference[..., 0] + 4
+    tables = jigsaw.together(jigsaw.relative(shifts)[:, None] + differences * step, width)
+    belief = best_together(jigsaw.single(around), jigsaw.pairs, lambda part: tables[part][:, index])
+    return np.take_along_axis(around, belief.argmax(1)[:, None, None], 1)[:, 0], belief
+
+
+def choose(jigsaw: Jigsaw, candidates: np.ndarray) -> np.ndarray:
+    """Best combination (n, 2) of candidate shifts (n, k, 2); the first candidate wins where they are equal."""
+    k = candidates.shape[1]
+
+    def worth(part: slice) -> np.ndarray:
+        return tables[part].reshape(-1, k, k)
+
+    first, second = candidates[jigsaw.pairs[:, 0]], candidates[jigsaw.pairs[:, 1]]
+    relative = (second[:, None, :] - first[:, :, None]).reshape(len(jigsaw.pairs), k * k, 2)
+    tables = jigsaw.together(relative, EXACT_WIDTH)
+    belief = best_together(jigsaw.single(candidates), jigsaw.pairs, worth)
+    return np.take_along_axis(candidates, belief.argmax(1)[:, None, None], 1)[:, 0]
