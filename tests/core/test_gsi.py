@@ -180,6 +180,15 @@ def test_outline_of_a_known_area_is_left_out(read):
     assert "1 outlines (BldL)" in buildings.notes[0]
 
 
+def test_outline_of_a_known_area_need_not_be_whole_nor_the_same(read):
+    courtyard = ring(square(2, 2, 2))
+    nearly = ((0, 0), (0, 8.9), (8.9, 9), (9, 0), (0, 0))
+    buildings = read(area(ring(square(size=9)), courtyard, name="a"), line(((0, 0), (0, 9), (9, 9)), "part"),
+                     line(square(2, 2, 2), "yard"), line(nearly, "nearly"))
+    assert buildings.attributes["gml_id"] == ["a"]
+    assert len(buildings.notes) == 1 and "3 outlines (BldL)" in buildings.notes[0]
+
+
 @pytest.mark.parametrize(("srs", "epsg", "said"), [
     ("fguuid:jgd2011.bl", 6668, 0), ("fguuid:jgd2000.bl", 4612, 0), ("fguuid:jgd2024.bl", 6668, 1)])
 def test_reference_systems(read, srs, epsg, said):

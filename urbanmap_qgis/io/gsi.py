@@ -140,8 +140,9 @@ def _assembled(harvest: Harvest, progress: Progress, notes: list[str]) -> Buildi
     areas, same_areas = one_of_each(_polygons(harvest.areas))
     progress.step(0.85)
     lines, same_lines = one_of_each(_linestrings(harvest.lines))
-    outlined = buildings_from_lines(lines, notes)
-    outlined, known = without_known(outlined, areas)
+    lines, known_lines = without_known(lines, areas)
+    outlined, known_polygons = without_known(buildings_from_lines(lines, notes), areas)
+    known = known_lines + known_polygons
     progress.step(0.9)
     if same_areas + same_lines:
         notes.append(f"{same_areas + same_lines} objects that several files hold alike were taken once.")

@@ -70,17 +70,18 @@ def buildings_from_lines(lines: Buildings, notes: list[str]) -> Buildings:
     return concatenated(rings, faces)
 
 
-def without_known(outlined: Buildings, areas: Buildings) -> tuple[Buildings, int]:
-    """Drop buildings from lines whose inner point lies in an area; also how many were dropped."""
-    if len(outlined.polygons) == 0 or len(areas.polygons) == 0:
-        return outlined, 0
-    inner = shapely.point_on_surface(outlined.polygons)
-    known = np.unique(shapely.STRtree(areas.polygons).query(inner, predicate="within")[0])
+def without_known(objects: Buildings, areas: Buildings) -> tuple[Buildings, int]:
+    """Drop lines that lie wholly on or in an area, and polygons whose inner point does; also how many."""
+    if len(objects.polygons) == 0 or len(areas.polygons) == 0:
+        return objects, 0
+    areal = shapely.get_type_id(objects.polygons) == shapely.GeometryType.POLYGON
+    probes = np.where(areal, shapely.point_on_surface(objects.polygons), objects.polygons)
+    known = np.unique(shapely.STRtree(areas.polygons).query(probes, predicate="covered_by")[0])
     if len(known) == 0:
-        return outlined, 0
-    keep = np.ones(len(inner), dtype=bool)
+        return objects, 0
+    keep = np.ones(len(probes), dtype=bool)
     keep[known] = False
-    return outlined.taken(keep), len(known)
+    return objects.taken(keep), len(known)
 
 
 def repaired(buildings: Buildings) -> tuple[Buildings, int]:
