@@ -17,8 +17,8 @@ from scipy.spatial import cKDTree
 
 # JGD2011 / Japan Plane Rectangular CS I is EPSG:6669, and so on to XIX, EPSG:6687.
 _EPSG_BEFORE_ZONE_1 = 6668
-ZONE_NAMES = ("I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X", "XI", "XII", "XIII", "XIV", "XV", "XVI",
-         "XVII", "XVIII", "XIX")
+ZONE_NAMES = ("I", "II", "III", "IV", "V", "VI", "VII", "VIII", "IX", "X", "XI", "XII", "XIII", "XIV", "XV",
+              "XVI", "XVII", "XVIII", "XIX")
 
 # Latitude and longitude (degrees, to about 0.05) of towns in each zone, denser along the borders.
 TOWNS: dict[int, dict[str, tuple[float, float]]] = {
