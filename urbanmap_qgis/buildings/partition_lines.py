@@ -1,7 +1,7 @@
 """Candidate lines along which a building's plan may be divided among its roofs (after J 5.3.3, step 3).
 
-Where two roofs meet, the label raster has a crack between two cells. A Hough transform over the cracks, first
-in the building's main directions only, then in all directions for what is left, proposes straight lines.
+Where two roofs meet, the label raster has a crack between two cells. A Hough transform over the cracks proposes
+straight lines, which are turned into the building's main directions where that fits.
 Walls of the outline that end at an inward corner, drawn on into the building, are candidates too.
 """
 
@@ -18,6 +18,8 @@ from .regularisation import main_directions
 EDGE_PARALLEL = np.sin(np.radians(4.0))
 """Sine of the angle below which a line counts as parallel to an outline edge."""
 
+ANGLE_STEP = 3.0
+"""Degrees between the directions that are tried; the fit to the cracks does the rest."""
 MAX_FAILURES = 20
 """Directions and places in vain after which the rest of the cracks counts as noise."""
 MAX_WALL_LINES = 12
@@ -43,8 +45,16 @@ def find_cracks(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> Cracks:
                   np.concatenate([labels[row, column + 1], labels[down + 1, across]]))
 
 
-def candidate_lines(cracks: Cracks, outline: shapely.Geometry, cell: float, min_length: float,
-                    merge: float, max_lines: int) -> np.ndarray:
+@dataclass(frozen=True)
+class RoofPoints:
+    """Points (n, 2) in metres with the roof of each (n,), to place lines finer than cells can."""
+
+    xy: np.ndarray
+    roof: np.ndarray
+
+
+def candidate_lines(cracks: Cracks, outline: shapely.Geometry, cell: float, min_length: float, merge: float,
+                    max_lines: int, points: RoofPoints | None = None) -> np.ndarray:
     """Lines as rows (nx, ny, offset): points p of a line have n . p = offset, n a unit normal.
 
     Parameters
@@ -55,14 +65,16 @@ def candidate_lines(cracks: Cracks, outline: shapely.Geometry, cell: float, min_
     cell : raster cell in metres. min_length : metres of cracks that a line needs without a gap.
     merge : metres; parallel lines nearer than this are one.
     max_lines : strongest first.
+    points : moves each line to where it parts them best.
     """
     edges = _outline_edges(outline)
-    directions = main_directions(edges[:, 2:])
-    normals = (directions[:, None] + np.array([0.0, 90.0])).ravel() % 180.0
-    remaining = np.ones(len(cracks.xy), bool)
-    lines = _collect(cracks.xy, remaining, cell, normals, min_length, max_lines)
-    if remaining.sum() * cell > 2.0 * min_length:
-        lines += _collect(cracks.xy, remaining, cell, None, 2.0 * min_length, max_lines - len(lines))
+    main = (main_directions(edges[:, 2:])[:, None] + np.array([0.0, 90.0])).ravel() % 180.0
+    lines = []
+    for members in _collect(cracks.xy, cell, main, min_length, max_lines):
+        line = _fitted(cracks.xy[members], main, cell)
+        if points is not None:
+            line = _parting(line, cracks.xy[members], points, 1.5 * cell)
+        lines.append(line)
     return _merged(_snapped(lines, edges, merge) + _inward_walls(outline, min_length)[:MAX_WALL_LINES], merge)
 
 
@@ -90,13 +102,12 @@ def _inward_walls(outline: shapely.Geometry, min_length: float) -> list[tuple[fl
     return [line for _, line in sorted(found, reverse=True)]
 
 
-def _collect(xy: np.ndarray, remaining: np.ndarray, cell: float, normals: np.ndarray | None,
-             min_length: float, max_lines: int) -> list[tuple[float, float, float]]:
-    """Strongest lines one after another; their cracks leave `remaining` (changed in place)."""
-    index = np.flatnonzero(remaining)
-    if len(index) == 0:
+def _collect(xy: np.ndarray, cell: float, main: np.ndarray, min_length: float,
+             max_lines: int) -> list[np.ndarray]:
+    """Crack numbers of each line, the strongest line first; `main`: degrees, they win where votes are equal."""
+    if len(xy) == 0:
         return []
-    xy = xy[index]
+    normals = np.concatenate([main, (main[0] + np.arange(ANGLE_STEP, 180.0, ANGLE_STEP)) % 180.0])
     accumulator = HoughAccumulator(xy, cell, normals)
     left = np.ones(len(xy), bool)
     least = max(3, int(min_length / cell))
@@ -114,14 +125,49 @@ def _collect(xy: np.ndarray, remaining: np.ndarray, cell: float, normals: np.nda
             failures += 1
             accumulator.discard(cell_of_line)
             continue
-        if normals is None:
-            _, direction = fit_line(xy[members])
-            normal = np.array([-direction[1], direction[0]])
-        lines.append((*normal, float(np.mean(xy[members] @ normal))))
+        lines.append(members)
         left[members] = False
         accumulator.remove(members)
-    remaining[index[~left]] = False
     return lines
+
+
+def _fitted(xy: np.ndarray, main: np.ndarray, cell: float) -> tuple[float, float, float]:
+    """Line through cracks, in a main direction where that moves no end by more than a cell."""
+    centre, direction = fit_line(xy)
+    normals = np.radians(main)
+    normals = np.column_stack([np.cos(normals), np.sin(normals)])
+    slant = np.abs(normals @ direction)
+    best = int(np.argmin(slant))
+    along = (xy - centre) @ direction
+    if slant[best] * 0.5 * (along.max() - along.min()) <= cell:
+        normal = normals[best]
+    else:
+        normal = np.array([-direction[1], direction[0]])
+    return float(normal[0]), float(normal[1]), float(centre @ normal)
+
+
+def _parting(line: tuple[float, float, float], cracks: np.ndarray, points: RoofPoints,
+             reach: float) -> tuple[float, float, float]:
+    """The line moved within `reach` to where the most points lie on the side of their roof."""
+    normal, offset = np.array(line[:2]), line[2]
+    direction = np.array([-normal[1], normal[0]])
+    along, across = points.xy @ direction, points.xy @ normal - offset
+    place = cracks @ direction
+    near = (np.abs(across) < 2.0 * reach) & (along > place.min()) & (along < place.max())
+    across, roof = across[near], points.roof[near]
+    below, above = roof[across < -0.5 * reach], roof[across > 0.5 * reach]
+    if len(below) < 3 or len(above) < 3:
+        return line
+    low, high = np.bincount(below).argmax(), np.bincount(above).argmax()
+    use = (np.abs(across) < reach) & ((roof == low) | (roof == high))
+    if low == high or use.sum() < 3:
+        return line
+    order = np.argsort(across[use], kind="stable")
+    sorted_across = across[use][order]
+    gain = np.concatenate([[0], np.cumsum(np.where(roof[use][order] == low, 1, -1))])
+    best = np.flatnonzero(gain == gain.max())
+    bounds = np.concatenate([[-reach], sorted_across, [reach]])
+    return line[0], line[1], offset + float(0.5 * np.mean(bounds[best] + bounds[best + 1]))
 
 
 def _in_long_runs(along: np.ndarray, gap: float, min_length: float) -> np.ndarray:

@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
-import numpy as np
+from collections.abc import Callable
+from dataclasses import dataclass
 
+import numpy as np
+import shapely
+
+from ..errors import InputError
+from .hough_lines import fit_line
+
+PARALLEL = np.sin(np.radians(3.0))
+"""Sine of the angle below which neighbouring walls count as parallel."""
+OBLIQUE = 0.17
+"""Cosine of the angle (80 degrees) up to which two walls meet obliquely."""
 DIRECTION_WIDTH = 4.0
 """Degrees; edges within this of a main direction support it."""
 SECOND_DIRECTION_SHARE = 0.25
@@ -33,9 +44,252 @@ def main_directions(edges: np.ndarray) -> np.ndarray:
             break
         difference = (angle - angle[best] + 45.0) % 90.0 - 45.0
         near = free & (np.abs(difference) < DIRECTION_WIDTH)
-        mean = angle[best] + np.average(difference[near], weights=length[near])
         # the squared lengths let the long walls, which are drawn best, decide the last tenth of a degree
-        mean = angle[best] + np.average(difference[near], weights=length[near] ** 2) if near.any() else mean
+        mean = angle[best] + np.average(difference[near], weights=length[near] ** 2)
         found.append(float(mean % 90.0))
         free &= np.abs((angle - mean + 45.0) % 90.0 - 45.0) >= DIRECTION_WIDTH
     return np.array(found)
+
+
+@dataclass(frozen=True)
+class RegularisationParameters:
+    """How far an outline may be straightened.
+
+    Attributes
+    ----------
+    tolerance : metres that the outline may move; about the spacing of the points it comes from.
+    min_edge : metres; shorter edges are dropped.
+    snap_angle : degrees; edges nearer to a main direction are turned into it. Edges shorter than `free_edge`
+        (metres) may be turned twice as far, because their direction is little known.
+    free_edge : metres, see above; longer edges outside `snap_angle` keep their own direction.
+    straight_share : share of the length that straight walls must make, else the outline is curved.
+    """
+
+    tolerance: float = 0.6
+    min_edge: float = 1.2
+    snap_angle: float = 12.0
+    free_edge: float = 3.0
+    straight_share: float = 0.6
+
+
+@dataclass(frozen=True)
+class RegularRing:
+    """A regularised ring.
+
+    Attributes
+    ----------
+    xy : (n, 2) corners, open, counterclockwise as the points given.
+    status : "regular", or "curved": the simplified ring, because straight walls do not fit.
+    rms : metres, root mean square distance of the boundary points to the ring.
+    """
+
+    xy: np.ndarray
+    status: str
+    rms: float
+
+
+@dataclass(eq=False)
+class _Edge:
+    """A wall while the ring is worked on: unit direction, offset along its left normal, points that support it."""
+
+    direction: np.ndarray
+    points: np.ndarray
+    offset: float = 0.0
+    connector: bool = False
+
+    @property
+    def normal(self) -> np.ndarray:
+        return np.array([-self.direction[1], self.direction[0]])
+
+    def fit(self) -> None:
+        self.offset = float(np.mean(self.points @ self.normal))
+
+
+def regularise_ring(boundary_xy: np.ndarray, parameters: RegularisationParameters | None = None,
+                    outward: Callable[[np.ndarray, np.ndarray], float] | None = None) -> RegularRing:
+    """Straight walls through ordered boundary points, parallel and square to the main directions where they fit.
+
+    Parameters
+    ----------
+    boundary_xy : (n, 2) ordered points of a counterclockwise ring, open, metres.
+    outward : metres by which a wall lies outside its boundary points, from two ends (2,) of the wall; the ring
+        shrinks because no point lies exactly on the roof's edge (J 5.5).
+
+    Returns
+    -------
+    The ring. Where straight walls leave the points by more than the tolerance, or too many directions are needed,
+    the simplified ring with status "curved".
+    """
+    parameters = parameters or RegularisationParameters()
+    xy = np.asarray(boundary_xy, float)
+    if len(xy) < 4:
+        raise InputError("An outline needs at least four boundary points to be regularised.")
+    centre = xy.mean(axis=0)
+    local = xy - centre
+    start = int(np.argmax(np.hypot(local[:, 0], local[:, 1])))  # a corner: simplification keeps its first point
+    local = np.roll(local, -start, axis=0)
+    corners = _corner_indices(local, parameters.tolerance)
+    vectors = np.diff(local[np.append(corners, 0)], axis=0)
+    edges = _edges(local, corners, vectors, parameters)
+    if edges is not None:
+        for edge in edges:
+            edge.fit()
+        edges = _joined(edges, parameters)
+    if edges is not None and len(edges) >= 4:
+        ring = _corners(edges, outward, centre)
+        fitted = shapely.LinearRing(_corners(edges, None, centre))
+        rms, far = _deviation(fitted, local)
+        if far <= 2.0 * parameters.tolerance and fitted.is_valid and shapely.Polygon(ring).is_valid:
+            return RegularRing(ring + centre, "regular", rms)
+    simple = _simplified(local, parameters.tolerance, outward, centre)
+    rms, _ = _deviation(shapely.LinearRing(local[corners]), local)
+    return RegularRing(simple + centre, "curved", rms)
+
+
+def _corner_indices(ring: np.ndarray, tolerance: float) -> np.ndarray:
+    """Indices of the points that a simplification (Douglas and Peucker) of the ring keeps."""
+    kept = shapely.get_coordinates(shapely.simplify(shapely.LinearRing(ring), tolerance, preserve_topology=True))
+    codes = ring[:, 0] + 1j * ring[:, 1]
+    return np.flatnonzero(np.isin(codes, kept[:, 0] + 1j * kept[:, 1]))
+
+
+def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray,
+           parameters: RegularisationParameters) -> list[_Edge] | None:
+    """One edge between two corners each, turned into a main direction where near; None where curved."""
+    closed = np.vstack([ring, ring[:1]])
+    ends = np.append(corners[1:], len(ring))
+    points = [closed[a:b + 1] for a, b in zip(corners, ends)]
+    length = np.hypot(vectors[:, 0], vectors[:, 1])
+    fitted = np.array([_direction(p, v) for p, v in zip(points, vectors)])
+    main = main_directions(fitted * length[:, None])
+    angle = np.degrees(np.arctan2(fitted[:, 1], fitted[:, 0]))
+    apart = (angle[:, None] - main[None, :] + 45.0) % 90.0 - 45.0
+    nearest = apart[np.arange(len(apart)), np.argmin(np.abs(apart), axis=1)]
+    straight = (np.abs(nearest) < parameters.snap_angle) | (length > 2.0 * parameters.free_edge)
+    if length[straight].sum() < parameters.straight_share * length.sum():
+        return None
+    limit = np.where(length < parameters.free_edge, 2.0, 1.0) * parameters.snap_angle
+    turn = np.where((np.abs(nearest) < limit) | (length < parameters.min_edge), nearest, 0.0)
+    final = np.radians(angle - turn)
+    return [_Edge(np.array([np.cos(a), np.sin(a)]), _inner(p)) for a, p in zip(final, points)]
+
+
+def _inner(points: np.ndarray) -> np.ndarray:
+    """Points of an edge without its two corners, which pull it inwards, where others are left."""
+    return points[1:-1] if len(points) > 4 else points
+
+
+def _direction(points: np.ndarray, along: np.ndarray) -> np.ndarray:
+    _, direction = fit_line(_inner(points))
+    return direction if direction @ along >= 0 else -direction
+
+
+def _joined(edges: list[_Edge], parameters: RegularisationParameters) -> list[_Edge] | None:
+    """Edges after joining parallel neighbours, with connectors at steps, without short edges."""
+    for _ in range(4 * len(edges)):
+        if not any(change(edges, parameters) for change in (_join_once, _drop_chamfer, _drop_once)):
+            return edges
+        if len(edges) < 4:
+            return None
+    return None
+
+
+def _join_once(edges: list[_Edge], parameters: RegularisationParameters) -> bool:
+    """Join or step the first pair of parallel neighbours; True if the list changed."""
+    for i in range(len(edges)):
+        one, two = edges[i], edges[(i + 1) % len(edges)]
+        if abs(one.direction[0] * two.direction[1] - one.direction[1] * two.direction[0]) > PARALLEL:
+            continue
+        same_sense = one.direction @ two.direction > 0
+        if same_sense and abs(one.offset - two.offset) >= parameters.tolerance:
+            side = 1.0 if two.offset > one.offset else -1.0
+            middle = 0.5 * (one.points[-1] + two.points[0])
+            step = _Edge(side * one.normal, middle[None, :], connector=True)
+            step.fit()
+            edges.insert(i + 1, step)
+        elif same_sense:
+            one.points = np.vstack([one.points, two.points])
+            one.fit()
+            edges.remove(two)
+        else:  # a spike: the longer side stays
+            edges.remove(one if len(one.points) < len(two.points) else two)
+        return True
+    return False
+
+
+def _drop_once(edges: list[_Edge], parameters: RegularisationParameters) -> bool:
+    """Remove the shortest edge if too short or turned round by its neighbours; True if the list changed."""
+    ring = _corners(edges, None, np.zeros(2))
+    along = [float((ring[(i + 1) % len(ring)] - ring[i]) @ edge.direction) for i, edge in enumerate(edges)]
+    shortest = int(np.argmin(along))
+    # the step between two parallel walls stays as long as the walls lie farther apart than the tolerance
+    limit = parameters.tolerance if edges[shortest].connector else parameters.min_edge
+    if along[shortest] >= limit:
+        return False
+    doomed = edges[shortest]
+    before, after = edges[shortest - 1], edges[(shortest + 1) % len(edges)]
+    parallel = abs(before.direction[0] * after.direction[1] - before.direction[1] * after.direction[0]) < PARALLEL
+    if parallel and before is not after and before.direction @ after.direction > 0:
+        before.points = np.vstack([before.points, after.points])
+        before.fit()
+        edges.remove(after)
+    edges.remove(doomed)
+    return True
+
+
+def _drop_chamfer(edges: list[_Edge], parameters: RegularisationParameters) -> bool:
+    """Remove a short wall that only cuts a corner, where points are scarce; True if the list changed."""
+    ring = _corners(edges, None, np.zeros(2))
+    length = np.hypot(*(np.roll(ring, -1, axis=0) - ring).T)
+    for i in np.argsort(length, kind="stable"):
+        edge, before, after = edges[i], edges[i - 1], edges[(i + 1) % len(edges)]
+        if edge.connector or length[i] > parameters.free_edge or len(edges) < 5:
+            continue
+        m, n = before.normal, after.normal
+        det = m[0] * n[1] - m[1] * n[0]
+        # a cut corner turns the same way twice, by less than a right angle each time
+        turns = [one.direction[0] * two.direction[1] - one.direction[1] * two.direction[0]
+                 for one, two in ((before, edge), (edge, after))]
+        if min(turns) * max(turns) <= 0 or before.direction @ edge.direction < OBLIQUE \
+                or edge.direction @ after.direction < OBLIQUE:
+            continue
+        corner = np.array([before.offset * n[1] - after.offset * m[1], after.offset * m[0] - before.offset * n[0]])
+        if abs(edge.normal @ corner / det - edge.offset) < 1.5 * parameters.tolerance:
+            edges.remove(edge)
+            return True
+    return False
+
+
+def _corners(edges: list[_Edge], outward: Callable | None, centre: np.ndarray) -> np.ndarray:
+    """Corner i is where edge i - 1 and edge i meet."""
+    normal = np.array([edge.normal for edge in edges])
+    offset = np.array([edge.offset for edge in edges])
+    if outward is not None:
+        inner = _corners(edges, None, centre)
+        ends = np.roll(inner, -1, axis=0)
+        offset = offset - np.array([outward(a + centre, b + centre) for a, b in zip(inner, ends)])
+    m, d = np.roll(normal, 1, axis=0), np.roll(offset, 1)
+    det = m[:, 0] * normal[:, 1] - m[:, 1] * normal[:, 0]
+    det = np.where(np.abs(det) < PARALLEL, np.nan, det)
+    ring = np.column_stack([d * normal[:, 1] - offset * m[:, 1], offset * m[:, 0] - d * normal[:, 0]]) / det[:, None]
+    for i in np.flatnonzero(np.isnan(det)):  # neighbours of nearly one direction: where their points meet
+        ring[i] = 0.5 * (edges[i - 1].points[-1] + edges[i].points[0])
+    return ring
+
+
+def _simplified(ring: np.ndarray, tolerance: float, outward: Callable | None, centre: np.ndarray) -> np.ndarray:
+    corners = ring[_corner_indices(ring, 0.5 * tolerance)]
+    if outward is None:
+        return corners
+    ends = np.roll(corners, -1, axis=0)
+    move = float(np.mean([outward(a + centre, b + centre) for a, b in zip(corners, ends)]))
+    grown = shapely.Polygon(corners).buffer(move, join_style="mitre", mitre_limit=2.0)
+    if grown.geom_type != "Polygon":
+        return corners
+    return shapely.get_coordinates(shapely.orient_polygons(grown).exterior)[:-1]
+
+
+def _deviation(ring: shapely.LinearRing, points: np.ndarray) -> tuple[float, float]:
+    """RMS and 95th percentile of the distance of points to a ring."""
+    distance = shapely.distance(ring, shapely.points(points))
+    return float(np.sqrt(np.mean(distance ** 2))), float(np.percentile(distance, 95))

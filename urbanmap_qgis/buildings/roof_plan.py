@@ -12,7 +12,7 @@ from skimage import measure
 
 from ..errors import InputError
 from ..terrain.grid import Grid
-from .partition_lines import Cracks, candidate_lines, find_cracks
+from .partition_lines import Cracks, RoofPoints, candidate_lines, find_cracks
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
 
@@ -101,25 +101,31 @@ def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.nda
         raise InputError("The building outline has no area: repair or remove it.")
     rows, columns, grid = labels_grid.window(*outline.bounds)
     labels = labels[rows, columns]
+    known = None
     if points is not None:
-        labels = _with_points(labels, grid, *points)
+        known = _known_points(grid, *points)
+        labels = _with_points(labels, grid, known)
     labels, numbers = _large_roofs(labels, parameters.min_roof_area / grid.cell ** 2)
     if len(numbers) < 2:
         return _undivided(outline, numbers, np.count_nonzero(labels) * grid.cell ** 2)
     heights = None if heights is None else np.asarray(heights)[rows, columns]
-    return _divided(outline, grid, labels, numbers, heights, parameters)
+    return _divided(outline, grid, labels, numbers, heights, known, parameters)
 
 
-def _with_points(labels: np.ndarray, grid: Grid, x: np.ndarray, y: np.ndarray,
-                 roof: np.ndarray) -> np.ndarray:
+def _known_points(grid: Grid, x: np.ndarray, y: np.ndarray, roof: np.ndarray) -> RoofPoints:
+    """Points that have a roof and lie on the grid."""
+    x, y, roof = np.asarray(x, float), np.asarray(y, float), np.asarray(roof)
+    use = grid.cells(x, y)[2] & (roof > 0)
+    return RoofPoints(np.column_stack([x[use], y[use]]), roof[use])
+
+
+def _with_points(labels: np.ndarray, grid: Grid, points: RoofPoints) -> np.ndarray:
     """Label raster in which cells with points of roofs take the roof that most of them have."""
-    row, column, inside = grid.cells(x, y)
-    roof = np.asarray(roof)
-    use = inside & (roof > 0)
-    numbers, index = np.unique(roof[use], return_inverse=True)
-    if len(numbers) == 0:
+    if len(points.roof) == 0:
         return labels
-    cell = row[use] * grid.columns + column[use]
+    row, column, _ = grid.cells(*points.xy.T)
+    numbers, index = np.unique(points.roof, return_inverse=True)
+    cell = row * grid.columns + column
     pairs, votes = np.unique(cell * len(numbers) + index, return_counts=True)
     order = np.lexsort((pairs, votes))  # the last write of a cell is its best roof
     result = labels.copy()
@@ -146,7 +152,8 @@ def _undivided(outline: shapely.Geometry, numbers: np.ndarray, labelled_area: fl
 
 
 def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers: np.ndarray,
-             heights: np.ndarray | None, parameters: PartitionParameters) -> RoofPartition:
+             heights: np.ndarray | None, points: RoofPoints | None,
+             parameters: PartitionParameters) -> RoofPartition:
     origin = np.floor([grid.x_min, grid.y_max])
     local = translate(outline, -origin[0], -origin[1])
     x, y = grid.centres()
@@ -159,8 +166,9 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
     if len(left) < 2:
         return _undivided(outline, numbers[left], np.count_nonzero(data) * grid.cell ** 2)
     cracks = find_cracks(filled, x, y)
+    near = None if points is None else RoofPoints(points.xy - origin, points.roof)
     lines = candidate_lines(cracks, local, grid.cell, parameters.min_line_length, parameters.merge_distance,
-                            parameters.max_lines)
+                            parameters.max_lines, near)
     arrangement = arrange(local, lines)
     row, column = np.nonzero(mask)
     piece = _piece_of_cell(arrangement, lines, np.column_stack([x[column], y[row]]))
