@@ -8,10 +8,13 @@ from html import escape
 from pathlib import Path
 
 from qgis.core import (
+    QgsApplication,
     QgsProcessingAlgorithm,
     QgsProcessingContext,
     QgsProcessingException,
     QgsProcessingFeedback,
+    QgsProcessingMultiStepFeedback,
+    QgsProcessingUtils,
 )
 from qgis.PyQt.QtGui import QIcon
 
@@ -20,6 +23,7 @@ from ..urbanmap_qgis.progress import SILENT, Progress
 from . import crs as crs_checks
 from . import layers
 from .dependencies import refusal
+from .interrupt import signals_cancel
 from .parameters import Declarations, check_names, tr
 
 ICONS = Path(__file__).resolve().parent.parent / "resources" / "icons"
@@ -133,17 +137,16 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
         message = refusal(self.REQUIRES)
         if message:
             raise QgsProcessingException(message)
-        try:
-            self._check_all(parameters, context)
-            return self.compute(parameters, context, feedback)
-        except Cancelled as error:
-            if feedback.isCanceled():
-                return {}
-            raise QgsProcessingException(str(error)) from None
-        except KeyboardInterrupt:
-            raise QgsProcessingException(tr("The run was cancelled.")) from None
-        except UrbanMapError as error:
-            raise QgsProcessingException(str(error)) from None
+        with signals_cancel(feedback) as signals:
+            try:
+                self._check_all(parameters, context)
+                return self.compute(parameters, context, feedback)
+            except Cancelled as error:
+                if feedback.isCanceled() and not signals:
+                    return {}
+                raise QgsProcessingException(str(error)) from None
+            except UrbanMapError as error:
+                raise QgsProcessingException(str(error)) from None
 
     def _check_all(self, parameters: Mapping, context: QgsProcessingContext) -> None:
         for definition in self.parameterDefinitions():
@@ -235,10 +238,47 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
             layers.give_style(context, text, style)
         return Path(text)
 
+    def settings_of(self, parameters: Mapping) -> dict[str, str]:
+        """Labels and values of all input parameters as a run used them, for reports."""
+        settings = {}
+        for definition in self.parameterDefinitions():
+            if not definition.isDestination():
+                value = parameters.get(definition.name(), definition.defaultValue())
+                settings[definition.description()] = "" if value is None else _value_text(value)
+        return settings
+
     def progress(self, feedback: QgsProcessingFeedback) -> Progress:
         """The core's progress object that speaks to QGIS and obeys its Cancel button."""
         return Progress(report=lambda fraction: feedback.setProgress(100.0 * fraction),
                         message=feedback.pushInfo, warn=feedback.pushWarning, cancelled=feedback.isCanceled)
+
+    # Steps of a chain
+
+    def child_runner(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback, steps: int):
+        """Function `run(algorithm, **parameters) -> results` that runs one of `steps` algorithms after another.
+
+        A step's error is raised as it is; progress goes on over all steps, and each says its name.
+        """
+        import processing
+
+        stages = QgsProcessingMultiStepFeedback(steps, feedback)
+        done = iter(range(steps))
+
+        def run(algorithm: str, **parameters) -> dict:
+            stages.setCurrentStep(next(done))
+            name = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{algorithm}").displayName()
+            stages.pushInfo(tr("Step: {0}").format(name))
+            results = processing.run(f"urbanmap:{algorithm}", parameters, context=context, feedback=stages,
+                                     is_child_algorithm=True)
+            if feedback.isCanceled():
+                raise Cancelled()
+            return results
+
+        return run
+
+    def temporary_file(self, context: QgsProcessingContext, name: str) -> str:
+        """Path of a file that QGIS removes when it ends."""
+        return QgsProcessingUtils.generateTempFilename(name)
 
     # Layers
 
@@ -309,3 +349,13 @@ def _default(definition) -> str:
 
 def _is_optional(definition) -> bool:
     return bool(definition.flags() & definition.Flag.FlagOptional)
+
+
+def _value_text(value: object) -> str:
+    """A parameter's value as a report shows it: of files their names only."""
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(_value_text, value))
+    if hasattr(value, "source") and hasattr(value, "name"):
+        return value.name()
+    text = str(value)
+    return Path(text).name if os.sep in text else text

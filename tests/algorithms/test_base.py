@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 
 import pytest
@@ -27,7 +28,8 @@ def example(plugin):
             self.add_points("POINTS", optional=True)
             self.add_polygons("FOOTPRINTS", "Building outlines", "Polygons in metres.")
             self.add_distance("STEP", "Step", "How far to go.", default=0.5, minimum=0.01, advanced=True)
-            self.add_choice("MODE", "Mode", "What to do.", ["copy", "user error", "bug", "late error"], "copy")
+            modes = ["copy", "user error", "bug", "late error", "signal"]
+            self.add_choice("MODE", "Mode", "What to do.", modes, "copy")
             self.add_layer_output("OUTPUT", "Copies", "The outlines.")
             self.add_file_output("OUTPUT_TEXT", "Text", "Anything.", "Text (*.txt)", optional=True)
             self.add_number_output("COUNT", "Number of outlines", "How many were copied.")
@@ -39,6 +41,9 @@ def example(plugin):
             mode = self.parameterAsString(parameters, "MODE", context)
             if mode == "user error":
                 raise errors.InputError("The tile is empty: choose another.")
+            if mode == "signal":
+                signal.raise_signal(signal.SIGINT)
+                progress.check()
             if mode == "bug":
                 raise ZeroDivisionError("a bug")
             table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
@@ -124,6 +129,89 @@ def test_cancelled_run_keeps_the_earlier_result(example, feedback, polygon_layer
     assert run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)}) == {}
     assert path.read_bytes() == before
     assert [item.name for item in tmp_path.iterdir()] == ["out.gpkg"]
+
+
+def test_interrupt_from_the_keyboard_is_an_error_in_words(example, feedback, polygon_layer):
+    """Under `qgis_process` a cancelled run must not look like a good one."""
+    from qgis.core import QgsProcessingException
+
+    before = signal.getsignal(signal.SIGINT)
+    with pytest.raises(QgsProcessingException, match=r"^The run was cancelled\.$"):
+        run_example(example, feedback, {"FOOTPRINTS": polygon_layer([SQUARE]), "OUTPUT": "memory:", "MODE": "signal"})
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_failure_in_the_middle_of_writing_keeps_the_earlier_result(
+        example, feedback, polygon_layer, tmp_path, plugin, monkeypatch):
+    path = tmp_path / "out.gpkg"
+    layer = polygon_layer([SQUARE] * 5)
+    run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)})
+    before = path.read_bytes()
+    layers = plugin("algorithms.layers")
+    monkeypatch.setattr(layers, "BATCH", 2)
+    whole = layers._features
+
+    def torn(*arguments):
+        for number, batch in enumerate(whole(*arguments)):
+            if number == 1:
+                raise plugin("urbanmap_qgis.errors").OutputError("The disk is full.")
+            yield batch
+
+    monkeypatch.setattr(layers, "_features", torn)
+    with pytest.raises(Exception, match="The disk is full"):
+        run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)})
+    assert path.read_bytes() == before
+    assert [item.name for item in tmp_path.iterdir()] == ["out.gpkg"]
+
+
+def test_style_is_saved_in_the_geopackage_and_given_to_the_loaded_layer(
+        qgis_app, plugin, polygon_layer, feedback, tmp_path, monkeypatch):
+    from qgis.core import (
+        QgsFillSymbol,
+        QgsProcessingContext,
+        QgsProcessingOutputLayerDefinition,
+        QgsProject,
+        QgsSingleSymbolRenderer,
+        QgsVectorLayer,
+    )
+
+    base = plugin("algorithms.base")
+    layers = plugin("algorithms.layers")
+    monkeypatch.setattr(layers, "STYLES", tmp_path)
+    styled = polygon_layer([SQUARE])
+    styled.setRenderer(QgsSingleSymbolRenderer(QgsFillSymbol.createSimple({"color": "#123456"})))
+    styled.saveNamedStyle(str(tmp_path / "blue.qml"))
+
+    class Styled(base.UrbanMapAlgorithm):
+        ID = "styled"
+        NAME = "Styled"
+        HELP = "Writes a styled layer."
+
+        def declare(self):
+            self.add_polygons("FOOTPRINTS", "Outlines", "Polygons.")
+            self.add_layer_output("OUTPUT", "Styled", "The same.")
+
+        def compute(self, parameters, context, feedback):
+            table = self.read_polygons(parameters, "FOOTPRINTS", context)
+            place = self.write_layer(parameters, "OUTPUT", context, table.fields, table.columns, table.crs,
+                                     table.geometries, "Polygon", style="blue")
+            return {"OUTPUT": place}
+
+    path = tmp_path / "styled.gpkg"
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    target = QgsProcessingOutputLayerDefinition(str(path), QgsProject.instance())
+    results, _ = Styled().create().run(
+        {"FOOTPRINTS": polygon_layer([SQUARE]), "OUTPUT": target}, context, feedback, {}, False)
+
+    opened = QgsVectorLayer(results["OUTPUT"], "opened", "ogr")
+    assert opened.renderer().symbol().color().name() == "#123456"
+    assert context.willLoadLayerOnCompletion(results["OUTPUT"])
+    details = context.layerToLoadOnCompletionDetails(results["OUTPUT"])
+    assert details.name == "Styled"
+    plain = QgsVectorLayer("Polygon?crs=EPSG:6677", "plain", "memory")
+    details.postProcessor().postProcessLayer(plain, context, feedback)
+    assert plain.renderer().symbol().color().name() == "#123456"
 
 
 def test_user_error_is_one_sentence(example, feedback, polygon_layer):
