@@ -42,9 +42,11 @@ class HoughAccumulator:
     ----------
     xy : (n, 2) metres, near the origin. bin_width : metres; a line takes the votes of two neighbouring bins.
     normals_deg : directions of the lines' normals in degrees; all whole degrees by default.
+    favour : (m,) factor on the votes of each direction, 1 by default.
     """
 
-    def __init__(self, xy: np.ndarray, bin_width: float, normals_deg: np.ndarray | None = None):
+    def __init__(self, xy: np.ndarray, bin_width: float, normals_deg: np.ndarray | None = None,
+                 favour: np.ndarray | None = None):
         if normals_deg is None:
             normals_deg = np.arange(0.0, 180.0, ANGLE_STEP)
         angles = np.radians(normals_deg)
@@ -55,7 +57,9 @@ class HoughAccumulator:
         self.cells = bins + np.arange(len(angles)) * self.columns
         self.size = len(angles) * self.columns
         self.votes = self._count(self.cells)
-        self.dead = np.zeros(self.size - 1, np.int64)
+        self.weights = np.ones(self.size - 1)
+        if favour is not None:
+            self.weights = np.repeat(favour, self.columns)[:-1]
 
     def _count(self, cells: np.ndarray) -> np.ndarray:
         return np.bincount(cells.ravel(), minlength=self.size)
@@ -66,9 +70,9 @@ class HoughAccumulator:
 
     def best(self) -> tuple[int, int]:
         """Cell with most votes together with its neighbour (so that no bin edge splits a line), and votes."""
-        pairs = self.votes[:-1] + self.votes[1:] - self.dead
-        cell = int(np.argmax(pairs))
-        return cell, int(pairs[cell])
+        pairs = self.votes[:-1] + self.votes[1:]
+        cell = int(np.argmax(pairs * self.weights))
+        return cell, int(pairs[cell]) if self.weights[cell] > 0 else 0
 
     def members(self, cell: int) -> np.ndarray:
         """Mask of the points that vote for the pair of bins starting at the cell."""
@@ -81,7 +85,7 @@ class HoughAccumulator:
 
     def discard(self, cell: int) -> None:
         """Never propose this cell again."""
-        self.dead[cell] = np.iinfo(np.int64).max // 4
+        self.weights[cell] = 0.0
 
 
 def hough_lines(boundary_xy: np.ndarray, min_points: int = 5, distance: float = 0.3) -> list[BoundaryLine]:
