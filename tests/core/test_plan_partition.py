@@ -1,0 +1,155 @@
+"""The plan of a building cut into cells: known areas, exact edges, and a partition whatever the roofs."""
+
+import numpy as np
+import pytest
+import shapely
+from shapely import affinity, box
+
+from urbanmap_qgis.buildings.half_edges import half_edges
+from urbanmap_qgis.buildings.plan_partition import partition_plan
+from urbanmap_qgis.errors import InputError, InsufficientDataError
+
+
+def parts(footprint, roofs, heights, **options):
+    return partition_plan(footprint, roofs, heights, [f"r{i}" for i in range(len(roofs))], **options)
+
+
+def areas(partition):
+    total = {}
+    for cell in partition.cells:
+        total[cell.roof_id] = round(total.get(cell.roof_id, 0.0) + cell.polygon.area, 6)
+    return total
+
+
+def unpaired_length(cells, grid=0.01):
+    """Length of cell edges that no other cell has in the opposite direction."""
+    edges = half_edges(np.array([cell.polygon for cell in cells]), (0.0, 0.0), grid)
+    return sum(edges.length(a, b) for a, b in edges.cell if (b, a) not in edges.cell)
+
+
+def random_building(seed):
+    """A footprint, sometimes with a courtyard, and boxes thrown over it at any angle."""
+    rng = np.random.default_rng(seed)
+    footprint = box(0, 0, 20, 15)
+    if rng.random() < 0.5:
+        x, y = rng.uniform(2, 10, 2)
+        footprint = footprint.difference(box(x, y, x + rng.uniform(1, 8), y + rng.uniform(1, 8)))
+    roofs = []
+    for _ in range(rng.integers(1, 9)):
+        x, y = rng.uniform(-2, 18), rng.uniform(-2, 13)
+        roof = box(x, y, x + rng.uniform(1, 12), y + rng.uniform(1, 12))
+        roofs.append(affinity.rotate(roof, rng.choice([0, 0, 5, 45, rng.uniform(0, 90)])))
+    return footprint, roofs, rng.choice([3, 3, 4, 5, 6.5, 9, 12], len(roofs)).tolist()
+
+
+def test_two_roofs_that_fit():
+    partition = parts(box(0, 0, 10, 6), [box(0, 0, 4, 6), box(4, 0, 10, 6)], [5, 8])
+    assert areas(partition) == {"r0": 24.0, "r1": 36.0}
+    assert [cell.height for cell in partition.cells] == [8.0, 5.0]
+    assert partition.gap_area == partition.overlap_area == partition.sliver_area == 0
+
+
+def test_overlap_goes_to_the_highest_roof_in_any_order():
+    roofs, heights = [box(0, 0, 6, 6), box(4, 0, 10, 6)], [8, 5]
+    partition = parts(box(0, 0, 10, 6), roofs, heights)
+    assert areas(partition) == {"r0": 36.0, "r1": 24.0}
+    assert partition.overlap_area == pytest.approx(12.0)
+    again = partition_plan(box(0, 0, 10, 6), roofs[::-1], heights[::-1], ["r1", "r0"])
+    assert [c.polygon.wkt for c in again.cells] == [c.polygon.wkt for c in partition.cells]
+
+
+def test_gap_goes_to_the_longest_common_edge():
+    partition = parts(box(0, 0, 10, 6), [box(0, 0, 4, 6), box(5, 0, 10, 4)], [5, 8], min_area=0)
+    assert partition.gap_area == pytest.approx(6 + 10)
+    assert areas(partition) == {"r0": 24.0, "r1": 20.0 + 16.0}
+
+
+def test_roof_that_sticks_out_is_cut_at_the_footprint_or_kept():
+    footprint, roofs = box(0, 0, 10, 6), [box(-1, 0, 5, 6), box(5, 0, 11, 6)]
+    cut = parts(footprint, roofs, [5, 8])
+    assert areas(cut) == {"r0": 30.0, "r1": 30.0}
+    assert cut.outside_area == pytest.approx(12.0)
+    kept = parts(footprint, roofs, [5, 8], limit="roofs")
+    assert areas(kept) == {"r0": 36.0, "r1": 36.0}
+    assert areas(parts(None, roofs, [5, 8], limit="roofs")) == {"r0": 36.0, "r1": 36.0}
+
+
+def test_courtyard_stays_open_and_missing_roof_in_the_footprint_is_filled():
+    frame = box(0, 0, 12, 12).difference(box(4, 4, 8, 8))
+    assert areas(parts(frame, [box(0, 0, 12, 12)], [5])) == {"r0": 128.0}
+    roofs = [frame]
+    assert areas(parts(frame, roofs, [5], limit="roofs")) == {"r0": 128.0}
+    assert areas(parts(box(0, 0, 12, 12), roofs, [5], limit="roofs")) == {"r0": 144.0}
+    assert areas(parts(None, roofs, [5], limit="roofs")) == {"r0": 128.0}
+
+
+def test_slivers_join_their_neighbours():
+    footprint = box(0, 0, 10, 6)
+    roofs = [box(0, 0, 5, 6), box(5, 0, 10, 6), box(4.9, 0, 5, 6), box(8, 2, 8.5, 2.5)]
+    partition = parts(footprint, roofs, [5, 8, 12, 20], min_area=1.0, min_width=0.3)
+    assert set(areas(partition)) == {"r0", "r1"}
+    assert partition.sliver_area == pytest.approx(0.6 + 0.25)
+    assert sum(areas(partition).values()) == pytest.approx(60.0)
+
+
+def test_t_junction_stands_on_both_sides():
+    partition = parts(box(0, 0, 10, 10), [box(0, 0, 10, 5), box(0, 5, 4, 10), box(4, 5, 10, 10)], [3, 4, 5])
+    low = next(cell for cell in partition.cells if cell.roof_id == "r0")
+    assert (4.0, 5.0) in list(low.polygon.exterior.coords)
+    assert unpaired_length(partition.cells) == pytest.approx(40.0)
+
+
+def test_nodes_left_by_noding_are_removed():
+    partition = parts(box(0, 0, 10, 10), [box(0, 0, 10, 10), box(2, 2, 5, 5)], [6, 3])
+    assert len(partition.cells) == 1
+    assert len(partition.cells[0].polygon.exterior.coords) == 5
+
+
+def test_invalid_and_multipart_input():
+    bow_tie = shapely.Polygon([(0, 0), (10, 6), (10, 0), (0, 6)])
+    partition = parts(box(0, 0, 10, 6), [bow_tie, box(0, 0, 10, 6)], [8, 5])
+    assert areas(partition)["r1"] == pytest.approx(30.0)
+    two = shapely.MultiPolygon([box(0, 0, 4, 4), box(10, 0, 14, 4)])
+    assert areas(parts(two, [box(-1, -1, 15, 5)], [8])) == {"r0": 32.0}
+    assert len(parts(two, [box(-1, -1, 15, 5)], [8]).cells) == 2
+    bare = parts(two, [box(0, 0, 4, 4)], [8])
+    assert bare.uncovered_area == pytest.approx(16.0)
+
+
+@pytest.mark.parametrize("seed", range(60))
+def test_random_roofs_make_an_exact_partition(seed):
+    footprint, roofs, heights = random_building(seed)
+    partition = parts(footprint, roofs, heights, min_area=0.5 * (seed % 2), min_width=0.2 * (seed % 2))
+    polygons = np.array([cell.polygon for cell in partition.cells])
+    assert shapely.is_valid(polygons).all()
+    covered = shapely.area(polygons).sum()
+    assert covered + partition.uncovered_area == pytest.approx(footprint.area, abs=0.01 * footprint.length)
+    if partition.uncovered_area == 0:
+        assert unpaired_length(partition.cells) == pytest.approx(footprint.length, abs=0.1)
+    union = shapely.union_all(polygons)
+    assert union.area == pytest.approx(covered, abs=1e-6)
+
+
+def test_national_coordinates_change_nothing():
+    footprint, roofs, heights = random_building(3)
+    here = parts(footprint, roofs, heights)
+    moved = parts(affinity.translate(footprint, 5e5, 5e6), [affinity.translate(r, 5e5, 5e6) for r in roofs], heights)
+    for a, b in zip(here.cells, moved.cells):
+        shift = shapely.get_coordinates(b.polygon) - shapely.get_coordinates(a.polygon) - (5e5, 5e6)
+        assert np.abs(shift).max() < 1e-6
+
+
+def test_refusals():
+    roof = [box(0, 0, 1, 1)]
+    with pytest.raises(InputError, match="differ in number"):
+        partition_plan(box(0, 0, 1, 1), roof, [1, 2], ["a"])
+    with pytest.raises(InputError, match="no height"):
+        partition_plan(box(0, 0, 1, 1), roof, [np.nan], ["a"])
+    with pytest.raises(InputError, match="'footprint' or 'roofs'"):
+        partition_plan(box(0, 0, 1, 1), roof, [1], ["a"], limit="both")
+    with pytest.raises(InputError, match="there is none"):
+        partition_plan(None, roof, [1], ["a"])
+    with pytest.raises(InsufficientDataError, match="no roof"):
+        partition_plan(box(0, 0, 1, 1), [], [], [])
+    with pytest.raises(InsufficientDataError, match="No roof lies"):
+        partition_plan(box(10, 10, 12, 12), roof, [1], ["a"])

@@ -1,0 +1,246 @@
+"""CityJSON 2.0: buildings as solids with semantics, and solids read back from any CityJSON file.
+
+Source: CityJSON specifications 2.0.1, https://www.cityjson.org/specs/2.0.1/
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from array import array
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+
+from ..buildings.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
+from ..errors import InputError
+from ..progress import SILENT, Progress
+from .atomic import written_beside
+
+_UNITS = 10_000
+"""Vertices are whole numbers of 1/10000 m."""
+
+_SEMANTICS = {
+    ROOF: {"type": "RoofSurface"},
+    OUTER_WALL: {"type": "WallSurface", "wall": "outer"},
+    INNER_WALL: {"type": "WallSurface", "wall": "inner"},
+    GROUND: {"type": "GroundSurface"},
+}
+
+_REMEMBERED = 250_000
+"""Vertices kept at hand to be shared; files of fewer vertices share all of theirs."""
+
+
+@dataclass(frozen=True)
+class CityBuilding:
+    """A building to write: its id, attributes (numbers, texts, None) and solids, none if it has no model."""
+
+    id: str
+    attributes: Mapping[str, Any] = field(default_factory=dict)
+    solids: Sequence[Solid] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class ReadSolid:
+    """Outer shell of a solid as read: vertices (V, 3), m, faces as rings of vertex indices, type of each face."""
+
+    vertices: np.ndarray
+    faces: tuple[tuple[tuple[int, ...], ...], ...]
+    surface_type: tuple[str | None, ...]
+
+
+@dataclass(frozen=True)
+class ReadObject:
+    """A city object as read, with its solids."""
+
+    id: str
+    type: str
+    attributes: Mapping[str, Any]
+    solids: tuple[ReadSolid, ...]
+
+
+def write_cityjson(path: str | os.PathLike, buildings: Iterable[CityBuilding], *, epsg: int | None = None,
+                   title: str = "", lod: str = "1.3", progress: Progress = SILENT) -> int:
+    """Write buildings, one by one as they come, to a CityJSON 2.0 file; return how many.
+
+    A building of one solid has a Solid, of several a MultiSolid, without a model an empty geometry list.
+    The same buildings in the same order give the same bytes.
+
+    Parameters
+    ----------
+    epsg : code of the coordinate reference system, if it has one.
+    title : title of the data set in the metadata.
+
+    Raises
+    ------
+    InputError : two buildings have the same id.
+    OutputError : the file cannot be written.
+    """
+    vertices = _Vertices()
+    seen: set[str] = set()
+    with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
+        file.write('{"type":"CityJSON","version":"2.0","CityObjects":{')
+        for number, building in enumerate(buildings):
+            progress.check()
+            if building.id in seen:
+                raise InputError(f"Two buildings have the id '{building.id}': give each building its own.")
+            seen.add(building.id)
+            file.write(",\n" if number else "\n")
+            file.write(f"{_text(building.id)}:{_text(_city_object(building, lod, vertices))}")
+        file.write("\n}")
+        _write_end(file, vertices, epsg, title)
+    return len(seen)
+
+
+def _city_object(building: CityBuilding, lod: str, vertices: _Vertices) -> dict[str, Any]:
+    """A building as a CityJSON object."""
+    attributes = {str(name): _plain(value) for name, value in building.attributes.items()}
+    geometry = []
+    if building.solids:
+        surfaces: list[dict] = []
+        shells = [_shell(solid, vertices, surfaces) for solid in building.solids]
+        one = len(shells) == 1
+        boundaries = [[boundary] for boundary, _ in shells]
+        values = [[value] for _, value in shells]
+        geometry.append({
+            "type": "Solid" if one else "MultiSolid",
+            "lod": lod,
+            "boundaries": boundaries[0] if one else boundaries,
+            "semantics": {"surfaces": surfaces, "values": values[0] if one else values},
+        })
+    return {"type": "Building", "attributes": attributes, "geometry": geometry}
+
+
+def _shell(solid: Solid, vertices: _Vertices, surfaces: list[dict]) -> tuple[list, list[int]]:
+    """Boundary of a solid's outer shell, and for each face its number in `surfaces`, which grows."""
+    number = vertices.numbers(solid.vertices)
+    boundary = [[[number[vertex] for vertex in ring] for ring in face] for face in solid.faces]
+    values = []
+    for surface_type, roof_id in zip(solid.surface_type, solid.roof_id):
+        surface = dict(_SEMANTICS[surface_type])
+        if roof_id is not None:
+            surface["roof_id"] = _plain(roof_id)
+        if surface not in surfaces:
+            surfaces.append(surface)
+        values.append(surfaces.index(surface))
+    return boundary, values
+
+
+class _Vertices:
+    """The file's vertices: whole numbers, shared between faces and between neighbouring buildings.
+
+    Memory for sharing is bounded: only the latest vertices are remembered.
+    """
+
+    def __init__(self) -> None:
+        self.coordinates = array("q")
+        self._recent: dict[tuple[int, int, int], int] = {}
+        self._older: dict[tuple[int, int, int], int] = {}
+
+    def numbers(self, points: np.ndarray) -> list[int]:
+        """Numbers of points (n, 3) in the file."""
+        return [self._number(tuple(point)) for point in np.rint(points * _UNITS).astype(np.int64).tolist()]
+
+    def _number(self, point: tuple[int, int, int]) -> int:
+        number = self._recent.get(point)
+        if number is None:
+            number = self._older.get(point)
+            if number is None:
+                number = len(self.coordinates) // 3
+                self.coordinates.extend(point)
+            if len(self._recent) >= _REMEMBERED:
+                self._older, self._recent = self._recent, {}
+            self._recent[point] = number
+        return number
+
+
+def _write_end(file: IO[str], vertices: _Vertices, epsg: int | None, title: str) -> None:
+    """Write transform, metadata and vertices."""
+    points = np.frombuffer(vertices.coordinates, dtype=np.int64).reshape(-1, 3)
+    low = points.min(axis=0) if len(points) else np.zeros(3, dtype=np.int64)
+    metadata: dict[str, Any] = {}
+    if len(points):
+        metadata["geographicalExtent"] = [value / _UNITS for value in (*low.tolist(), *points.max(axis=0).tolist())]
+    if epsg is not None:
+        metadata["referenceSystem"] = f"https://www.opengis.net/def/crs/EPSG/0/{int(epsg)}"
+    if title:
+        metadata["title"] = title
+    transform = {"scale": [1 / _UNITS] * 3, "translate": [value / _UNITS for value in low.tolist()]}
+    file.write(f',"transform":{_text(transform)},"metadata":{_text(metadata)},"vertices":[')
+    for start in range(0, len(points), 10_000):
+        block = _text((points[start:start + 10_000] - low).tolist())
+        file.write((",\n" if start else "\n") + block[1:-1])
+    file.write("\n]}\n")
+
+
+def _text(value: Any) -> str:
+    """JSON of a value, without blanks, letters of all scripts as they are."""
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+
+
+def _plain(value: Any) -> Any:
+    """A value as JSON can say it: numpy numbers as plain ones, what is not finite as null, dates as text."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    return str(value)
+
+
+def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
+    """Read the city objects of a CityJSON file (1.0, 1.1, 2.0) and the outer shells of their solids.
+
+    Solid, MultiSolid and CompositeSolid are read; inner shells and other geometries are left out.
+
+    Raises
+    ------
+    InputError : the file is missing, is not CityJSON, or names a vertex it does not have.
+    """
+    try:
+        content = json.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read ({error.strerror}): check the name.") from error
+    except ValueError as error:
+        raise InputError(f"{path} is not JSON: give a CityJSON file.") from error
+    if not isinstance(content, dict) or content.get("type") != "CityJSON":
+        raise InputError(f"{path} is not a CityJSON file: its type is not 'CityJSON'.")
+    try:
+        vertices = np.asarray(content["vertices"], dtype=np.float64).reshape(-1, 3)
+        transform = content.get("transform")
+        if transform:
+            vertices = vertices * np.asarray(transform["scale"]) + np.asarray(transform["translate"])
+        return tuple(
+            ReadObject(key, item["type"], item.get("attributes", {}),
+                       tuple(solid for geometry in item.get("geometry", []) for solid in _solids(geometry, vertices)))
+            for key, item in content["CityObjects"].items())
+    except (KeyError, TypeError, ValueError, IndexError) as error:
+        raise InputError(f"{path} is damaged: a city object or its vertices cannot be understood.") from error
+
+
+def _solids(geometry: Mapping[str, Any], vertices: np.ndarray) -> list[ReadSolid]:
+    """Solids of one geometry, each with its own vertices."""
+    kind = geometry["type"]
+    if kind not in ("Solid", "MultiSolid", "CompositeSolid"):
+        return []
+    one = kind == "Solid"
+    boundaries = [geometry["boundaries"]] if one else geometry["boundaries"]
+    semantics = geometry.get("semantics") or {}
+    values = semantics.get("values")
+    values = [values] if one else values or [None] * len(boundaries)
+    return [_read_shell(solid[0], value[0] if value else None, semantics.get("surfaces", []), vertices)
+            for solid, value in zip(boundaries, values)]
+
+
+def _read_shell(shell: list, values: list | None, surfaces: list, vertices: np.ndarray) -> ReadSolid:
+    """One shell on its own vertices."""
+    used = sorted({vertex for face in shell for ring in face for vertex in ring})
+    local = {vertex: i for i, vertex in enumerate(used)}
+    faces = tuple(tuple(tuple(local[vertex] for vertex in ring) for ring in face) for face in shell)
+    types = [surfaces[v]["type"] if v is not None else None for v in values] if values else [None] * len(faces)
+    return ReadSolid(vertices[used], faces, tuple(types))
