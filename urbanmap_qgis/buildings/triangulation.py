@@ -58,14 +58,12 @@ def clip_ears(place: dict[int, tuple[float, float]], face: Sequence[Sequence[int
     """
     ring = _bridged(place, face)
     triangles = []
-    while len(ring) > 3:
+    while len(ring) > 2:
         ear = next((i for i in range(len(ring)) if _is_ear(place, ring, i)), None)
         if ear is None:
             raise ValueError("The face cannot be cut into triangles: its rings cross each other.")
         triangles.append((ring[ear - 1], ring[ear], ring[(ear + 1) % len(ring)]))
         del ring[ear]
-    if len(ring) == 3:
-        triangles.append(tuple(ring))
     return triangles
 
 
@@ -90,17 +88,22 @@ def _is_ear(place, ring: list[int], i: int) -> bool:
 
 
 def _bridged(place, face: Sequence[Sequence[int]]) -> list[int]:
-    """One ring through all rings: each hole is joined to what it sees, the rightmost hole first."""
+    """One ring through all rings: holes that touch it join it there, the others by an edge to what they see."""
     ring = list(face[0])
     waiting = [list(hole) for hole in face[1:]]
     while waiting:
-        waiting.sort(key=lambda hole: max(place[v] for v in hole))
+        waiting.sort(key=lambda hole: (not set(ring).isdisjoint(hole), max(place[v] for v in hole)))
         hole = waiting.pop()
-        start = max(range(len(hole)), key=lambda i: place[hole[i]])
+        common = [i for i, vertex in enumerate(hole) if vertex in ring]
+        start = common[0] if common else max(range(len(hole)), key=lambda i: place[hole[i]])
         turned = hole[start:] + hole[:start]
-        others = [turned, *waiting]
-        at = _visible(place, ring, turned[0], [ring, *others])
-        ring[at + 1:at + 1] = [*turned, turned[0], ring[at]]
+        if common:
+            at = next(i for i, vertex in enumerate(ring)
+                      if vertex == turned[0] and _in_corner(place, ring, i, place[turned[1]]))
+            ring[at + 1:at + 1] = [*turned[1:], turned[0]]
+        else:
+            at = _visible(place, ring, turned[0], [ring, turned, *waiting])
+            ring[at + 1:at + 1] = [*turned, turned[0], ring[at]]
     return ring
 
 
@@ -115,7 +118,7 @@ def _visible(place, ring: list[int], vertex: int, rings: list[list[int]]) -> int
     edges = [(place[a], place[b]) for r in rings for a, b in zip(r, [*r[1:], r[0]])]
     for i in sorted(range(len(ring)), key=distance):
         q = place[ring[i]]
-        if q == p or (_in_corner(place, ring, i, p) and not any(_cross(p, q, a, b) for a, b in edges)):
+        if _in_corner(place, ring, i, p) and not any(_cross(p, q, a, b) for a, b in edges):
             return i
     raise ValueError("The face's rings cross each other.")
 
