@@ -24,6 +24,7 @@ from . import crs as crs_checks
 from . import layers
 from .dependencies import refusal
 from .interrupt import signals_cancel
+from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .parameters import Declarations, check_names, tr
 
 ICONS = Path(__file__).resolve().parent.parent / "resources" / "icons"
@@ -39,6 +40,8 @@ GROUPS = {
 }
 
 POINT_SUFFIXES = (".las", ".laz")
+
+AROUND = 60.0  # m of a raster read beyond the features that it is for
 
 
 class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
@@ -118,11 +121,18 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
         message = refusal(self.REQUIRES)
         return not message, message
 
+    def _packages_missing(self) -> str:
+        """Why the algorithm cannot run, empty if it can: its packages are then imported, bound to their libraries."""
+        message = refusal(self.REQUIRES)
+        if not message:
+            import_apart(PACKAGES_WITH_LIBRARIES)
+        return message
+
     def checkParameterValues(self, parameters, context):
         accepted, message = super().checkParameterValues(parameters, context)
         if not accepted:
             return accepted, message
-        message = refusal(self.REQUIRES)
+        message = self._packages_missing()
         if message:
             return False, message
         try:
@@ -134,7 +144,7 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
     def processAlgorithm(self, parameters, context, feedback):
         for sentence in check_names(parameters, [item.name() for item in self.parameterDefinitions()]):
             feedback.pushWarning(sentence)
-        message = refusal(self.REQUIRES)
+        message = self._packages_missing()
         if message:
             raise QgsProcessingException(message)
         with signals_cancel(feedback) as signals:
@@ -293,6 +303,29 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
         """Polygons in a projected CRS in metres; see `layers.read_polygon_source`."""
         source = self._source(parameters, name, context)
         return source and layers.read_polygon_source(source, self.label_of(name), progress, extent)
+
+    def ground_heights(self, parameters: Mapping, name: str, context: QgsProcessingContext, layer_name: str,
+                       layer: layers.VectorTable):
+        """Grid and heights (rows, columns), m, of a raster round the features of a layer; None where none is given.
+
+        Raises
+        ------
+        InputError : the raster is in another CRS than the layer, or does not reach it.
+        """
+        path = self.raster_path(parameters, name, context)
+        if path is None:
+            return None
+        import shapely
+
+        from ..urbanmap_qgis.io.raster import read_raster
+
+        x_min, y_min, x_max, y_max = shapely.total_bounds(layer.geometries)
+        grid, heights, crs = read_raster(path, (x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND))
+        self.same_crs(name, crs, layer_name, layer.crs)
+        if not heights.size:
+            raise InputError(tr("{0} does not reach {1}; give a raster of the same place.").format(
+                self.label_of(name), self.label_of(layer_name)))
+        return grid, heights
 
     def write_layer(self, parameters: Mapping, name: str, context: QgsProcessingContext, fields, columns, crs,
                     geometries=None, geometry_type: str = "NoGeometry", style: str = "",

@@ -34,6 +34,8 @@ class BuildingModels(UrbanMapAlgorithm):
                        advanced=True)
         self.add_points("POINTS", "Roof points", "Points with building_id and roof_id, from “Segment roofs”, for the "
                         "figures of fit.", optional=True)
+        self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings, such as the name "
+                      "of the project.", advanced=True)
         self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building with all faces of "
                               "its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, "
                               "density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, "
@@ -106,7 +108,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ..urbanmap_qgis.buildings.base_height import outline_ground
 
         base = np.full(len(footprints), np.nan)
-        ground = self.ground_heights(parameters, context, table)
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
         if ground is not None:
             base = outline_ground(footprints.polygons, *ground)
         for name in (self.parameterAsString(parameters, "BASE_FIELD", context), "ground"):

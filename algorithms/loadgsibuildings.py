@@ -10,7 +10,6 @@ from ..urbanmap_qgis.errors import InputError
 from .base import UrbanMapAlgorithm
 from .crs import wkt_of
 from .layers import make_fields
-from .native_libraries import import_apart
 from .parameters import tr
 
 # The data's own "fid" cannot keep its name: that is the key of every GeoPackage table.
@@ -67,7 +66,6 @@ class LoadGsiBuildings(UrbanMapAlgorithm):
                 self.label_of("CRS"), parameters["CRS"]))
 
     def compute(self, parameters, context, feedback):
-        import_apart(self.REQUIRES)
         from ..urbanmap_qgis.io.gsi import read_gsi_buildings, reproject
 
         progress = self.progress(feedback)

@@ -10,6 +10,7 @@ RTLD_DEEPBIND (see dlopen(3)) looks into its own copies first. On Windows and ma
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import os
 import pkgutil
 import sys
@@ -28,7 +29,7 @@ def import_apart(packages: Iterable[str]) -> None:
     """
     with _bound_to_own_copies():
         for name in PACKAGES_WITH_LIBRARIES:
-            if name in packages and name not in sys.modules:
+            if name in packages and name not in sys.modules and importlib.util.find_spec(name):
                 for module in _extension_modules(importlib.import_module(name)):
                     importlib.import_module(module)
 

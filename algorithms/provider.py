@@ -17,6 +17,11 @@ MODELS = ROOT / "resources" / "models"
 # Module and class of every algorithm. A module that cannot be imported is named in the log; the others go on.
 ALGORITHMS = (
     ("loadgsibuildings", "LoadGsiBuildings"),
+    ("segmentbuildings", "SegmentBuildings"),
+    ("segmentroofs", "SegmentRoofs"),
+    ("roofpolygons", "RoofPolygons"),
+    ("buildingmodels", "BuildingModels"),
+    ("buildingsfromals", "BuildingsFromAls"),
 )
 
 # What importing a module with a mistake in it raises.

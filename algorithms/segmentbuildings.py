@@ -62,8 +62,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
             self.parameterAsDouble(parameters, "MIN_HEIGHT", context),
             self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context))
         output = self.output_path(parameters, "OUTPUT", context)
-        buildings = segment_buildings(cloud, footprints, output, settings,
-                                      self.ground_heights(parameters, table), progress=progress)
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
+        buildings = segment_buildings(cloud, footprints, output, settings, ground, progress=progress)
         without = int((buildings.status != "ok").sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings have too few points for a model.")
@@ -72,10 +72,6 @@ class SegmentBuildings(UrbanMapAlgorithm):
             "OUTPUT_BUILDINGS": self._write(parameters, context, table, footprints, buildings, progress),
             "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),
         }
-
-    def ground_heights(self, parameters, table):
-        """Grid and heights of the ground raster, None where none was given."""
-        return None
 
     def _write(self, parameters, context, table, footprints, buildings, progress):
         fields = make_fields((BUILDING_ID, "int"), ("points", "int"), ("density", "real"), ("ground", "real"),

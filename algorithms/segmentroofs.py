@@ -77,9 +77,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
         known = numbers(table, "density")
         positive = known[known > 0] if known is not None else np.zeros(0)
         output = self.output_path(parameters, "OUTPUT", context)
-        roofs, status = segment_cloud_roofs(cloud, footprints, output, settings, numbers(table, "ground"),
-                                            float(np.median(positive)) if len(positive) else None,
-                                            progress=progress)
+        roofs = segment_cloud_roofs(cloud, footprints, output, settings, numbers(table, "ground"),
+                                    float(np.median(positive)) if len(positive) else None, progress=progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings have no roof in their points.")
