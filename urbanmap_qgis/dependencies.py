@@ -210,7 +210,6 @@ def install(
     if not missing:
         return
     target = Path(folder)
-    _require_pip()
     target.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="urbanmap-install-", dir=target.parent) as scratch:
         staging = Path(scratch) / "packages"
@@ -246,32 +245,30 @@ def _plain(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
-def _require_pip() -> None:
-    python = python_executable()
-    try:
-        found = subprocess.run([python, "-m", "pip", "--version"], capture_output=True, check=False,
-                               env=_environment(), **_hidden_window())
-    except OSError as error:
-        raise InstallError(f"Python cannot be started as {python} ({error.strerror}).") from error
-    if found.returncode != 0:
-        advice = ("install it with: sudo apt install python3-pip" if platform.system() == "Linux"
-                  else f"install it with: {shown_command([python, '-m', 'ensurepip', '--user'])}")
-        raise InstallError(f"{python} has no pip, which installs Python packages: {advice}")
+def _no_pip(python: str) -> InstallError:
+    advice = ("install it with: sudo apt install python3-pip" if platform.system() == "Linux"
+              else f"install it with: {shown_command([python, '-m', 'ensurepip', '--user'])}")
+    return InstallError(f"{python} has no pip, which installs Python packages: {advice}")
 
 
 def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Callable[[], bool]) -> None:
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
-                          text=True, encoding="utf-8", errors="replace", env=_environment(),
-                          **_hidden_window()) as process:
-        last = ""
+    try:
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   stdin=subprocess.DEVNULL, text=True, encoding="utf-8", errors="replace",
+                                   env=_environment(), **_hidden_window())
+    except OSError as error:
+        raise InstallError(f"Python cannot be started as {command[0]} ({error.strerror}).") from error
+    last = ""
+    with process:
         for line in process.stdout:
             if line.strip():
                 last = line.rstrip()
                 report(last)
             if cancelled():
                 process.terminate()
-                process.wait()
                 raise Cancelled()
+    if last.endswith("No module named pip"):
+        raise _no_pip(command[0])
     if process.returncode != 0:
         raise InstallError(f"pip could not install the packages: {last or 'it gave no reason'}")
 

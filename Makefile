@@ -1,0 +1,44 @@
+# make demo    the main job on an example, with a result to look at
+# make test    all tests (make test-core, test-algorithms, test-cli, test-real run a part)
+# make lint    check the style of the code
+# make package the zip for QGIS's plugin repository
+# make bench   table of speed and memory
+# make clean   remove what was made, but not .venv
+
+PYTHON := .venv/bin/python
+PARTS := core algorithms cli real
+
+# QGIS takes the home of its Python from the first python3 on the path, which may be another one.
+export PATH := /usr/bin:/bin:$(PATH)
+export QT_QPA_PLATFORM := offscreen
+export QGIS_NO_OVERRIDE_IMPORT := 1
+
+.PHONY: setup demo test lint package bench clean $(PARTS:%=test-%)
+
+setup:
+	@scripts/setup.sh
+
+demo: setup
+	scripts/demo.sh
+
+# Parts in processes of their own: the core must work without QGIS. Exit code 5: a part has no tests.
+test: setup
+	@status=0; for part in $(PARTS); do \
+	    echo "== tests/$$part"; $(PYTHON) -m pytest tests/$$part || [ $$? -eq 5 ] || status=1; \
+	done; exit $$status
+
+$(PARTS:%=test-%): test-%: setup
+	$(PYTHON) -m pytest tests/$*
+
+lint: setup
+	$(PYTHON) -m ruff check .
+
+package: setup
+	$(PYTHON) scripts/package.py
+
+bench: setup
+	$(PYTHON) scripts/bench.py
+
+clean:
+	rm -rf build demo .pytest_cache .ruff_cache .hypothesis
+	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +

@@ -1,0 +1,184 @@
+"""Missing packages: found, named, and installed without touching the numpy that is there."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import importlib.metadata
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from urbanmap_qgis import dependencies
+from urbanmap_qgis.dependencies import (
+    PACKAGES,
+    InstallError,
+    Missing,
+    Package,
+    find_missing,
+    install,
+    install_command,
+    missing_message,
+    packages_folder,
+    shown_command,
+    version_numbers,
+)
+from urbanmap_qgis.errors import Cancelled
+
+ROOT = Path(__file__).resolve().parents[2]
+TOY = Package("urbanmap_toy", "urbanmap-toy", (1, 0))
+
+
+def make_wheel(folder: Path, name: str, version: str, requires: tuple[str, ...] = ()) -> Path:
+    """A wheel with one module that holds its version."""
+    module = name.replace("-", "_")
+    info = f"{module}-{version}.dist-info"
+    metadata = f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n"
+    metadata += "".join(f"Requires-Dist: {item}\n" for item in requires)
+    files = {
+        f"{module}/__init__.py": f"__version__ = {version!r}\n",
+        f"{info}/METADATA": metadata,
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nGenerator: test\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    }
+    record = []
+    for path, text in files.items():
+        digest = base64.urlsafe_b64encode(hashlib.sha256(text.encode()).digest()).rstrip(b"=").decode()
+        record.append(f"{path},sha256={digest},{len(text.encode())}")
+    files[f"{info}/RECORD"] = "\n".join([*record, f"{info}/RECORD,,"]) + "\n"
+    wheel = folder / f"{module}-{version}-py3-none-any.whl"
+    with zipfile.ZipFile(wheel, "w") as archive:
+        for path, text in files.items():
+            archive.writestr(path, text)
+    return wheel
+
+
+@pytest.fixture
+def offline(tmp_path, monkeypatch):
+    """pip options for a folder of wheels: a package that needs numpy, and two versions of numpy."""
+    wheels = tmp_path / "wheels"
+    wheels.mkdir()
+    make_wheel(wheels, "urbanmap-toy", "1.4", ("numpy>=1.20", "urbanmap-toy-helper"))
+    make_wheel(wheels, "urbanmap-toy-helper", "0.1")
+    make_wheel(wheels, "numpy", importlib.metadata.version("numpy"))
+    make_wheel(wheels, "numpy", "99.0")
+    monkeypatch.setitem(PACKAGES, TOY.import_name, TOY)
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    return ["--no-index", "--find-links", str(wheels)]
+
+
+def test_packages_that_are_there_are_not_missing():
+    assert find_missing(["numpy", "shapely"]) == []
+
+
+def test_absent_package_is_missing(monkeypatch):
+    monkeypatch.setitem(PACKAGES, TOY.import_name, TOY)
+    (item,) = find_missing(["numpy", TOY.import_name])
+    assert (str(item), item.package.requirement) == ("urbanmap-toy", "urbanmap-toy>=1.0")
+
+
+@pytest.mark.parametrize(("version", "found"), [("1.8.5", True), ("2.0.0", False), ("2.1rc1", False)])
+def test_too_old_package_is_missing_and_says_so(monkeypatch, version, found):
+    monkeypatch.setattr(dependencies, "installed_version", lambda package: version)
+    items = find_missing(["shapely"])
+    assert bool(items) is found
+    if found:
+        assert str(items[0]) == "shapely>=2.0 (found 1.8.5)"
+
+
+def test_opencv_5_is_refused(monkeypatch):
+    monkeypatch.setattr(dependencies, "installed_version", lambda package: "5.0.0.1")
+    (item,) = find_missing(["cv2"])
+    assert item.package.requirement == "opencv-python-headless>=4.5,<5"
+
+
+@pytest.mark.parametrize(("text", "numbers"), [("1.24.2", (1, 24, 2)), ("2.0.0rc1", (2, 0, 0)), ("dev", ())])
+def test_version_numbers(text, numbers):
+    assert version_numbers(text) == numbers
+
+
+def test_message_names_package_and_command(tmp_path):
+    message = missing_message([Missing(TOY)], tmp_path)
+    assert message.startswith("Python package missing: urbanmap-toy.")
+    assert f"numpy=={importlib.metadata.version('numpy')}" in message
+    assert str(tmp_path) in message
+
+
+def test_command_never_asks_for_another_numpy(tmp_path):
+    command = install_command([Missing(TOY)], tmp_path)
+    assert [part for part in command if part.startswith("numpy")] == [
+        f"numpy=={importlib.metadata.version('numpy')}"]
+    assert Path(command[0]).name.startswith("python")
+
+
+def test_shown_command_quotes_what_a_shell_would_take_apart(monkeypatch):
+    monkeypatch.setattr(dependencies.platform, "system", lambda: "Linux")
+    assert shown_command(["python3", "-m", "pip", "a b", "x>=1,<2"]) == 'python3 -m pip "a b" "x>=1,<2"'
+
+
+@pytest.mark.parametrize(("system", "executable", "expected"), [
+    ("Windows", "bin/qgis-bin.exe", "apps/Python312/python.exe"),
+    ("Darwin", "Contents/MacOS/QGIS", "Contents/MacOS/bin/python3"),
+    ("Linux", "usr/bin/qgis", "usr/bin/python3"),
+])
+def test_python_is_found_where_qgis_hides_it(tmp_path, monkeypatch, system, executable, expected):
+    """Starting `sys.executable` inside QGIS would open a second window."""
+    for name in (executable, expected):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    prefix = {"Windows": "apps/Python312", "Darwin": "Contents/Frameworks", "Linux": "usr"}[system]
+    monkeypatch.setattr(dependencies.platform, "system", lambda: system)
+    monkeypatch.setattr(sys, "executable", str(tmp_path / executable))
+    monkeypatch.setattr(sys, "exec_prefix", str(tmp_path / prefix))
+    monkeypatch.setattr(sys, "_base_executable", None, raising=False)
+    assert dependencies.python_executable() == str(tmp_path / expected)
+
+
+def test_installs_without_numpy_and_finds_it_last(tmp_path, offline):
+    folder = packages_folder(tmp_path / "プロファイル 1")
+    lines = []
+    install([Missing(TOY)], folder, lines.append, pip_options=offline)
+    assert {item.name for item in folder.iterdir() if "dist-info" not in item.name} == {
+        "urbanmap_toy", "urbanmap_toy_helper"}
+    assert not list(folder.glob("numpy*"))
+    assert sys.path[-1] == str(folder)
+    assert find_missing([TOY.import_name]) == []
+    assert any("urbanmap" in line for line in lines)
+    assert [item.name for item in folder.parent.iterdir()] == [folder.name]
+
+    # A second time: the package is replaced.
+    make_wheel(tmp_path / "wheels", "urbanmap-toy", "1.5")
+    install([Missing(TOY)], folder, pip_options=offline)
+    assert "1.5" in (folder / "urbanmap_toy" / "__init__.py").read_text(encoding="utf-8")
+
+
+def test_failed_installation_changes_nothing_and_says_why(tmp_path, offline):
+    folder = packages_folder(tmp_path)
+    absent = Missing(Package("urbanmap_nowhere", "urbanmap-nowhere"))
+    with pytest.raises(InstallError, match="pip could not install the packages: .*urbanmap-nowhere"):
+        install([absent], folder, pip_options=offline)
+    assert list(folder.iterdir()) == []
+    assert list(folder.parent.iterdir()) == [folder]
+
+
+def test_cancelled_installation_changes_nothing(tmp_path, offline):
+    folder = packages_folder(tmp_path)
+    with pytest.raises(Cancelled):
+        install([Missing(TOY)], folder, cancelled=lambda: True, pip_options=offline)
+    assert list(folder.iterdir()) == []
+
+
+def test_python_without_pip_is_told(tmp_path, monkeypatch):
+    python = tmp_path / "python3"
+    python.write_text("#!/bin/sh\necho $0: No module named pip\nexit 1\n", encoding="utf-8")
+    python.chmod(0o755)
+    monkeypatch.setattr(dependencies, "python_executable", lambda: str(python))
+    with pytest.raises(InstallError, match="has no pip"):
+        install([Missing(TOY)], tmp_path / "packages")
+
+
+def test_requirements_file_says_the_same():
+    lines = (ROOT / "requirements.txt").read_text(encoding="utf-8").splitlines()
+    assert [line for line in lines if line and not line.startswith("#")] == [
+        package.requirement for package in PACKAGES.values()]
