@@ -5,6 +5,7 @@ import pytest
 import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from shapely.geometry.polygon import orient
 
 from urbanmap_qgis.buildings.hough_lines import fit_line, hough_lines
 from urbanmap_qgis.errors import InputError
@@ -12,7 +13,7 @@ from urbanmap_qgis.errors import InputError
 
 def boundary(polygon, step=0.5):
     """Points along the ring of a polygon, its corners among them, counterclockwise."""
-    xy = shapely.get_coordinates(shapely.orient_polygons(polygon).exterior)
+    xy = shapely.get_coordinates(orient(polygon).exterior)
     parts = [np.linspace(a, b, max(round(np.hypot(*(b - a)) / step), 1), endpoint=False)
              for a, b in zip(xy[:-1], xy[1:])]
     return np.vstack(parts)

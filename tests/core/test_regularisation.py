@@ -6,6 +6,7 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.affinity import rotate
+from shapely.geometry.polygon import orient
 
 from urbanmap_qgis.buildings.regularisation import main_directions, regularise_ring
 from urbanmap_qgis.errors import InputError
@@ -15,7 +16,7 @@ ELL = shapely.Polygon([(0, 0), (20, 0), (20, 8), (8, 8), (8, 18), (0, 18)])
 
 
 def boundary(polygon, noise, seed, step=0.4):
-    xy = shapely.get_coordinates(shapely.orient_polygons(polygon).exterior)
+    xy = shapely.get_coordinates(orient(polygon).exterior)
     parts = [np.linspace(a, b, max(round(np.hypot(*(b - a)) / step), 1), endpoint=False)
              for a, b in zip(xy[:-1], xy[1:])]
     ring = np.vstack(parts)

@@ -112,7 +112,7 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float, parameters
         found = regularise_ring(ring[::-1] if hole else ring, regularisation,
                                 (lambda a, b: -shrink(b, a)) if hole else shrink)
         drawn.append((found, len(ring)))
-        polygon = shapely.make_valid(shapely.Polygon(found.xy), method="structure")
+        polygon = shapely.make_valid(shapely.Polygon(found.xy))
         (holes if hole else outer).append(polygon)
     outline = shapely.difference(shapely.union_all(outer), shapely.union_all(holes))
     if neighbours:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from shapely.geometry.polygon import orient
 
 from .hough_lines import HoughAccumulator, fit_line
 from .regularisation import main_directions
@@ -24,6 +25,8 @@ MAIN_FAVOUR = 1.3
 """Votes in a main direction count so much more: two walls with a small step make a good oblique line, too."""
 MAX_FAILURES = 20
 """Directions and places in vain after which the rest of the cracks counts as noise."""
+MIN_SIDE, MIN_FILL = 1.2, 0.7
+"""Least side in metres, and share of its rectangle that a region must fill, to be enclosed by four lines."""
 MAX_WALL_LINES = 12
 """At most this many walls, the longest, are drawn on into the building."""
 
@@ -80,6 +83,24 @@ def candidate_lines(cracks: Cracks, outline: shapely.Geometry, cell: float, min_
     return _merged(_snapped(lines, edges, merge) + _inward_walls(outline, min_length)[:MAX_WALL_LINES], merge)
 
 
+def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: shapely.Geometry, cell: float,
+                         merge: float) -> np.ndarray:
+    """Lines and, for each region that is about a rectangle in the first main direction, its four sides.
+
+    For roofs too small to gather votes. regions: cell centres (n, 2) of each.
+    """
+    edges = _outline_edges(outline)
+    angle = np.radians(main_directions(edges[:, 2:])[0])
+    axes = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    sides = []
+    for xy in regions:
+        low, high = np.percentile(xy @ axes.T, [3.0, 97.0], axis=0)
+        low, high = low - 0.5 * cell, high + 0.5 * cell
+        if (high - low).min() >= MIN_SIDE and len(xy) * cell ** 2 >= MIN_FILL * np.prod(high - low):
+            sides += [(*axis, offset) for axis, ends in zip(axes, zip(low, high)) for offset in ends]
+    return _merged(list(map(tuple, lines.tolist())) + _snapped(sides, edges, merge), merge)
+
+
 def _outline_edges(outline: shapely.Geometry) -> np.ndarray:
     """Edges as rows (x, y, dx, dy)."""
     xy, ring = shapely.get_coordinates(shapely.get_rings(shapely.get_parts(outline)), return_index=True)
@@ -89,7 +110,7 @@ def _outline_edges(outline: shapely.Geometry) -> np.ndarray:
 
 def _inward_walls(outline: shapely.Geometry, min_length: float) -> list[tuple[float, float, float]]:
     """Lines of the walls of at least `min_length` that end at an inward corner, the longest first."""
-    rings = shapely.get_rings(shapely.get_parts(shapely.orient_polygons(outline)))
+    rings = shapely.get_rings([orient(part) for part in shapely.get_parts(outline)])
     found = []
     for ring in rings:
         xy = shapely.get_coordinates(ring)[:-1]

@@ -79,7 +79,7 @@ def dissolve(pieces: np.ndarray, labels: np.ndarray, outline: shapely.Geometry) 
         own = pieces[labels == label]
         union = shapely.coverage_union_all(own) if len(own) > 1 else own[0]
         if not union.is_valid:  # GEOS leaves a ring that touches itself in a node whole: make it shell and hole
-            union = shapely.make_valid(union, method="structure")
+            union = shapely.make_valid(union)
         parts = shapely.get_parts(union)
         polygons.extend(parts)
         label_of += [int(label)] * len(parts)

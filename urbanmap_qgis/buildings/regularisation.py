@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from shapely.geometry.polygon import orient
 
 from ..errors import InputError
 from .hough_lines import fit_line
@@ -286,7 +287,7 @@ def _simplified(ring: np.ndarray, tolerance: float, outward: Callable | None, ce
     grown = shapely.Polygon(corners).buffer(move, join_style="mitre", mitre_limit=2.0)
     if grown.geom_type != "Polygon":
         return corners
-    return shapely.get_coordinates(shapely.orient_polygons(grown).exterior)[:-1]
+    return shapely.get_coordinates(orient(grown).exterior)[:-1]
 
 
 def _deviation(ring: shapely.LinearRing, points: np.ndarray) -> tuple[float, float]:

@@ -12,7 +12,7 @@ from skimage import measure
 
 from ..errors import InputError
 from ..terrain.grid import Grid
-from .partition_lines import Cracks, RoofPoints, candidate_lines, find_cracks
+from .partition_lines import MAX_WALL_LINES, Cracks, RoofPoints, candidate_lines, find_cracks, with_enclosing_lines
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
 
@@ -20,6 +20,8 @@ GUESSED_CELL_WEIGHT = 0.3
 """Weight of a cell without data, which took the label of its nearest neighbour."""
 LEAST_CONFUSION = 0.3
 """Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost."""
+MOST_LINES = 62
+"""Sides of this many lines fit into one integer."""
 NEAR_BORDER = 1.5
 """Metres; label borders farther from a polygon's edge are clutter, which `agreement` counts."""
 
@@ -36,7 +38,7 @@ class PartitionParameters:
     min_roof_area : square metres; smaller pieces of roof join the neighbour that fits best.
     smoothness : metres; a step in a border is kept where it pays more area than this times its length.
     full_step : metres; labels of roofs differing less in height are cheaper to confuse.
-    max_lines : at most this many dividing lines, the strongest.
+    max_lines : at most this many dividing lines found in the roofs' borders, the strongest (up to 50).
     """
 
     min_line_length: float = 1.5
@@ -72,6 +74,16 @@ class RoofPartition:
     boundary_rms: np.ndarray
 
 
+@dataclass(frozen=True)
+class _Cells:
+    """Cells inside the outline: centres (n, 2), index of the roof (n,), whether it was measured (n,), side in m."""
+
+    xy: np.ndarray
+    roof: np.ndarray
+    certain: np.ndarray
+    side: float
+
+
 def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.ndarray,
                     heights: np.ndarray | None = None, parameters: PartitionParameters | None = None,
                     points: tuple[np.ndarray, np.ndarray, np.ndarray] | None = None) -> RoofPartition:
@@ -97,6 +109,8 @@ def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.nda
     labels = np.asarray(labels)
     if labels.shape != labels_grid.shape:
         raise InputError("The roof raster has not the rows and columns of its grid.")
+    if not 0 <= parameters.max_lines <= MOST_LINES - MAX_WALL_LINES:
+        raise InputError(f"At most {MOST_LINES - MAX_WALL_LINES} dividing lines are possible: lower their number.")
     if outline.is_empty or outline.area <= 0:
         raise InputError("The building outline has no area: repair or remove it.")
     rows, columns, grid = labels_grid.window(*outline.bounds)
@@ -169,21 +183,34 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
     near = None if points is None else RoofPoints(points.xy - origin, points.roof)
     lines = candidate_lines(cracks, local, grid.cell, parameters.min_line_length, parameters.merge_distance,
                             parameters.max_lines, near)
-    arrangement = arrange(local, lines)
     row, column = np.nonzero(mask)
-    piece = _piece_of_cell(arrangement, lines, np.column_stack([x[column], y[row]]))
-    own, certain = filled[row, column], data[row, column]
-    weight = np.where(certain, 1.0, GUESSED_CELL_WEIGHT) * grid.cell ** 2
-    k = len(numbers)
-    votes = np.bincount(piece * k + own, weight, minlength=len(arrangement.pieces) * k).reshape(-1, k)
-    cost = votes @ _confusion(filled, data, heights, k, parameters.full_step)
-    chosen = choose_roofs(cost, arrangement, parameters.smoothness, parameters.min_roof_area)
+    cells = _Cells(np.column_stack([x[column], y[row]]), filled[row, column], data[row, column], grid.cell)
+    confusion = _confusion(filled, data, heights, len(numbers), parameters.full_step)
+    arrangement, piece, chosen = _label(local, lines, cells, confusion, parameters)
+    lost = sorted(set(left.tolist()) - set(chosen.tolist()))
+    if lost:
+        regions = [cells.xy[cells.roof == roof] for roof in lost]
+        more = with_enclosing_lines(lines, regions, local, grid.cell, parameters.merge_distance)
+        if len(lines) < len(more) <= MOST_LINES:
+            arrangement, piece, chosen = _label(local, more, cells, confusion, parameters)
     polygons, label_of = dissolve(arrangement.pieces, chosen, local)
-    quality = _quality(polygons, label_of, chosen[piece], own, certain, cracks, k)
-    lost = set(own.tolist()) - set(label_of.tolist())
+    quality = _quality(polygons, label_of, chosen[piece], cells, cracks, len(numbers))
+    lost = set(left.tolist()) - set(label_of.tolist())
     moved = tuple(translate(polygon, *origin) for polygon in polygons)
-    return RoofPartition(moved, numbers[label_of], float(1.0 - np.mean(certain)),
+    return RoofPartition(moved, numbers[label_of], float(1.0 - np.mean(cells.certain)),
                          "lost roofs" if lost else "ok", *quality)
+
+
+def _label(outline: shapely.Geometry, lines: np.ndarray, cells: _Cells, confusion: np.ndarray,
+           parameters: PartitionParameters) -> tuple[Arrangement, np.ndarray, np.ndarray]:
+    """Pieces that the lines cut, the piece of each cell, and the roof index of each piece."""
+    arrangement = arrange(outline, lines)
+    piece = _piece_of_cell(arrangement, lines, cells.xy)
+    k = len(confusion)
+    weight = np.where(cells.certain, 1.0, GUESSED_CELL_WEIGHT) * cells.side ** 2
+    votes = np.bincount(piece * k + cells.roof, weight, minlength=len(arrangement.pieces) * k).reshape(-1, k)
+    chosen = choose_roofs(votes @ confusion, arrangement, parameters.smoothness, parameters.min_roof_area)
+    return arrangement, piece, chosen
 
 
 def _filled(index: np.ndarray, data: np.ndarray, mask: np.ndarray, smallest: float) -> np.ndarray:
@@ -233,12 +260,12 @@ def _confusion(filled: np.ndarray, data: np.ndarray, heights: np.ndarray | None,
     return cost * np.where(np.isfinite(step), np.clip(step / full_step, LEAST_CONFUSION, 1.0), 1.0)
 
 
-def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, own: np.ndarray, certain: np.ndarray,
-             cracks: Cracks, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: _Cells, cracks: Cracks,
+             k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Coverage, agreement and boundary RMS of each polygon (a roof's figures go to all its polygons)."""
     cells = np.bincount(given, minlength=k)
-    with_data = np.bincount(given, certain, minlength=k)
-    agreeing = np.bincount(given, certain & (given == own), minlength=k)
+    with_data = np.bincount(given, measured.certain, minlength=k)
+    agreeing = np.bincount(given, measured.certain & (given == measured.roof), minlength=k)
     coverage, agreement = with_data / np.maximum(cells, 1), agreeing / np.maximum(with_data, 1)
     places = shapely.points(cracks.xy)
     rms = np.full(len(polygons), np.nan)
