@@ -15,6 +15,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -199,7 +201,7 @@ def install(
     Parameters
     ----------
     report : called with each line that pip prints.
-    cancelled : asked between lines whether to stop.
+    cancelled : asked several times a second, in another thread, whether to stop.
     pip_options : further options of ``pip install``, such as ``--no-index``.
 
     Raises
@@ -260,17 +262,25 @@ def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Calla
         raise InstallError(f"Python cannot be started as {command[0]} ({error.strerror}).") from error
     last = ""
     with process:
+        # pip is silent for minutes while it downloads, so a thread of its own looks for the cancel.
+        threading.Thread(target=_stop_on_cancel, args=(process, cancelled), daemon=True).start()
         for line in process.stdout:
             if line.strip():
                 last = line.rstrip()
                 report(last)
-            if cancelled():
-                process.terminate()
-                raise Cancelled()
+    if cancelled():
+        raise Cancelled()
     if last.endswith("No module named pip"):
         raise _no_pip(command[0])
     if process.returncode != 0:
         raise InstallError(f"pip could not install the packages: {last or 'it gave no reason'}")
+
+
+def _stop_on_cancel(process: subprocess.Popen, cancelled: Callable[[], bool]) -> None:
+    while process.poll() is None:
+        if cancelled():
+            process.terminate()
+        time.sleep(0.2)
 
 
 def _environment() -> dict[str, str]:

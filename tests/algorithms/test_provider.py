@@ -142,23 +142,23 @@ def test_models_are_registered_with_their_outputs(provider, plugin, monkeypatch,
     assert provider.algorithm("oneload") is None
 
 
-def test_file_outputs_of_earlier_steps_can_be_chosen_as_points(plugin, provider):
-    """What the modeller of QGIS 3.22 offers for a multiple-files parameter: files and outputs that are files."""
-    from qgis.core import QgsProcessingOutputFile, QgsProcessingParameterMultipleLayers
+def test_file_outputs_of_earlier_steps_can_be_chosen_as_points(provider):
+    """What the modeller of QGIS 3.22 offers for a multiple-files parameter: files, and outputs that are files."""
+    from qgis.core import (
+        QgsProcessingModelAlgorithm,
+        QgsProcessingModelChildAlgorithm,
+        QgsProcessingOutputFile,
+        QgsProcessingParameterFile,
+    )
 
-    base = plugin("algorithms.base")
-
-    class Step(base.UrbanMapAlgorithm):
-        ID = "step"
-        NAME = "Step"
-
-        def declare(self):
-            self.add_points()
-            self.add_points_output()
-
-    step = Step().create()
-    assert isinstance(step.parameterDefinition("POINTS"), QgsProcessingParameterMultipleLayers)
-    assert isinstance(step.outputDefinition("OUTPUT"), QgsProcessingOutputFile)
+    model = QgsProcessingModelAlgorithm("chain", "Workflows")
+    for identifier, algorithm in (("first", "segmentbuildings"), ("second", "segmentroofs")):
+        step = QgsProcessingModelChildAlgorithm(f"urbanmap:{algorithm}")
+        step.setChildId(identifier)
+        model.addChildAlgorithm(step)
+    sources = model.availableSourcesForChild(
+        "second", [QgsProcessingParameterFile.typeName()], [QgsProcessingOutputFile.typeName()])
+    assert ("first", "OUTPUT") in [(item.outputChildId(), item.outputName()) for item in sources]
 
 
 def test_listed_while_packages_are_missing(tmp_path, plugin):

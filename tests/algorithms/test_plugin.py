@@ -1,0 +1,94 @@
+"""The plugin in the desktop: its menu, and the window that installs packages."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+
+class Interface:
+    """As much of QGIS's `iface` as the plugin uses."""
+
+    def __init__(self, window):
+        self.window = window
+        self.menus = {}
+
+    def mainWindow(self):
+        return self.window
+
+    def addPluginToMenu(self, menu, action):
+        self.menus[menu] = action
+
+    def removePluginMenu(self, menu, action):
+        del self.menus[menu]
+
+
+@pytest.fixture
+def missing(plugin, monkeypatch):
+    """One package that is not there until it is installed, and an installer that only says so."""
+    module = plugin("algorithms.install")
+    dependencies = plugin("urbanmap_qgis.dependencies")
+    item = dependencies.Missing(dependencies.Package("urbanmap_toy", "urbanmap-toy"))
+    state = {"missing": [item], "error": None}
+
+    def install(items, folder, report, cancelled, pip_options=()):
+        report(f"Collecting {items[0]}")
+        if state["error"]:
+            raise dependencies.InstallError(state["error"])
+        state["missing"] = []
+
+    monkeypatch.setattr(module, "find_missing", lambda *names: list(state["missing"]))
+    monkeypatch.setattr(module, "install", install)
+    return state
+
+
+def wait_until(application, condition):
+    end = time.monotonic() + 20
+    while not condition() and time.monotonic() < end:
+        application.processEvents()
+        time.sleep(0.01)
+    assert condition()
+
+
+def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin):
+    from qgis.core import QgsApplication
+    from qgis.PyQt.QtWidgets import QWidget
+
+    interface = Interface(QWidget())
+    desktop = plugin("algorithms.plugin").UrbanMapPlugin(interface)
+    desktop.provider = plugin("algorithms.provider").UrbanMapProvider()
+    desktop.initProcessing = lambda: None
+    desktop.initGui()
+    assert interface.menus["UrbanMap"].text() == "Install Python packages…"
+    desktop.provider = None
+    desktop.unload()
+    assert interface.menus == {}
+    assert QgsApplication.processingRegistry().providerById("urbanmap") is not None
+
+
+def test_window_installs_and_says_so(qgis_app, plugin, missing):
+    dialog = plugin("algorithms.install").InstallDialog()
+    assert "urbanmap-toy" in dialog.label.text()
+    assert "-m pip install" in dialog.output.toPlainText()
+    dialog.button.click()
+    assert not dialog.button.isEnabled()
+    wait_until(qgis_app, lambda: dialog.task is None)
+    assert dialog.label.text() == "The packages are installed; the algorithms can be used now."
+    assert "Collecting urbanmap-toy" in dialog.output.toPlainText()
+
+
+def test_window_says_why_it_failed_and_can_try_again(qgis_app, plugin, missing):
+    missing["error"] = "pip could not install the packages: no network"
+    dialog = plugin("algorithms.install").InstallDialog()
+    dialog.button.click()
+    wait_until(qgis_app, lambda: dialog.task is None)
+    assert dialog.label.text() == "pip could not install the packages: no network"
+    assert dialog.button.isEnabled()
+
+
+def test_nothing_to_install(qgis_app, plugin, missing):
+    missing["missing"] = []
+    dialog = plugin("algorithms.install").InstallDialog()
+    assert not dialog.button.isEnabled()
+    assert dialog.label.text() == "All Python packages that UrbanMap needs are there."
