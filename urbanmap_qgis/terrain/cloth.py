@@ -17,6 +17,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import ndimage
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
@@ -34,6 +37,13 @@ _STEP = 0.3
 _LAYER = 0.2
 _LOOSE_DEPTH = 0.5
 _NEIGHBOUR_STEP = 1.0
+_PIT_SHARE = 0.5
+_PIT_DEPTH = 1.0
+_PIT_REACH = 4
+_PIT_CELLS = 12
+_PIT_ROUNDS = 30
+_FIRM = 0.1
+_LIFTS = 20
 
 
 @dataclass(frozen=True)
@@ -126,10 +136,9 @@ def _drape(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings,
     # One cell more: bilinear places need two in each direction.
     grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
     spacing = np.sqrt(grid.rows * grid.columns / len(z)) * settings.resolution
-    lowest = lowest_heights(x, y, z, grid, lonely_limit(spacing))
+    levels = lowest_heights(x, y, z, grid, lonely_limit(spacing))
     progress.step(0.4)
-    trend = trend_surface(lowest, settings.resolution)
-    first = hang(lowest, trend, settings, progress.part(0.4, 0.5))
+    first, trend, lowest = hang(levels, settings, progress.part(0.4, 0.5))
     bottom = bottom_points(x, y, z, grid, lowest)
     lowest = lowest_layer(bottom, first)
     progress.step(0.7)
@@ -165,8 +174,25 @@ def near_cloth(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, heights:
     return ground
 
 
-def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lonely: int = 5) -> np.ndarray:
-    """Lowest believable height of each cell, (rows, columns), inf where there is none.
+@dataclass(frozen=True)
+class Levels:
+    """Lowest heights of the cells of a grid.
+
+    Attributes
+    ----------
+    lowest : (rows, columns) lowest believable height, inf where there is none.
+    second : the lowest height more than a metre above it where fewer than half of the cell's points lie at the
+        lowest; inf elsewhere.
+    support : number of points at the lowest (within half a metre); 0 where they are fewer than half.
+    """
+
+    lowest: np.ndarray
+    second: np.ndarray
+    support: np.ndarray
+
+
+def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lonely: int = 5) -> Levels:
+    """Lowest believable heights of each cell.
 
     Left out are points alone in space (`outliers.isolated`), and the lowest points of a cell where fewer than
     five (or 5 % of those around) lie within half a metre of each other and no neighbouring cell has its lowest
@@ -180,8 +206,9 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lone
     if alone.any():
         height = np.where(alone, np.inf, z)
     size = grid.rows * grid.columns
+    count = np.bincount(cell, minlength=size)
     lowest = extreme_in_cells(cell, height, size, highest=False)
-    limit = np.minimum(4.0, 0.05 * _around(np.bincount(cell, minlength=size).reshape(grid.shape)))
+    limit = np.minimum(4.0, 0.05 * _around(count.reshape(grid.shape)))
     support = _support(lowest, cell, height)
     for _ in range(4):
         loose = _loose(lowest.reshape(grid.shape), support.reshape(grid.shape), limit).ravel()
@@ -192,7 +219,12 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lone
         refound = extreme_in_cells(cell[left], height[left], size, highest=False)
         lowest = np.where(loose, refound, lowest)
         support = np.where(loose, _support(refound, cell[left], height[left]), support)
-    return lowest.reshape(grid.shape)
+    sparse = np.isfinite(lowest) & (support < _PIT_SHARE * count)
+    members = np.flatnonzero(sparse[cell])
+    upper = members[height[members] >= lowest[cell[members]] + _PIT_DEPTH]
+    second = extreme_in_cells(cell[upper], height[upper], size, highest=False)
+    support = np.where(sparse, 0, support)
+    return Levels(*(values.reshape(grid.shape) for values in (lowest, second, support)))
 
 
 def _support(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
@@ -245,7 +277,7 @@ def bottom_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowes
 
     Parameters
     ----------
-    x, y, z : (n,) metres, all on the grid. lowest : (rows, columns) from `lowest_heights`.
+    x, y, z : (n,) metres, all on the grid. lowest : (rows, columns) from `hang`.
     """
     cell = cell_numbers(x, y, grid)
     height = z - lowest.ravel()[cell]
@@ -270,10 +302,56 @@ def lowest_layer(bottom: BottomPoints, cloth: np.ndarray) -> np.ndarray:
     return cloth + mean.reshape(cloth.shape)
 
 
-def hang(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
-         progress: Progress = SILENT) -> np.ndarray:
-    """Cloth at rest against `lowest` (rows, columns; inf where empty), without the slope step."""
-    return trend + _rest(lowest - trend, settings, np.zeros(lowest.shape, dtype=bool), progress)
+def hang(levels: Levels, settings: ClothSettings,
+         progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The first cloth: at rest, with pits below the ground left out.
+
+    A pit is a small patch that holds the cloth down, whose cells have few points, or most of them more than a
+    metre above, and that has no firm cell at its level within some cells: multipath in numbers. A real courtyard
+    has cells full of ground points. The cells of a pit fall back to their second level, and the cloth is hung
+    again.
+
+    Returns
+    -------
+    cloth, trend and believed lowest heights, (rows, columns) each.
+    """
+    lowest, second, support = levels.lowest, levels.second, levels.support
+    filled = support[support > 0]
+    firm = support >= max(_FIRM * float(np.median(filled)), 1.0) if len(filled) else support > 0
+    for _ in range(_PIT_ROUNDS):
+        trend = trend_surface(lowest, settings.resolution)
+        obstacle = lowest - trend
+        cloth = _rest(obstacle, settings, np.zeros(lowest.shape, dtype=bool), progress)
+        pit = _pits(obstacle, _grow(obstacle, obstacle - cloth <= _PIT_DEPTH), firm)
+        if not pit.any():
+            break
+        lowest = np.where(pit, second, lowest)
+        # What turns out to be a pit again has no further level: the cell counts as empty.
+        second = np.where(pit, np.inf, second)
+        if not np.isfinite(lowest).any():
+            raise InsufficientDataError("The cloud has no points that could be ground.")
+    return trend + cloth, trend, lowest
+
+
+def _pits(obstacle: np.ndarray, ground: np.ndarray, firm: np.ndarray) -> np.ndarray:
+    """Cells of small patches of ground without a firm cell at their level nearby, (rows, columns) bool."""
+    suspect = ground & ~firm
+    row, column = np.nonzero(suspect)
+    if not len(row):
+        return suspect
+    support = np.pad(np.where(ground & firm, obstacle, np.nan), _PIT_REACH, constant_values=np.nan)
+    level = obstacle[row, column]
+    held = np.zeros(len(row), dtype=bool)
+    for down in range(2 * _PIT_REACH + 1):
+        for right in range(2 * _PIT_REACH + 1):
+            held |= np.abs(support[row + down, column + right] - level) < _NEIGHBOUR_STEP
+    patch, count = ndimage.label(ndimage.binary_dilation(suspect, np.ones((5, 5), dtype=bool)), np.ones((3, 3)))
+    patch = np.where(suspect, patch, 0)
+    cells = np.bincount(patch.ravel(), minlength=count + 1)
+    is_pit = cells <= _PIT_CELLS
+    is_pit[patch[row[held], column[held]]] = False
+    is_pit[0] = False
+    return is_pit[patch]
 
 
 def settle(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
@@ -291,7 +369,7 @@ def settle(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
     obstacle = lowest - trend
     pinned = np.zeros(lowest.shape, dtype=bool)
     cloth = _rest(obstacle, settings, pinned, progress)
-    for _ in range(20):
+    for _ in range(_LIFTS):
         progress.check()
         grown = _grow(obstacle, pinned | (obstacle - cloth <= settings.threshold))
         if np.array_equal(grown, pinned):
@@ -303,25 +381,18 @@ def settle(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
 
 def _grow(obstacle: np.ndarray, ground: np.ndarray) -> np.ndarray:
     """Ground nodes and all that are joined to them by steps below 0.3 m, (rows, columns) bool."""
-    ground = ground.copy()
-    frontier = ground
-    while frontier.any():
-        reached = np.zeros_like(ground)
-        for axis in (0, 1):
-            for here, there in _pairs(axis):
-                with np.errstate(invalid="ignore"):
-                    smooth = np.abs(obstacle[here] - obstacle[there]) < _STEP
-                reached[there] |= frontier[here] & smooth
-        frontier = reached & ~ground
-        ground |= frontier
-    return ground
-
-
-def _pairs(axis: int) -> tuple[tuple[tuple[slice, slice], tuple[slice, slice]], ...]:
-    """Slices of each node and its next neighbour along an axis, in both directions."""
-    first, second = [slice(None)] * 2, [slice(None)] * 2
-    first[axis], second[axis] = slice(None, -1), slice(1, None)
-    return ((tuple(first), tuple(second)), (tuple(second), tuple(first)))
+    number = np.arange(obstacle.size).reshape(obstacle.shape)
+    joined = []
+    with np.errstate(invalid="ignore"):
+        for first, second in ((np.s_[:, :-1], np.s_[:, 1:]), (np.s_[:-1], np.s_[1:])):
+            smooth = np.abs(obstacle[first] - obstacle[second]) < _STEP
+            joined.append((number[first][smooth], number[second][smooth]))
+    start, end = (np.concatenate(ends) for ends in zip(*joined))
+    graph = coo_matrix((np.ones(len(start), dtype=bool), (start, end)), shape=(obstacle.size,) * 2)
+    count, label = connected_components(graph, directed=False)
+    reached = np.zeros(count, dtype=bool)
+    reached[label[ground.ravel()]] = True
+    return reached[label].reshape(obstacle.shape)
 
 
 def _rest(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarray, progress: Progress,

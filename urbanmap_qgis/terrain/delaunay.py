@@ -14,6 +14,7 @@ orientation tests are exact.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import cv2
@@ -262,7 +263,10 @@ def triangulate(x: np.ndarray, y: np.ndarray) -> np.ndarray:
         raise InsufficientDataError("A surface needs at least three points: check the input's extent.")
     blocks = Blocks.for_spacing(typical_spacing(x, y))
     parts, edge_parts = [np.empty((0, 3), dtype=np.int64)], [np.empty((0, 2), dtype=np.int64)]
-    for column, row, points in _points_of_blocks(x, y, blocks):
+    reach = blocks.radius
+    first = blocks.of(float(x.min()) - reach, float(y.min()) - reach)
+    last = blocks.of(float(x.max()) + reach, float(y.max()) + reach)
+    for column, row, points in points_of_blocks(x, y, blocks, first, last):
         corners = block_triangles(x[points], y[points], blocks, column, row)
         parts.append(points[corners])
         edge_parts.append(points[open_edges(corners)])
@@ -289,10 +293,10 @@ def typical_spacing(x: np.ndarray, y: np.ndarray) -> float:
     return cell * math.sqrt(occupied / len(x))
 
 
-def _points_of_blocks(x: np.ndarray, y: np.ndarray, blocks: Blocks):
-    """Yield (column, row, point indices) of each block that can own a triangle, margin included."""
-    first_column, first_row = blocks.of(float(x.min()) - blocks.radius, float(y.min()) - blocks.radius)
-    last_column, last_row = blocks.of(float(x.max()) + blocks.radius, float(y.max()) + blocks.radius)
+def points_of_blocks(x: np.ndarray, y: np.ndarray, blocks: Blocks, first: tuple[int, int],
+                     last: tuple[int, int]) -> Iterator[tuple[int, int, np.ndarray]]:
+    """Yield (column, row, point indices with margin) of each block from `first` to `last` that has points."""
+    (first_column, first_row), (last_column, last_row) = first, last
     row_order = np.argsort(y, kind="stable")
     sorted_y = y[row_order]
     for row in range(first_row, last_row + 1):

@@ -11,7 +11,7 @@ _BLOCK = 16.0
 _KNOT = 32.0
 _MOST_KNOTS = 40_000
 _STIFFNESS = 3.0
-_ABOVE = 0.01
+_ABOVE = 0.05
 _SCALE = 2.0
 _PASSES = 10
 
@@ -20,8 +20,9 @@ def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
     """Smooth surface through the bottom of the lowest heights, (rows, columns).
 
     A plate on knots about 32 m apart (wider for large areas), fitted to the lowest height of each 16 m block by
-    asymmetric least squares (Eilers and Boelens 2005): blocks above it count a hundredth, and less the higher
-    they are. It bends over hills and valleys, not over buildings, and continues straight across gaps.
+    asymmetric least squares (Eilers and Boelens 2005): blocks above it count a twentieth, and less the higher
+    they are; blocks far below it, less the lower. It bends over hills and valleys, not over buildings, and
+    continues straight across gaps.
 
     Parameters
     ----------
@@ -37,12 +38,13 @@ def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
     target = height - base
     weight = np.ones(len(target))
     values = np.zeros(rows * columns)
-    for _ in range(_PASSES):
+    for turn in range(_PASSES):
         normal = design.T @ diags(weight) @ design + plate
         values = spsolve(csc_matrix(normal), design.T @ (weight * target))
         residual = target - design @ values
         far = np.minimum(1.0, _SCALE / np.maximum(np.abs(residual), 1e-9))
-        weight = np.where(residual > 0, _ABOVE * far ** 2, far)
+        # At first whatever lies low draws the plate down; then what stays far below counts less and less.
+        weight = np.where(residual > 0, _ABOVE * far ** 2, far if turn < _PASSES // 2 else far ** 2)
     place = np.mgrid[:lowest.shape[0], :lowest.shape[1]] / knot
     return base + ndimage.map_coordinates(values.reshape(rows, columns), place, order=3, mode="nearest")
 

@@ -1,0 +1,162 @@
+"""GeoTIFF rasters: written in tiles, read whole or just where points lie."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import numpy as np
+import rasterio
+from rasterio.crs import CRS
+from rasterio.env import set_proj_data_search_path
+from rasterio.errors import CRSError, RasterioError
+from rasterio.transform import Affine
+from rasterio.windows import Window
+
+from ..errors import InputError, OutputError
+from ..progress import SILENT, Progress
+from ..terrain.grid import Grid
+from ..terrain.sampling import sample
+from .atomic import written_beside
+
+NODATA = -9999.0
+_BLOCK = 256
+_SAMPLE_BLOCK = 2048
+
+
+@contextmanager
+def own_gdal() -> Iterator[None]:
+    """Let rasterio use the GDAL and PROJ data that came with it.
+
+    QGIS sets PROJ_LIB and GDAL_DATA for its own libraries; a rasterio wheel brings others of another version,
+    which cannot read those. This tells rasterio's copies only, not the process.
+    """
+    folder = Path(rasterio.__file__).parent
+    options = {"GDAL_DATA": str(folder / "gdal_data")} if (folder / "gdal_data").is_dir() else {}
+    with rasterio.Env(**options):
+        if (folder / "proj_data").is_dir():
+            set_proj_data_search_path(str(folder / "proj_data"))
+        yield
+
+
+def write_raster(path: str | os.PathLike, raster: np.ndarray, grid: Grid, crs_wkt: str,
+                 nodata: float | None = NODATA, progress: Progress = SILENT) -> None:
+    """Write a raster as a tiled and compressed GeoTIFF.
+
+    Parameters
+    ----------
+    raster : (rows, columns), floats with NaN where empty or whole numbers.
+    grid : its place. crs_wkt : coordinate reference system as WKT.
+    nodata : value that stands for NaN in the file; None for rasters without gaps.
+
+    Raises
+    ------
+    OutputError : the file cannot be written.
+    InputError : the CRS cannot be understood.
+    """
+    floating = np.issubdtype(raster.dtype, np.floating)
+    profile = {"driver": "GTiff", "width": grid.columns, "height": grid.rows, "count": 1,
+               "dtype": raster.dtype.name, "transform": Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max),
+               "tiled": True, "blockxsize": _BLOCK, "blockysize": _BLOCK, "compress": "deflate",
+               "predictor": 3 if floating else 2, "bigtiff": "if_safer", "nodata": nodata}
+    try:
+        with own_gdal(), written_beside(path) as temporary:
+            with rasterio.open(temporary, "w", crs=CRS.from_wkt(crs_wkt), **profile) as target:
+                for top in range(0, grid.rows, _BLOCK):
+                    band = np.asarray(raster[top:top + _BLOCK])
+                    if floating and nodata is not None:
+                        band = np.where(np.isnan(band), band.dtype.type(nodata), band)
+                    target.write(band, 1, window=Window(0, top, grid.columns, len(band)))
+                    progress.step(top / grid.rows)
+    except CRSError as error:
+        raise InputError("The coordinate reference system cannot be understood: set another one.") from error
+    except RasterioError as error:
+        raise OutputError(f"{Path(path).name} cannot be written ({error}): choose another output.") from error
+
+
+class RasterSampler:
+    """A raster file from which heights at points are read, holding no more of it than the points need.
+
+    Use as a context manager.
+
+    Attributes
+    ----------
+    grid : its place. crs_wkt : its CRS as WKT, "" where the file states none.
+
+    Raises
+    ------
+    InputError : the file is no raster, or is turned, or its cells are not square.
+    """
+
+    def __init__(self, path: str | os.PathLike, band: int = 1):
+        self.path = Path(path)
+        self.band = band
+        try:
+            with own_gdal():
+                self._source = rasterio.open(self.path)
+                self.crs_wkt = self._source.crs.to_wkt() if self._source.crs else ""
+        except (RasterioError, OSError) as error:
+            raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
+        if not 1 <= band <= self._source.count:
+            raise InputError(f"{self.path.name} has {self._source.count} bands, no band {band}.")
+        self.grid = _grid_of(self._source, self.path)
+
+    def __enter__(self) -> RasterSampler:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self._source.close()
+
+    def read(self, rows: slice | None = None, columns: slice | None = None) -> np.ndarray:
+        """Values of a window, by default all, as float32 with NaN where there is no data."""
+        rows = rows or slice(0, self.grid.rows)
+        columns = columns or slice(0, self.grid.columns)
+        window = Window(columns.start, rows.start, columns.stop - columns.start, rows.stop - rows.start)
+        try:
+            with own_gdal():
+                values = self._source.read(self.band, window=window, masked=True)
+        except RasterioError as error:
+            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+        return values.astype(np.float32).filled(np.nan)
+
+    def sample(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Bilinear values at points, (n,) float32; NaN outside and where there is no data (see `sample`)."""
+        x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
+        heights = np.full(x.shape, np.nan, dtype=np.float32)
+        row, column, inside = self.grid.cells(np.nan_to_num(x), np.nan_to_num(y))
+        points = np.flatnonzero(inside & np.isfinite(x) & np.isfinite(y))
+        across = -(-self.grid.columns // _SAMPLE_BLOCK)
+        block = row[points] // _SAMPLE_BLOCK * across + column[points] // _SAMPLE_BLOCK
+        order = np.argsort(block, kind="stable")
+        for part in np.split(points[order], np.flatnonzero(np.diff(block[order])) + 1):
+            if not len(part):
+                continue
+            rows = slice(max(int(row[part].min()) - 1, 0), min(int(row[part].max()) + 2, self.grid.rows))
+            columns = slice(max(int(column[part].min()) - 1, 0),
+                            min(int(column[part].max()) + 2, self.grid.columns))
+            grid = Grid(self.grid.x_min + columns.start * self.grid.cell,
+                        self.grid.y_max - rows.start * self.grid.cell, self.grid.cell,
+                        rows.stop - rows.start, columns.stop - columns.start)
+            heights[part] = sample(grid, self.read(rows, columns), x[part], y[part])
+        return heights
+
+
+def _grid_of(source: rasterio.DatasetReader, path: Path) -> Grid:
+    """Grid of an open raster, which must be north-up with square cells."""
+    place = source.transform
+    if place.b or place.d or place.a <= 0 or not np.isclose(place.a, -place.e, rtol=1e-6):
+        raise InputError(f"{path.name} is turned or its cells are not square: warp it to a north-up raster first.")
+    return Grid(place.c, place.f, place.a, source.height, source.width)
+
+
+def read_raster(path: str | os.PathLike, band: int = 1) -> tuple[np.ndarray, Grid, str]:
+    """A whole raster as float32 (rows, columns) with NaN where there is no data, its grid and its CRS as WKT.
+
+    Raises
+    ------
+    InputError : the file is no raster, or is turned, or its cells are not square.
+    """
+    with RasterSampler(path, band) as source:
+        return source.read(), source.grid, source.crs_wkt
