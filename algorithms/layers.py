@@ -205,7 +205,8 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
         _fill(sink, features, algorithm.label_of(name))
         del sink
     else:
-        place = _write_file(algorithm, parameters, name, context, path, (fields, wkb_type, reference), features, style)
+        place = _write_file(algorithm, parameters, name, context, path, (fields, wkb_type, reference), features,
+                            style, progress)
     if style:
         give_style(context, place, style)
     return place
@@ -213,7 +214,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
 def give_style(context: QgsProcessingContext, place: str, style: str) -> None:
     """Let QGIS give resources/styles/`style`.qml to the layer at `place` when it loads it after the run."""
-    if context.willLoadLayerOnCompletion(place):
+    if context.willLoadLayerOnCompletion(place) and style_path(style).is_file():
         context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style))
 
 
@@ -242,10 +243,7 @@ def _post_processor(style: str) -> StylePostProcessor:
 
 def style_path(style: str) -> Path:
     """File of a style that the plugin brings."""
-    path = STYLES / f"{style}.qml"
-    if not path.is_file():
-        raise FileNotFoundError(path)
-    return path
+    return STYLES / f"{style}.qml"
 
 
 def _wkb(geometry: QgsGeometry) -> bytes | None:
@@ -337,7 +335,7 @@ def _plain_file(parameters: Mapping, name: str, context: QgsProcessingContext) -
 
 
 def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, path: Path,
-                layer: tuple, features: Iterable[list[QgsFeature]], style: str) -> str:
+                layer: tuple, features: Iterable[list[QgsFeature]], style: str, progress: Progress) -> str:
     label = algorithm.label_of(name)
     folder = path.parent
     if not folder.is_dir() or not os.access(folder, os.W_OK):
@@ -358,11 +356,11 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
             finally:
                 del sink
             if style and target.suffix.lower() == ".gpkg":
-                _save_style(target, style)
+                _save_style(target, style, progress)
             _move_into_place(Path(scratch), folder)
     except OSError as error:
         raise OutputError(tr("{0} cannot be written ({1}); close the program that has it open.").format(
-            path, error.strerror)) from error
+            path, error.strerror or error)) from error
     place = str(folder / Path(written).name)
     if definition is not None and definition.destinationProject is not None:
         title = definition.destinationName or label
@@ -371,13 +369,13 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     return place
 
 
-def _save_style(path: Path, style: str) -> None:
-    """Save a style into a GeoPackage as the default of its only layer."""
+def _save_style(path: Path, style: str, progress: Progress) -> None:
+    """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result."""
     layer = QgsVectorLayer(str(path), path.stem, "ogr")
-    layer.loadNamedStyle(str(style_path(style)))
-    error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "")
+    message, loaded = layer.loadNamedStyle(str(style_path(style)))
+    error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "") if loaded else message or tr("no such style")
     if error:
-        raise OutputError(tr("The style cannot be saved into {0}: {1}").format(path.name, error))
+        progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error))
 
 
 def _move_into_place(scratch: Path, folder: Path) -> None:

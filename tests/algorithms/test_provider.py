@@ -98,6 +98,12 @@ def test_icons_of_all_groups_are_there(plugin):
     assert all((base.ICONS / f"{group}.svg").is_file() for group in base.GROUPS)
 
 
+def test_styles_that_algorithms_name_are_there():
+    text = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "algorithms").glob("*.py"))
+    for style in set(re.findall(r'style="(\w+)"', text)):
+        assert (ROOT / "resources" / "styles" / f"{style}.qml").is_file(), style
+
+
 def test_broken_module_is_named_and_hides_nothing(provider, plugin, monkeypatch, log):
     module = plugin("algorithms.provider")
     before = {item.name() for item in provider.algorithms()}
