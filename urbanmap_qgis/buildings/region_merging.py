@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import heapq
+from collections.abc import Collection
 
 import numpy as np
 
@@ -105,7 +106,7 @@ class RegionGraph:
         return result
 
     def absorb_small(self, smallest: float, height_limit: float,
-                     narrow: frozenset[int] = frozenset()) -> None:
+                     narrow: Collection[int] = ()) -> None:
         """Join regions of fewer than `smallest` cells to the neighbour closest in height, smallest first.
 
         The heights of a region that stands off by more than `height_limit` m are left out of the joined

@@ -26,6 +26,10 @@ Small enough that a real edge stays where the heights put it, large enough that 
 """
 
 
+MAX_PARAPET_WIDTH = 2.0
+"""Narrower strips that stand a little above their roof are its parapet, m."""
+
+
 @dataclass(frozen=True)
 class RoofParameters:
     """How roofs are told apart.
@@ -54,8 +58,8 @@ class RoofParameters:
     parapet_threshold: float | None = None
     small_roof_area: float = 4.0
     min_roof_width: float = 1.2
-    height_rmse: float | None = 0.6
-    distinct_step: float = 1.0
+    height_rmse: float | None = 0.45
+    distinct_step: float = 0.8
     min_height: float = 2.0
     max_roughness: float = 0.5
     max_parapet: float = 1.5
@@ -103,7 +107,9 @@ def partition_roofs(surface: RoofSurface, z: np.ndarray, density: float, outline
     peaks = height_peaks(z[in_outline], parameters.bin_width, parameters.bin_shift,
                          alpha=minimum_points(smallest_roof, density), beta=parameters.parapet_threshold)
 
-    smooth = cv2.medianBlur(height.astype(np.float32), 3)
+    smooth = cv2.medianBlur(height.astype(np.float32), 3).astype(float)
+    # Single cells far off their neighbours are walls or clutter; they must not weigh as errors of the roof.
+    height = np.where(np.abs(height - smooth) > parameters.distinct_step, smooth, height)
     labels = _pieces(smooth, covered, peaks, parameters)
     smallest = min(parameters.small_roof_area, outline_area / 4) / surface.grid.cell**2
     labels = _join(labels, height, peaks, smallest, parameters)
@@ -175,15 +181,37 @@ def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) 
 def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, cell: float,
                      parameters: RoofParameters) -> np.ndarray:
     """Connected roofs; small ones and strips narrower than a roof are joined to their neighbours."""
-    width = max(2, round(parameters.min_roof_width / cell))
-    square = np.ones((width, width), np.uint8)
     labels = label_regions(labels, background=0, connectivity=1)
-    as_float = labels.astype(np.float32)
-    wide = labels[cv2.erode(as_float, square) == cv2.dilate(as_float, square)]
     graph = RegionGraph(labels, height)
-    narrow = np.flatnonzero(np.bincount(wide, minlength=graph.size) == 0)
-    graph.absorb_small(smallest, parameters.distinct_step, frozenset(narrow.tolist()))
+    width = _widths(labels, graph.size) * cell
+    narrow = {r for r in graph.regions() if width[r] < parameters.min_roof_width
+              or (width[r] < MAX_PARAPET_WIDTH and _is_parapet(graph, r, parameters))}
+    graph.absorb_small(smallest, parameters.distinct_step, narrow)
     return graph.lookup()[labels]
+
+
+def _is_parapet(graph: RegionGraph, region: int, parameters: RoofParameters) -> bool:
+    """Whether a narrow region rises from a neighbour by a parapet's height, with a step and not as a slope."""
+    return any(0 < graph.mean(region) - graph.mean(other) <= parameters.max_parapet
+               and graph.step(region, other) >= parameters.distinct_step / 2
+               for other in graph.neighbours[region])
+
+
+def _widths(labels: np.ndarray, size: int) -> np.ndarray:
+    """Diameter (size,) of the largest circle in each region, in cells."""
+    padded = np.pad(labels, 1)
+    middle = padded[1:-1, 1:-1]
+    inner = ((middle == padded[:-2, 1:-1]) & (middle == padded[2:, 1:-1])
+             & (middle == padded[1:-1, :-2]) & (middle == padded[1:-1, 2:]))
+    # The border of the raster bounds regions like other regions do.
+    distance = cv2.distanceTransform(np.pad(inner.astype(np.uint8), 1), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    widest = np.zeros(size)
+    np.maximum.at(widest, labels.ravel(), distance[1:-1, 1:-1].ravel())
+    # Two cells wide: no cell inside, but a square of four.
+    corner = middle[:-1, :-1]
+    square = (corner == middle[:-1, 1:]) & (corner == middle[1:, :-1]) & (corner == middle[1:, 1:])
+    two = np.bincount(corner[square], minlength=size) > 0
+    return np.maximum(2 * widest + 1, np.where(two, 2, 1))
 
 
 def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray, smallest: float,

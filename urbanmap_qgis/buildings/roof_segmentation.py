@@ -11,7 +11,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..terrain.grid import Grid
-from .roof_partition import RoofPartition, RoofParameters, partition_roofs
+from .roof_partition import RoofParameters, RoofPartition, partition_roofs
 from .roof_surface import RoofSurface, roof_surface
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
@@ -23,8 +23,14 @@ FEWEST_POINTS = 3
 POINTS_TO_DIVIDE = 12
 """A building with fewer usable points gets one flat roof."""
 
-HEIGHT_TOLERANCE = 0.5
+HEIGHT_TOLERANCE = 0.3
 """Distance above or below the cells of a roof at which a point still belongs to it, m."""
+
+PARAPET_SLICE = 0.3
+"""Height range of the hits on the top of a parapet, m."""
+
+PARAPET_SHARE = 0.15
+"""Hits in that range for each cell of the roof's border that make a parapet."""
 
 GAP_FILL = 1.5
 """Inside cells this far from a supported one still get its roof, m; farther ones only under trees."""
@@ -169,11 +175,34 @@ def roofs_of_points(plan: RoofPartition, surface: RoofSurface, z: np.ndarray,
         nearest[better] = distance[better]
 
     rest = rest[roof[rest] == 0]
-    on_border = _drops_beside(plan.labels, middle, parameters.distinct_step).ravel()[cell[rest]]
-    own = own[rest]
-    parapet = on_border & (own > 0) & (z[rest] > high[own]) & (z[rest] <= high[own] + parameters.max_parapet)
+    border = _drops_beside(plan.labels, middle, parameters.distinct_step).ravel()
+    own = labels[cell[rest]]
+    above = z[rest] - high[own]
+    candidate = border[cell[rest]] & (own > 0) & (above > 0) & (above <= parameters.max_parapet)
+    border_cells = np.bincount(labels[border], minlength=len(low))
+    top = _parapet_tops(own[candidate], above[candidate], border_cells)
+    parapet = np.zeros(len(rest), dtype=bool)
+    parapet[candidate] = above[candidate] <= top[own[candidate]]
     roof[rest[parapet]] = own[parapet]
     return roof
+
+
+def _parapet_tops(roof: np.ndarray, above: np.ndarray, border_cells: np.ndarray) -> np.ndarray:
+    """Top (k + 1,) of each roof's parapet, m above its height range; 0 where there is none.
+
+    A parapet is level: enough of the points (n,) over the roof's border lie in one slice. Walls and furniture scatter.
+    """
+    order = np.lexsort((above, roof))
+    roof, above = roof[order], above[order]
+    # Roofs one after the other on one axis, so far apart that no slice reaches into the next.
+    axis = roof * 1e3 + above
+    count = np.searchsorted(axis, axis + PARAPET_SLICE, side="right") - np.arange(len(axis))
+    level = count >= np.maximum(PARAPET_SHARE * border_cells[roof], FEWEST_POINTS)
+    best = np.lexsort((count, roof))
+    best = best[level[best]]
+    top = np.zeros(len(border_cells))
+    top[roof[best]] = above[best] + PARAPET_SLICE
+    return top
 
 
 def _height_ranges(plan: RoofPartition) -> tuple[np.ndarray, np.ndarray]:

@@ -11,10 +11,10 @@ import shapely
 
 from ..terrain.grid import Grid
 
-POINTS_PER_CELL = 2.0
-"""Cells are made this full on average, so that few stay empty and edges stay sharp."""
+POINTS_PER_CELL = 1.0
+"""Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring cells."""
 
-SMALLEST_CELL, LARGEST_CELL = 0.5, 2.0
+SMALLEST_CELL, LARGEST_CELL = 0.4, 2.0
 """Limits of the cell size, m."""
 
 MOST_CELLS = 250_000
