@@ -105,6 +105,18 @@ def test_nodes_left_by_noding_are_removed():
     assert len(partition.cells[0].polygon.exterior.coords) == 5
 
 
+def test_a_line_bent_by_rounding_is_straight_again_and_a_curve_stays():
+    turned = affinity.rotate(box(0, 0, 40, 10), 33, origin=(0, 0))
+    dips = [affinity.rotate(box(x, 0, x + 2, 10), 33, origin=(0, 0)) for x in range(3, 37, 4)]
+    partition = parts(turned, [turned, *dips], [6] + [3] * len(dips))
+    assert len(partition.cells) == 1
+    assert len(partition.cells[0].polygon.exterior.coords) == 5
+    round_house = shapely.Point(0, 0).buffer(20, quad_segs=64)
+    cell = parts(round_house, [round_house], [5]).cells[0]
+    assert shapely.hausdorff_distance(cell.polygon, round_house, densify=0.1) < 0.025
+    assert 60 < len(cell.polygon.exterior.coords) < 257
+
+
 def test_invalid_and_multipart_input():
     bow_tie = shapely.Polygon([(0, 0), (10, 6), (10, 0), (0, 6)])
     partition = parts(box(0, 0, 10, 6), [bow_tie, box(0, 0, 10, 6)], [8, 5])

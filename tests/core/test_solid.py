@@ -42,6 +42,9 @@ def assert_sound(solids):
         assert check_solid(solid) == ()
         assert solid.unmended_nodes == 0
         assert signed_volume(solid) == pytest.approx(volume(solid), rel=1e-9)
+        ends = np.array([pair for face in solid.faces for ring in face for pair in zip(ring, (*ring[1:], ring[0]))])
+        steps = solid.vertices[ends[:, 1]] - solid.vertices[ends[:, 0]]
+        assert np.linalg.norm(steps, axis=1).min() > 0.0009999
         points = np.round(solid.vertices, 4)
         assert len(np.unique(points, axis=0)) == len(points)
 

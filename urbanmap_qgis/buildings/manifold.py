@@ -53,30 +53,32 @@ def mend_plan(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int,
     Number of nodes mended, and of nodes that could not be (corners too sharp or too short).
     """
     done = failed = 0
-    for node in _meeting_points(edges):
-        for _ in range(len(edges.x)):
-            mends = list(_possible_mends(_corners(edges, node, heights, base)))
+    around = _neighbours(edges)
+    # With fewer than four edges heights cannot rise twice; nodes that a cut adds have three or fewer.
+    for node in sorted(node for node, others in around.items() if len(others) > 3):
+        for _ in around:
+            mends = list(_possible_mends(_corners(edges, node, around[node], heights, base)))
             if not mends:
                 break
             if not any(_cut(edges, node, mend) for mend in sorted(mends, key=_reluctance)):
                 failed += 1
                 break
             done += 1
+            around = _neighbours(edges)
     return done, failed
 
 
-def _meeting_points(edges: HalfEdges) -> list[int]:
-    """Nodes where four or more edges meet: with fewer, heights cannot rise twice."""
+def _neighbours(edges: HalfEdges) -> dict[int, set[int]]:
+    """Nodes that each node has an edge to."""
     neighbours: dict[int, set[int]] = {}
     for a, b in edges.cell:
         neighbours.setdefault(a, set()).add(b)
         neighbours.setdefault(b, set()).add(a)
-    return sorted(node for node, around in neighbours.items() if len(around) > 3)
+    return neighbours
 
 
-def _corners(edges: HalfEdges, node: int, heights: Sequence[int], base: int) -> list[_Corner]:
+def _corners(edges: HalfEdges, node: int, around: set[int], heights: Sequence[int], base: int) -> list[_Corner]:
     """Corners round a node, counterclockwise."""
-    around = {b for a, b in edges.cell if a == node} | {a for a, b in edges.cell if b == node}
     spokes = sorted((edges.direction(node, other), other) for other in around)
     corners = []
     for (angle, right), (next_angle, left) in zip(spokes, [*spokes[1:], spokes[0]]):

@@ -7,6 +7,7 @@ node by node and walls raised on them close exactly.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
@@ -18,6 +19,9 @@ from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 
 _GAP = -1
 _NOT_PLAN = -2
+
+_STRAIGHT = 1.5
+"""Rounding to the grid moves a node by up to 0.71 grid steps, so a node of a straight line lies within 1.42."""
 
 
 @dataclass(frozen=True)
@@ -62,7 +66,7 @@ def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[s
     roof_polygons : polygons of the roofs, m; they may overlap, leave gaps, stick out or be invalid.
     roof_heights, roof_ids : height (m) and id of each roof.
     grid_size : nodes lie on multiples of this, m. With 1 cm no two nodes come nearer than validators' usual
-        snapping distance of 1 mm.
+        snapping distance of 1 mm. Nodes within 1.5 steps of a straight line are left out.
     min_area : a cell smaller than this (m2) goes to the neighbour with the longest common edge.
     min_width : so does a cell narrower than this (m) everywhere.
     limit : "footprint": the plan is the footprint; "roofs": the plan is the union of the roofs, and holes
@@ -95,9 +99,9 @@ def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[s
     gap_area, uncovered = _fill_gaps(regions)
     sliver_area = _merge_slivers(regions, faces, min_area, min_width)
 
-    cells = _cells(regions, edges, origin, order, roof_heights, roof_ids)
-    if not cells:
+    if not regions.label:
         raise InsufficientDataError("No roof lies on the plan of the building: check outline and roofs.")
+    cells = _cells(regions, edges, origin, order, roof_heights, roof_ids)
     outside = labels == _NOT_PLAN
     return PlanPartition(cells, float(areas[(claims > 1) & ~outside].sum()), gap_area, sliver_area,
                          float(areas[(claims > 0) & outside].sum()), uncovered)
@@ -141,9 +145,11 @@ def _areas_of(geometry: shapely.Geometry) -> shapely.MultiPolygon:
 def _labels(faces, roofs, outline, limit) -> tuple[np.ndarray, np.ndarray]:
     """Number of roofs that claim each face, and the face's label: highest roof, gap, or not in the plan."""
     inside = shapely.point_on_surface(faces)
-    hit = shapely.contains(roofs[:, None], inside)
-    claims = hit.sum(axis=0)
-    labels = np.where(claims > 0, hit.argmax(axis=0), _GAP)
+    roof, face = shapely.STRtree(inside).query(roofs, predicate="contains")
+    claims = np.bincount(face, minlength=len(faces))
+    highest = np.full(len(faces), len(roofs))
+    np.minimum.at(highest, face, roof)
+    labels = np.where(claims > 0, highest, _GAP)
     if limit == "footprint":
         labels[~shapely.contains(outline, inside)] = _NOT_PLAN
     return claims, labels
@@ -292,16 +298,24 @@ def _cells(regions: _Regions, edges: HalfEdges, origin, order, heights, ids) -> 
 
 
 def _drop_straight_nodes(edges: HalfEdges) -> None:
-    """Remove nodes where only two edges meet and go straight on, at both sides of the line."""
+    """Remove nodes where only two edges meet and go straight on, at both sides of the line.
+
+    Straight is what stays within `_STRAIGHT` grid steps of all nodes removed before and of no other node.
+    """
     neighbours: dict[int, set[int]] = {}
     for a, b in edges.cell:
         neighbours.setdefault(a, set()).add(b)
         neighbours.setdefault(b, set()).add(a)
+    removed: dict[frozenset[int], list[int]] = {}
+    places = np.full((len(edges.x), 2), np.inf)
+    live = list(neighbours)
+    places[live] = [(edges.x[node], edges.y[node]) for node in live]
     for node in sorted(neighbours):
         if len(neighbours[node]) != 2:
             continue
         a, b = neighbours[node]
-        if edges.twice_area((a, node, b)) != 0 or b in neighbours[a]:
+        on_line = [node, *removed.get(frozenset((a, node)), ()), *removed.get(frozenset((b, node)), ())]
+        if b in neighbours[a] or not _is_straight(edges, a, b, on_line, places):
             continue
         for start, end in ((a, b), (b, a)):
             cell = edges.cell.pop((start, node), None)
@@ -310,6 +324,25 @@ def _drop_straight_nodes(edges: HalfEdges) -> None:
                 edges.cell[start, end] = cell
         neighbours[a].symmetric_difference_update((node, b))
         neighbours[b].symmetric_difference_update((node, a))
+        places[node] = np.inf
+        removed[frozenset((a, b))] = on_line
+
+
+def _is_straight(edges: HalfEdges, a: int, b: int, on_line: list[int], places: np.ndarray) -> bool:
+    """Whether the line from a to b passes near some nodes, and near no other of the `places`."""
+    ax, ay = edges.x[a], edges.y[a]
+    dx, dy = edges.x[b] - ax, edges.y[b] - ay
+    length = math.hypot(dx, dy)
+    if any(abs(dx * (edges.y[node] - ay) - dy * (edges.x[node] - ax)) > _STRAIGHT * length
+           for node in on_line):
+        return False
+    x, y = places[:, 0] - ax, places[:, 1] - ay
+    candidates = np.flatnonzero(np.abs(x - dx / 2) + np.abs(y - dy / 2) <= length + 2 * _STRAIGHT)
+    x, y = x[candidates], y[candidates]
+    along = dx * x + dy * y
+    reach = _STRAIGHT * length
+    near = (np.abs(dx * y - dy * x) <= reach) & (along >= -reach) & (along <= length * length + reach)
+    return set(candidates[near].tolist()) <= {a, b, on_line[0]}
 
 
 def _polygon(edges: HalfEdges, directed, origin) -> tuple[shapely.Polygon, int]:
