@@ -371,9 +371,12 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
 def _save_style(path: Path, style: str, progress: Progress) -> None:
     """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result."""
-    layer = QgsVectorLayer(str(path), path.stem, "ogr")
-    message, loaded = layer.loadNamedStyle(str(style_path(style)))
-    error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "") if loaded else message or tr("no such style")
+    error = tr("no such style")
+    if style_path(style).is_file():
+        layer = QgsVectorLayer(str(path), path.stem, "ogr")
+        error, loaded = layer.loadNamedStyle(str(style_path(style)))
+        if loaded:
+            error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "")
     if error:
         progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error))
 

@@ -100,7 +100,9 @@ def test_icons_of_all_groups_are_there(plugin):
 
 def test_styles_that_algorithms_name_are_there():
     text = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "algorithms").glob("*.py"))
-    for style in set(re.findall(r'style="(\w+)"', text)):
+    named = re.findall(r'style="(\w+)"|"\w*(?:Polygon|Point|LineString|NoGeometry)Z?",\s+"(\w+)"', text)
+    assert named
+    for style in {name for pair in named for name in pair if name}:
         assert (ROOT / "resources" / "styles" / f"{style}.qml").is_file(), style
 
 

@@ -36,9 +36,13 @@ class Finished:
 
 @dataclass(frozen=True)
 class Profile:
-    """A clean QGIS profile that sees the plugin folders in `plugins` and nothing else of the user's."""
+    """A clean QGIS profile that sees the plugin folders in `plugins` and nothing else of the user's.
+
+    `changes` are environment variables to set beside its own.
+    """
 
     home: Path
+    changes: dict[str, str] = field(default_factory=dict)
 
     @property
     def plugins(self) -> Path:
@@ -58,6 +62,7 @@ class Profile:
             "QGIS_PLUGINPATH": str(self.plugins),
             "QT_QPA_PLATFORM": "offscreen",
             "XDG_RUNTIME_DIR": str(self.home / "runtime"),
+            **self.changes,
         }
 
     def start(self, *arguments: str, **options) -> subprocess.Popen:

@@ -1,0 +1,76 @@
+"""How a run behaves that cannot go on: missing packages, misspelt parameters, Ctrl-C."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import signal
+import time
+
+import numpy as np
+import pytest
+
+SQUARE = """{"type": "FeatureCollection",
+ "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::6677"}},
+ "features": [{"type": "Feature", "properties": {"name": "one"}, "geometry": {"type": "Polygon",
+  "coordinates": [[[10, 10], [90, 10], [90, 90], [10, 90], [10, 10]]]}}]}"""
+
+
+@pytest.fixture
+def outlines(tmp_path):
+    path = tmp_path / "outlines.geojson"
+    path.write_text(SQUARE, encoding="utf-8")
+    return path
+
+
+def test_missing_package_is_refused_by_name_with_the_command(linked_profile, tmp_path, outlines, make_cloud):
+    """A Python that does not find shapely: the run says so before it starts."""
+    hidden = tmp_path / "hidden"
+    hidden.mkdir()
+    (hidden / "sitecustomize.py").write_text("import sys\nsys.modules['shapely'] = None\n", encoding="utf-8")
+    profile = linked_profile()
+    path = os.pathsep.join([str(hidden), profile.environment()["PYTHONPATH"]])
+    cloud = make_cloud(tmp_path / "cloud.laz", [0.0, 1.0], [0.0, 1.0], [0.0, 1.0])
+    done = dataclasses.replace(profile, changes={"PYTHONPATH": path}).run_algorithm(
+        "urbanmap:segmentbuildings", POINTS=cloud, FOOTPRINTS=outlines, OUTPUT=tmp_path / "out.laz",
+        OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
+    assert done.code == 1
+    assert "Python package missing: shapely." in done.err
+    assert "-m pip install" in done.err and "shapely>=2.0" in done.err
+    assert "Traceback" not in done.err
+    assert not (tmp_path / "out.laz").exists()
+
+
+def test_unknown_parameter_is_told(run_algorithm, tmp_path, outlines, make_cloud):
+    axis = np.linspace(0.0, 100.0, 40)
+    x, y = (grid.ravel() for grid in np.meshgrid(axis, axis))
+    z = np.where((x > 10) & (x < 90) & (y > 10) & (y < 90), 20.0, 0.0)
+    done = run_algorithm(
+        "urbanmap:segmentbuildings", POINTS=[make_cloud(tmp_path / "雲 1.laz", x, y, z)], FOOTPRINTS=outlines,
+        EXPANSON=2, OUTPUT=tmp_path / "出力.laz", OUTPUT_BUILDINGS=tmp_path / "建物.gpkg")
+    assert done.code == 0, done.err
+    assert "Unknown parameter EXPANSON is ignored; did you mean EXPANSION?" in str(done.log)
+    assert (tmp_path / "出力.laz").is_file() and (tmp_path / "建物.gpkg").is_file()
+    assert done.results["OUTPUT"] == str(tmp_path / "出力.laz")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for one process")
+def test_interrupted_run_ends_soon_and_leaves_nothing(linked_profile, tmp_path, outlines, make_cloud):
+    random = np.random.default_rng(1)
+    count = 6_000_000
+    cloud = make_cloud(tmp_path / "cloud.las", random.uniform(0, 100, count), random.uniform(0, 100, count),
+                       random.uniform(0, 30, count))
+    folder = tmp_path / "results"
+    folder.mkdir()
+    process = linked_profile().start(
+        "run", "urbanmap:segmentbuildings", "--", f"POINTS={cloud}", f"FOOTPRINTS={outlines}",
+        f"OUTPUT={folder / 'out.laz'}", f"OUTPUT_BUILDINGS={folder / 'out.gpkg'}")
+    end = time.monotonic() + 60
+    while not list(folder.iterdir()) and process.poll() is None and time.monotonic() < end:
+        time.sleep(0.02)
+    assert process.poll() is None, "the run ended before it could be interrupted"
+    process.send_signal(signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 1, out + err
+    assert "The run was cancelled." in err
+    assert list(folder.iterdir()) == []
