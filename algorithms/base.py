@@ -320,8 +320,10 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
         from ..urbanmap_qgis.io.raster import read_raster
 
         x_min, y_min, x_max, y_max = shapely.total_bounds(layer.geometries)
-        grid, heights, crs = read_raster(path, (x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND))
+        heights, whole, crs = read_raster(path)
         self.same_crs(name, crs, layer_name, layer.crs)
+        rows, columns, grid = whole.window(x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND)
+        heights = heights[rows, columns]
         if not heights.size:
             raise InputError(tr("{0} does not reach {1}; give a raster of the same place.").format(
                 self.label_of(name), self.label_of(layer_name)))

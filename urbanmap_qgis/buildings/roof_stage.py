@@ -52,7 +52,7 @@ class RoofBlock:
 def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str | os.PathLike,
                         parameters: RoofParameters | None = None, ground: np.ndarray | None = None,
                         density: float | None = None, executor: Executor | None = None,
-                        progress: Progress = SILENT) -> tuple[RoofRows, np.ndarray]:
+                        progress: Progress = SILENT) -> RoofRows:
     """Write the buildings' points with their `roof_id`, and give the table of the roofs.
 
     Parameters
@@ -61,15 +61,10 @@ def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str |
     footprints : outlines at their right places (J: the primary outlines).
     ground : (n,) ground height of each building, m; the lowest of its points where NaN or not given.
     density : points/m2 on roofs (J: d); measured inside the outlines where not given.
-
-    Returns
-    -------
-    The roofs, and the status (n,) of each building in words.
     """
     require_dimension(cloud, "building_id", SEGMENT_BUILDINGS)
     layout = PointLayout(cloud, [("roof_id", "roof number in its building")])
     rows_of_roofs: list[tuple] = []
-    status = np.full(len(footprints), "no points", dtype=object)
     grounds = np.full(len(footprints), np.nan) if ground is None else np.asarray(ground, float)
     found = density or measured_density(cloud, layout, footprints, progress.part(0.0, 0.2))
     blocks = (RoofBlock(layout, rows, records, footprints.polygons[rows], grounds[rows], found,
@@ -80,12 +75,11 @@ def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str |
         for rows, records, roofs in in_order(_segment_block, blocks, executor):
             for row, result in zip(rows, roofs):
                 if result is not None:
-                    status[row] = result.status
                     rows_of_roofs.extend(_table_rows(int(footprints.ids[row]), result))
             writer.write(records)
             done += len(rows)
             progress.part(0.4, 1.0).step(done / len(footprints))
-    return _columns(rows_of_roofs), status
+    return _columns(rows_of_roofs)
 
 
 def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footprints,
