@@ -1,16 +1,15 @@
 # make demo    the main job on an example, with a result to look at
-# make test    all tests (make test-core, test-algorithms, test-cli, test-real run a part)
+# make test    all tests (make test-core, -algorithms, -cli, -gui and -real run a part)
 # make lint    check the style of the code
 # make package the zip for QGIS's plugin repository
 # make bench   table of speed and memory
 # make clean   remove what was made, but not .venv
 
 PYTHON := .venv/bin/python
-PARTS := core algorithms cli real
+PARTS := core algorithms cli gui real
 
 # QGIS takes the home of its Python from the first python3 on the path, which may be another one.
 export PATH := /usr/bin:/bin:$(PATH)
-export QT_QPA_PLATFORM := offscreen
 export QGIS_NO_OVERRIDE_IMPORT := 1
 
 .PHONY: setup demo test lint package bench clean $(PARTS:%=test-%)
