@@ -15,7 +15,7 @@ suite=trixie
 # virtual screen for the 3D view. Changing the list makes a new root.
 packages=(
     qgis python3-qgis qgis-providers python3-venv python3-pip make git ca-certificates
-    xvfb xauth libgl1-mesa-dri proj-bin
+    xvfb xauth libgl1-mesa-dri
 )
 
 checkout=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
