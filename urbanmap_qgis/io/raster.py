@@ -62,14 +62,14 @@ def write_raster(path: str | os.PathLike, raster: np.ndarray, grid: Grid, crs_wk
                "tiled": True, "blockxsize": _BLOCK, "blockysize": _BLOCK, "compress": "deflate",
                "predictor": 3 if floating else 2, "bigtiff": "if_safer", "nodata": nodata}
     try:
-        with own_gdal(), written_beside(path) as temporary:
-            with rasterio.open(temporary, "w", crs=CRS.from_wkt(crs_wkt), **profile) as target:
-                for top in range(0, grid.rows, _BLOCK):
-                    band = np.asarray(raster[top:top + _BLOCK])
-                    if floating and nodata is not None:
-                        band = np.where(np.isnan(band), band.dtype.type(nodata), band)
-                    target.write(band, 1, window=Window(0, top, grid.columns, len(band)))
-                    progress.step(top / grid.rows)
+        with (own_gdal(), written_beside(path) as temporary,
+              rasterio.open(temporary, "w", crs=CRS.from_wkt(crs_wkt), **profile) as target):
+            for top in range(0, grid.rows, _BLOCK):
+                band = np.asarray(raster[top:top + _BLOCK])
+                if floating and nodata is not None:
+                    band = np.where(np.isnan(band), band.dtype.type(nodata), band)
+                target.write(band, 1, window=Window(0, top, grid.columns, len(band)))
+                progress.step(top / grid.rows)
     except CRSError as error:
         raise InputError("The coordinate reference system cannot be understood: set another one.") from error
     except RasterioError as error:

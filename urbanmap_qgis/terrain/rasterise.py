@@ -10,7 +10,7 @@ _BATCH = 200_000
 
 
 def rasterise(x: np.ndarray, y: np.ndarray, z: np.ndarray, triangles: np.ndarray, grid: Grid,
-              raster: np.ndarray) -> None:
+              raster: np.ndarray, only_empty: bool = False) -> None:
     """Write the linear height of each triangle into the cells whose centres it covers.
 
     Parameters
@@ -18,16 +18,17 @@ def rasterise(x: np.ndarray, y: np.ndarray, z: np.ndarray, triangles: np.ndarray
     x, y, z : (n,) corners, metres. triangles : (m, 3) indices into them.
     raster : (rows, columns) of `grid`, changed in place. Cells that no triangle covers stay as they are. A
         centre on the side of two triangles takes the height of that side from either.
+    only_empty : write only into cells that are NaN.
     """
     for first in range(0, len(triangles), _BATCH):
         corners = triangles[first:first + _BATCH]
         # Coordinates in cells, counted from the centre of the first cell; v grows southwards.
         u = (x[corners] - grid.x_min) / grid.cell - 0.5
         v = (grid.y_max - y[corners]) / grid.cell - 0.5
-        _fill(u, v, z[corners], raster)
+        _fill(u, v, z[corners], raster, only_empty)
 
 
-def _fill(u: np.ndarray, v: np.ndarray, z: np.ndarray, raster: np.ndarray) -> None:
+def _fill(u: np.ndarray, v: np.ndarray, z: np.ndarray, raster: np.ndarray, only_empty: bool) -> None:
     """Scan-line fill: triangles to rows, rows to cells; u, v, z are (m, 3)."""
     rows, columns = raster.shape
     order = np.argsort(v, axis=1)
@@ -47,7 +48,10 @@ def _fill(u: np.ndarray, v: np.ndarray, z: np.ndarray, raster: np.ndarray) -> No
     height = (z[owner, 0] + across[owner] * (column - u[owner, 0]) + along[owner] * (row - v[owner, 0]))
     # Slivers have no trustworthy gradient: their own corners bound them.
     np.clip(height, z.min(axis=1)[owner], z.max(axis=1)[owner], out=height)
-    raster.ravel()[row * columns + column] = height
+    if only_empty:
+        empty = np.isnan(raster[row, column])
+        row, column, height = row[empty], column[empty], height[empty]
+    raster[row, column] = height
 
 
 def _expand(first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
