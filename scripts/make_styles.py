@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Write the styles of the building layers, resources/styles/*.qml, with QGIS's own classes.
+
+    python3 scripts/make_styles.py
+
+Written by the oldest QGIS that the plugin supports (3.22), they are read by all later ones. Needs a Python that
+sees QGIS.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from qgis import _3d as engine
+from qgis.core import (
+    Qgis,
+    QgsApplication,
+    QgsArrowSymbolLayer,
+    QgsCategorizedSymbolRenderer,
+    QgsFillSymbol,
+    QgsGeometryGeneratorSymbolLayer,
+    QgsGraduatedSymbolRenderer,
+    QgsLineSymbol,
+    QgsMapLayer,
+    QgsRendererCategory,
+    QgsRendererRange,
+    QgsRuleBasedRenderer,
+    QgsUnitTypes,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtGui import QColor
+
+STYLES = Path(__file__).resolve().parent.parent / "resources" / "styles"
+
+EDGE = "#5a4a42"
+"""Colour of the edges of models."""
+
+MODEL_STATUS = {
+    "ok": ("modelled", "#e9dcc6"),
+    "ground unknown": ("modelled, ground assumed", "#8fc1d9"),
+    "simplified": ("simplified to one height", "#f2c14e"),
+    "plain block": ("plain block, too few points for roofs", "#f08a4b"),
+}
+"""Label and colour of the models' status; those not modelled have no geometry and are kept apart."""
+
+NOT_MODELLED = ("not modelled (no geometry: see the table)", "#d7263d")
+
+SURFACES = {
+    "ground": ("ground", "#8d9486"),
+    "roof": ("roof", "#b5533c"),
+    "outer wall": ("outer wall", "#e3e1dc"),
+    "inner wall": ("inner wall", "#a9a49b"),
+}
+"""Label and colour of each surface type, from the lowest in plan to the uppermost."""
+
+HEIGHT_COLOURS = ("#3b4a8c", "#2f7f9e", "#44a883", "#a5c75a", "#f2d75c", "#f29d50", "#d1574a")
+HEIGHT_SHARE = ('coalesce(sqrt(("height" - minimum("height")) / '
+                'nullif(maximum("height") - minimum("height"), 0)), 0)')
+"""Place of a roof between the lowest (0) and the highest (1): the root, so that one tower does not level the rest."""
+
+
+def fill(colour: str, outline: str = EDGE, width_mm: float = 0.2, pen: str = "solid", brush: str = "solid"):
+    """A plain fill symbol."""
+    return QgsFillSymbol.createSimple({
+        "color": colour, "outline_color": outline, "outline_width": str(width_mm), "outline_style": pen,
+        "style": brush, "joinstyle": "miter"})
+
+
+def solid_symbol(colour: str):
+    """3D symbol for surfaces that have their heights in them: one colour, lit, with edges."""
+    material = engine.QgsPhongMaterialSettings()
+    material.setDiffuse(QColor(colour))
+    material.setAmbient(QColor(colour).darker(170))
+    material.setSpecular(QColor("black"))
+    symbol = engine.QgsPolygon3DSymbol()
+    if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later
+        symbol.setMaterialSettings(material)
+        symbol.setAltitudeClamping(Qgis.AltitudeClamping.Absolute)
+    else:
+        symbol.setMaterial(material)
+        symbol.setAltitudeClamping(engine.Qgs3DTypes.AltClampAbsolute)
+    symbol.setEdgesEnabled(True)
+    symbol.setEdgeColor(QColor(EDGE))
+    symbol.setEdgeWidth(1)
+    return symbol
+
+
+def renderer_3d(colours: dict[str, str], field: str, other: str):
+    """3D renderer with a colour for each value of a field, and `other` for the rest."""
+    rule = engine.QgsRuleBased3DRenderer.Rule
+    root = rule(None)
+    for value, colour in colours.items():
+        root.appendChild(rule(solid_symbol(colour), f"\"{field}\" = '{value}'", value))
+    known = ", ".join(f"'{value}'" for value in colours)
+    root.appendChild(rule(solid_symbol(other), f'"{field}" IS NULL OR "{field}" NOT IN ({known})', "other"))
+    return engine.QgsRuleBased3DRenderer(root)
+
+
+def segmented_buildings(layer) -> None:
+    """Outlines by what was found; of a moved one also its old place, dashed, and an arrow."""
+    moved = fill("243,156,18,60", "#d35400", 0.46)
+    old_place = QgsGeometryGeneratorSymbolLayer.create(
+        {"geometryModifier": 'translate($geometry, -"shift_x", -"shift_y")', "SymbolType": "Fill"})
+    old_place.setSubSymbol(fill("0,0,0,0", "#7a7a7a", 0.26, "dash", "no"))
+    way = QgsGeometryGeneratorSymbolLayer.create({
+        "geometryModifier": 'make_line(translate(point_on_surface($geometry), -"shift_x", -"shift_y"), '
+                            'point_on_surface($geometry))', "SymbolType": "Line"})
+    arrow = QgsArrowSymbolLayer()
+    arrow.setIsCurved(False)
+    arrow.setArrowWidth(0.4)
+    arrow.setArrowStartWidth(0.4)
+    arrow.setHeadLength(1.4)
+    arrow.setHeadThickness(0.9)
+    for setter in (arrow.setArrowWidthUnit, arrow.setArrowStartWidthUnit, arrow.setHeadLengthUnit,
+                   arrow.setHeadThicknessUnit):
+        setter(QgsUnitTypes.RenderUnit.RenderMillimeters)
+    arrow.setSubSymbol(fill("#d35400", "#d35400", 0.1))
+    line = QgsLineSymbol()
+    line.changeSymbolLayer(0, arrow)
+    way.setSubSymbol(line)
+    moved.insertSymbolLayer(0, old_place)
+    moved.appendSymbolLayer(way)
+    enough = "\"status\" = 'ok' AND \"shift_status\" = '{}'"
+    root = QgsRuleBasedRenderer.Rule(None)
+    for label, condition, symbol in (
+            ("in its place", enough.format("kept"), fill("39,174,96,50", "#1e8449", 0.46)),
+            ("moved to its points", enough.format("moved"), moved),
+            ("place not observable", enough.format("not observable"), fill("127,140,141,60", "#616a6b", 0.46)),
+            ("too few points", "\"status\" = 'too few points'", fill("155,89,182,60", "#8e44ad", 0.46)),
+            ("no points", "ELSE", fill("215,38,61,40", "#d7263d", 0.46, "dash"))):
+        root.appendChild(QgsRuleBasedRenderer.Rule(symbol, 0, 0, condition, label))
+    layer.setRenderer(QgsRuleBasedRenderer(root))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %]</b>: [% \"status\" %]<br>[% \"points\" %] points, "
+        "[% round(\"density\", 1) %] a m²<br>[% \"shift_status\" %]"
+        "[% if(\"shift_status\" = 'moved', format(' by %1 m (σ %2 m)', "
+        "round(sqrt(\"shift_x\"^2 + \"shift_y\"^2), 2), round(\"shift_sigma\", 2)), '') %]")
+
+
+def roof_polygons(layer) -> None:
+    """Roofs from low (blue) to high (red), whatever the heights of the place."""
+    count = len(HEIGHT_COLOURS)
+    labels = ["lowest roofs", *[""] * (count - 2), "highest roofs"]
+    labels[count // 2] = "…"
+    ranges = [QgsRendererRange(place / count, (place + 1) / count, fill(colour, "#3c3c3c", 0.2), labels[place])
+              for place, colour in enumerate(HEIGHT_COLOURS)]
+    layer.setRenderer(QgsGraduatedSymbolRenderer(HEIGHT_SHARE, ranges))
+    layer.setRenderer3D(engine.QgsVectorLayer3DRenderer(solid_symbol(SURFACES["roof"][1])))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %], roof [% \"roof_id\" %]</b>: [% \"status\" %]<br>"
+        "height [% round(\"height\", 2) %] m, area [% round($area, 1) %] m²<br>"
+        "[% \"points\" %] points, RMSE [% round(\"rmse\", 2) %] m, covered to [% round(100 * \"coverage\") %] %")
+
+
+def building_models(layer) -> None:
+    """Whole buildings by the status of their model."""
+    categories = [QgsRendererCategory(value, fill(colour), label) for value, (label, colour) in MODEL_STATUS.items()]
+    categories.append(QgsRendererCategory("not modelled", fill(NOT_MODELLED[1]), NOT_MODELLED[0]))
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", categories))
+    colours = {value: colour for value, (_, colour) in MODEL_STATUS.items()}
+    layer.setRenderer3D(renderer_3d(colours, "status", MODEL_STATUS["ok"][1]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %]</b>: [% \"status\" %]<br>[% \"reason\" %]<br>"
+        "[% \"roofs\" %] roofs, height [% round(\"height\", 1) %] m, [% round(\"area\") %] m², "
+        "[% round(\"volume\") %] m³<br>"
+        "RMSE z (95 %) [% round(\"rmse_z95\", 2) %] m, [% round(\"density\", 1) %] points a m²")
+
+
+def building_surfaces(layer) -> None:
+    """Surfaces by type; in plan, roofs lie on the ground's surfaces and walls are lines on top."""
+    categories = []
+    for level, (value, (label, colour)) in enumerate(SURFACES.items()):
+        symbol = fill(colour) if "wall" not in value else fill(colour, "#6d6257" if value == "inner wall" else EDGE,
+                                                               0.2 if value == "inner wall" else 0.4)
+        symbol.symbolLayer(0).setRenderingPass(level)
+        categories.append(QgsRendererCategory(value, symbol, label))
+    renderer = QgsCategorizedSymbolRenderer("surface_type", categories)
+    renderer.setUsingSymbolLevels(True)
+    layer.setRenderer(renderer)
+    colours = {value: colour for value, (_, colour) in SURFACES.items()}
+    layer.setRenderer3D(renderer_3d(colours, "surface_type", SURFACES["outer wall"][1]))
+    layer.setMapTipTemplate("Building [% \"building_id\" %], [% \"surface_type\" %][% if(\"surface_type\" = 'ground', "
+                            "'', format(' of roof %1', \"roof_id\")) %]")
+
+
+FIELDS = {
+    segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
+                          "shift_y:double shift_sigma:double points:integer density:double"),
+    roof_polygons: ("PolygonZ", "building_id:integer roof_id:integer height:double status:string points:integer "
+                    "rmse:double coverage:double"),
+    building_models: ("MultiPolygonZ", "building_id:integer status:string reason:string roofs:integer height:double "
+                      "area:double volume:double rmse_z95:double density:double"),
+    building_surfaces: ("PolygonZ", "building_id:integer roof_id:integer surface_type:string"),
+}
+
+
+def write(style) -> Path:
+    """Write the style that a function gives to a layer; the file has its name."""
+    geometry, fields = FIELDS[style]
+    text = "&".join(f"field={field}" for field in fields.split())
+    layer = QgsVectorLayer(f"{geometry}?crs=EPSG:6677&{text}", style.__name__, "memory")
+    style(layer)
+    path = STYLES / f"{style.__name__}.qml"
+    categories = QgsMapLayer.StyleCategory
+    message, written = layer.saveNamedStyle(
+        str(path), categories.Symbology | categories.Symbology3D | categories.MapTips)
+    if not written:
+        sys.exit(f"{path}: {message}")
+    return path
+
+
+def main() -> None:
+    """Write all styles."""
+    application = QgsApplication([], True)
+    application.initQgis()
+    engine.Qgs3D.initialize()
+    for style in FIELDS:
+        print(write(style).relative_to(STYLES.parent.parent))
+    application.exitQgis()
+
+
+if __name__ == "__main__":
+    main()
