@@ -6,6 +6,7 @@ from .base import UrbanMapAlgorithm
 from .layers import make_fields
 from .outlines import column, footprints_of, numbers
 from .parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from .workers import workers
 
 
 class BuildingModels(UrbanMapAlgorithm):
@@ -34,6 +35,7 @@ class BuildingModels(UrbanMapAlgorithm):
                        advanced=True)
         self.add_points("POINTS", "Roof points", "Points with building_id and roof_id, from “Segment roofs”, for the "
                         "figures of fit.", optional=True)
+        self.add_workers()
         self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings, such as the name "
                       "of the project.", advanced=True)
         self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building with all faces of "
@@ -70,7 +72,8 @@ class BuildingModels(UrbanMapAlgorithm):
         if cloud:
             self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", buildings.crs)
         base = self._base_heights(parameters, context, buildings, footprints)
-        models = build_models(footprints, self._roofs(roof_table), base, cloud, progress=progress.part(0.0, 0.85))
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85))
         columns = model_columns(models)
         modelled = sum(bool(model.solids) for model in models)
         if modelled < len(models):

@@ -34,12 +34,14 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         self.add_distance("HEIGHT_RMSE", "Height error of sloped roofs", "Sloped roofs are cut into level ones until "
                           "the building's root mean square height error in metres is below this; 0 keeps the roofs of "
                           "the paper whole.", 0.6, 0.0, 10.0, advanced=True)
-        self.add_choice("METHOD", "Method of the roof polygons", "The outline divided among its roofs, or each roof "
-                        "outlined on its own as in the paper.", ("partition", "paper"), "partition", advanced=True)
+        self.add_choice("METHOD", "Method of the roof polygons", "The outline divided among its roofs, the same with "
+                        "an outline drawn from the points, or each roof outlined on its own as in the paper.",
+                        ("partition", "points", "paper"), "partition", advanced=True)
         self.add_choice("HEIGHT", "Roof height", "The median of a roof's points, or the highest as in the paper.",
                         ("robust", "maximum"), "robust", advanced=True)
         self.add_field("BASE_FIELD", "Field with the foot's height", "Field of the outlines with the height of the "
                        "foot of the walls in metres; used where the ground is not known.", "FOOTPRINTS", advanced=True)
+        self.add_workers()
         self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building, with its figures of "
                               "quality; see “Building models”.")
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "PolygonZ, one feature a surface: roof, outer wall, inner "
@@ -61,16 +63,17 @@ class BuildingsFromAls(UrbanMapAlgorithm):
             return {name: given[name] for name in names if name in given}
 
         run = self.child_runner(context, feedback, 4)
-        buildings = run("segmentbuildings", **pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION", "MAX_DISPLACEMENT"),
-                        OUTPUT=self.temporary_file(context, "buildings.laz"), OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
-        roofs = run("segmentroofs", **pick("MIN_ROOF_AREA", "HEIGHT_RMSE"), POINTS=[buildings["OUTPUT"]],
+        buildings = run("segmentbuildings", **pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION", "MAX_DISPLACEMENT",
+                                                   "WORKERS"), OUTPUT=self.temporary_file(context, "buildings.laz"),
+                        OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
+        roofs = run("segmentroofs", **pick("MIN_ROOF_AREA", "HEIGHT_RMSE", "WORKERS"), POINTS=[buildings["OUTPUT"]],
                     FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.laz"),
                     OUTPUT_ROOFS="TEMPORARY_OUTPUT")
-        polygons = run("roofpolygons", **pick("METHOD", "HEIGHT"), POINTS=[roofs["OUTPUT"]],
+        polygons = run("roofpolygons", **pick("METHOD", "HEIGHT", "WORKERS"), POINTS=[roofs["OUTPUT"]],
                        FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
         settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
-        models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_CITYJSON",
-                                              "OUTPUT_REPORT", "OUTPUT_MESH"),
+        models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
+                                              "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
                      ROOFS=polygons["OUTPUT"], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], POINTS=[roofs["OUTPUT"]],
                      NOTE=settings)
         return {name: models[name] for name in models if name in {item.name() for item in self.outputDefinitions()}}

@@ -138,6 +138,11 @@ class Declarations:
         _limit(definition, minimum, maximum)
         return self.declare_parameter(definition, help, advanced)
 
+    def add_workers(self):
+        """How many workers share the work; read with `parameterAsInt`."""
+        return self.add_number("WORKERS", "Workers", "Number of buildings or tiles worked on at the same time. The "
+                               "result does not depend on it.", 1, 1, 256, integer=True, advanced=True)
+
     def add_boolean(self, name: str, label: str, help: str, default: bool = False, advanced: bool = False):
         """Yes or no."""
         return self.declare_parameter(QgsProcessingParameterBoolean(name, tr(label), default), help, advanced)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
 from .outlines import footprints_of
+from .workers import workers
 
 
 class RoofPolygons(UrbanMapAlgorithm):
@@ -17,17 +18,20 @@ class RoofPolygons(UrbanMapAlgorithm):
     HELP = (
         "Draws the polygon of each roof from its points.\n"
         "The method “partition” divides each outline among its roofs along straight lines where roofs meet: no "
-        "gaps, no slivers, common edges. The method “paper” outlines each roof on its own: radius outlier removal, "
-        "alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines; it leaves the "
+        "gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, "
+        "for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its "
+        "own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines; it leaves the "
         "outline aside and needs roofs of simple shape."
     )
 
     def declare(self):
         self.add_points(help="Points with the attributes building_id and roof_id, from “Segment roofs”.")
         self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”.")
-        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "paper"), "partition")
+        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "points", "paper"),
+                        "partition")
         self.add_choice("HEIGHT", "Roof height", "Height of a roof from its points: the median, or the highest point "
                         "as in the paper (the top of the parapet).", ("robust", "maximum"), "robust")
+        self.add_workers()
         self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
                               "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
                               "coverage (share of the area with points), boundary_rms (m), status.")
@@ -48,7 +52,8 @@ class RoofPolygons(UrbanMapAlgorithm):
         self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", table.crs)
         settings = PolygonParameters(self.parameterAsString(parameters, "METHOD", context),
                                      self.parameterAsString(parameters, "HEIGHT", context))
-        roofs = cloud_roof_polygons(cloud, footprints, settings, progress=progress)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings got no roof polygon.")

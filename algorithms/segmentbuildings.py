@@ -5,6 +5,7 @@ from __future__ import annotations
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
 from .outlines import BUILDING_ID, footprints_of
+from .workers import workers
 
 
 class SegmentBuildings(UrbanMapAlgorithm):
@@ -37,6 +38,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
                           advanced=True)
         self.add_distance("MIN_HEIGHT", "Least building height", "Height in metres above the ground from which "
                           "points without a class can belong to a building.", 2.0, 0.5, 20.0, advanced=True)
+        self.add_workers()
         self.add_points_output("OUTPUT", "Building points", "The points of the buildings with the attribute "
                                "building_id, building after building; all other attributes are kept.")
         self.add_layer_output("OUTPUT_BUILDINGS", "Buildings", "The outlines at their found places, with "
@@ -63,7 +65,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
             self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context))
         output = self.output_path(parameters, "OUTPUT", context)
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
-        buildings = segment_buildings(cloud, footprints, output, settings, ground, progress=progress)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            buildings = segment_buildings(cloud, footprints, output, settings, ground, executor, progress)
         without = int((buildings.status != "ok").sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings have too few points for a model.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
 from .outlines import BUILDING_ID, footprints_of, numbers
+from .workers import workers
 
 
 class SegmentRoofs(UrbanMapAlgorithm):
@@ -43,6 +44,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
                           "roofs of the paper whole.", 0.6, 0.0, 10.0, advanced=True)
         self.add_distance("MIN_HEIGHT", "Least roof height", "Height in metres above the ground below which nothing "
                           "is a roof.", 2.0, 0.0, 20.0, advanced=True)
+        self.add_workers()
         self.add_points_output("OUTPUT", "Roof points", "The buildings' points with the attribute roof_id: the "
                                "number of the roof in its building, 0 for trees, walls and roof furniture.")
         self.add_layer_output("OUTPUT_ROOFS", "Roofs", "Table of the roofs: building_id, roof_id, height (robust, m), "
@@ -77,8 +79,10 @@ class SegmentRoofs(UrbanMapAlgorithm):
         known = numbers(table, "density")
         positive = known[known > 0] if known is not None else np.zeros(0)
         output = self.output_path(parameters, "OUTPUT", context)
-        roofs = segment_cloud_roofs(cloud, footprints, output, settings, numbers(table, "ground"),
-                                    float(np.median(positive)) if len(positive) else None, progress=progress)
+        density = float(np.median(positive)) if len(positive) else None
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            roofs = segment_cloud_roofs(cloud, footprints, output, settings, numbers(table, "ground"), density,
+                                        executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings have no roof in their points.")

@@ -12,7 +12,7 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, usable
 from ..progress import SILENT, Progress
 
-BLOCK = 256
+BLOCK = 64
 """Buildings that are worked on together."""
 
 

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 
 import numpy as np
 import shapely
 
+from ..errors import InsufficientDataError
 from ..execution import in_order
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from ..terrain.grid import Grid
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .footprint import Footprints
+from .outline_from_points import outline_from_points
 from .roof_plan import partition_roofs
 from .roof_polygon import paper_roof_polygons
 
@@ -26,8 +27,12 @@ CELL = (0.25, 1.0)
 
 BLOCK_STATUS = "plain block"
 
-PARTITION, PAPER = "partition", "paper"
-"""The methods: a plan divided without gaps, or each roof outlined on its own as the paper does."""
+PARTITION, POINTS, PAPER = "partition", "points", "paper"
+"""The methods: the outline divided without gaps, the same with an outline drawn from the points, or each roof
+outlined on its own as the paper does."""
+
+PARTY_WALL_REACH = 3.0
+"""Distance (m) within which other outlines are neighbours that a building's own may not cross."""
 
 ROBUST, MAXIMUM = "robust", "maximum"
 """The roof heights: the median of the roof's points, or the highest of them as in the paper."""
@@ -81,6 +86,7 @@ class PolygonBlock:
     ids: np.ndarray
     records: list[np.ndarray]
     polygons: np.ndarray
+    neighbours: list[list[shapely.Geometry]]
     parameters: PolygonParameters
 
 
@@ -95,8 +101,10 @@ def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: P
         require_dimension(cloud, name, SEGMENT_ROOFS)
     layout = PointLayout(cloud)
     table = RoofPolygons()
+    parameters = parameters or PolygonParameters()
+    beside = _neighbours(footprints.polygons) if parameters.method == POINTS else None
     blocks = (PolygonBlock(layout, footprints.ids[rows], records, footprints.polygons[rows],
-                           parameters or PolygonParameters())
+                           [beside[row] for row in rows] if beside else [[]] * len(rows), parameters)
               for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.0, 0.2)))
     done = 0
     for count, part in in_order(_block_polygons, blocks, executor):
@@ -109,15 +117,20 @@ def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: P
 def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
     """Number of buildings in a block and their polygons."""
     table = RoofPolygons()
-    for number, outline, records in zip(block.ids.tolist(), block.polygons, block.records):
+    for number, outline, beside, records in zip(block.ids.tolist(), block.polygons, block.neighbours, block.records):
         if outline is None or not len(records):
             continue
-        x, y, z = coordinates(block.layout, records)
+        points = coordinates(block.layout, records)
         roof = records["roof_id"].astype(np.int64)
         if not roof.any():
-            _add_block(table, number, outline, z)
+            _add_block(table, number, outline, points[2])
+        elif block.parameters.method == PAPER:
+            _outline_each(table, number, outline, points, roof, block.parameters)
+        elif block.parameters.method == POINTS:
+            plan, status = _outline_of(points, roof, outline, beside)
+            _divide_plan(table, number, plan, points, roof, block.parameters, status)
         else:
-            _METHODS[block.parameters.method](table, number, outline, (x, y, z), roof, block.parameters)
+            _divide_plan(table, number, outline, points, roof, block.parameters)
     return len(block.ids), table
 
 
@@ -137,7 +150,7 @@ def _add(table: RoofPolygons, number: int, roof_id: int, polygon: shapely.Polygo
 
 
 def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,
-                 parameters: PolygonParameters) -> None:
+                 parameters: PolygonParameters, outline_status: str = "") -> None:
     """The whole outline divided among its roofs: no gaps, common edges."""
     x, y, z = points
     on_roof = roof > 0
@@ -146,6 +159,7 @@ def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, po
     grid = Grid.covering(*outline.bounds, cell)
     partition = partition_roofs(outline, grid, np.zeros(grid.shape, np.int32), _cell_heights(grid, x, y, z),
                                 points=(x, y, roof))
+    status = f"{partition.status}; {outline_status}" if outline_status else partition.status
     levels = {roof_id: _height(z[roof == roof_id], parameters) for roof_id in np.unique(roof).tolist()}
     for place, (polygon, roof_id) in enumerate(zip(partition.polygons, partition.roof_numbers.tolist())):
         own = roof == roof_id
@@ -154,7 +168,30 @@ def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, po
         height = _height(z[own], parameters) if own.any() else levels[roof_id]
         top = float(z[own].max()) if own.any() else height
         _add(table, number, roof_id, polygon, height, top, z[own], float(partition.coverage[place]),
-             float(partition.boundary_rms[place]), partition.status)
+             float(partition.boundary_rms[place]), status)
+
+
+def _neighbours(polygons: np.ndarray) -> list[list[shapely.Geometry]]:
+    """Outlines near each outline, itself left out."""
+    tree = shapely.STRtree(polygons)
+    one, other = tree.query(polygons, "dwithin", PARTY_WALL_REACH)
+    beside: list[list[shapely.Geometry]] = [[] for _ in polygons]
+    for row, near in sorted(zip(one.tolist(), other.tolist())):
+        if row != near:
+            beside[row].append(polygons[near])
+    return beside
+
+
+def _outline_of(points: tuple, roof: np.ndarray, official: shapely.Geometry,
+                beside: list[shapely.Geometry]) -> tuple[shapely.Geometry, str]:
+    """Outline from the roof points; the official one, and a status that says so, where they are too few."""
+    x, y, _ = points
+    own = roof > 0
+    try:
+        found = outline_from_points(x[own], y[own], np.count_nonzero(own) / official.area, neighbours=beside)
+    except InsufficientDataError:
+        return official, "official outline, too few points for an own"
+    return found.outline, f"outline from points, {found.status}"
 
 
 def _cell_heights(grid: Grid, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -187,6 +224,3 @@ def _outline_each(table: RoofPolygons, number: int, outline: shapely.Geometry, p
         for polygon in shapely.get_parts(drawn.polygon):
             _add(table, number, drawn.roof_number, polygon, height, float(z[own].max()), z[own], math.nan, math.nan,
                  drawn.status)
-
-
-_METHODS: dict[str, Callable] = {PARTITION: _divide_plan, PAPER: _outline_each}
