@@ -130,9 +130,9 @@ def view_direction(pitch: float, azimuth: float) -> np.ndarray:
 def fit_view(vertices: np.ndarray, options: argparse.Namespace) -> View:
     """The closest view with the given direction that shows all vertices.
 
-    With right r, up u and depth d of a vertex seen from `middle`, it is visible when |r - r0| <= (distance + d) t,
-    t the tangent of half the opening, and likewise for u: the two extreme vertices of each axis give the least
-    distance. The tighter axis decides; then the picture is centred along both.
+    With right r, up u and depth d of a vertex seen from `middle`, it is visible when
+    |r - r0| <= (distance + d) t, t the tangent of half the opening, and likewise for u: the two extreme
+    vertices of each axis give the least distance. The tighter axis decides; then the picture is centred along both.
     """
     azimuth = math.radians(options.heading)
     right = np.array([math.cos(azimuth), -math.sin(azimuth), 0.0])

@@ -2,8 +2,8 @@
 # A Debian 13 (trixie) system in a folder, to test on a current QGIS from an older machine.
 #
 #   scripts/trixie_root.sh build            make the root if it is not there yet; print its folder
-#   scripts/trixie_root.sh run COMMAND...   run COMMAND in the root, in a copy of this checkout (with ../shared
-#                                           beside it, if it is there; changes to the copy are thrown away)
+#   scripts/trixie_root.sh run COMMAND...   run COMMAND in the root, in a copy of this checkout (with
+#                                           ../shared beside it, if there; the copy is thrown away)
 #   scripts/trixie_root.sh remove           delete the cached root
 #
 # Needs Debian or Ubuntu, root rights, and the network while building (2 to 4 minutes, 2 GB).
@@ -31,9 +31,11 @@ fail() {
 
 require_host() {
     [ "$(id -u)" = 0 ] || fail "needs root rights (debootstrap and chroot): run it with sudo."
-    unshare --mount true 2>/dev/null || fail "this machine does not allow mounts (in a container, start it privileged)."
+    unshare --mount true 2>/dev/null ||
+        fail "this machine does not allow mounts (start a container privileged)."
     command -v debootstrap >/dev/null && return
-    apt-get update -qq >&2 && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends debootstrap >&2
+    apt-get update -qq >&2
+    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends debootstrap >&2
 }
 
 # True when the root is complete: built from this list, and no later installation broke off half-way.
@@ -122,7 +124,8 @@ run() {
     chmod 1777 "$work/tmp"
     copy_checkout "$work/checkout"
     local mounts=("$work:/ci" "$work/tmp:/tmp")
-    if [ -d "$checkout/../shared" ]; then mounts+=("$(cd "$checkout/../shared" && pwd):/ci/shared:ro"); fi
+    local shared=$checkout/../shared
+    if [ -d "$shared" ]; then mounts+=("$(cd "$shared" && pwd):/ci/shared:ro"); fi
     local bundle=/etc/ssl/certs/ca-certificates.crt
     if [ -f "$bundle" ]; then mounts+=("$bundle:$bundle:ro"); fi
     local settings=(
