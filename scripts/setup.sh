@@ -61,7 +61,7 @@ echo "numpy==$numpy" > .venv/constraints.txt
 .venv/bin/python -m pip install --quiet --disable-pip-version-check \
     --constraint .venv/constraints.txt --requirement requirements-dev.txt
 # Debian's own pyproj looks for its data beside the running Python, and finds none beside the one in .venv.
-if ! .venv/bin/python -W ignore -c 'import pyproj; pyproj.CRS.from_epsg(6677)' 2>/dev/null; then
+if ! .venv/bin/python -W error -c 'import pyproj; pyproj.datadir.get_data_dir()' 2>/dev/null; then
     .venv/bin/python -m pip install --quiet --disable-pip-version-check --ignore-installed --no-deps 'pyproj>=3.2'
 fi
 rm -f .venv/setup-*
