@@ -20,8 +20,8 @@ class RoofPolygons(UrbanMapAlgorithm):
         "The method “partition” divides each outline among its roofs along straight lines where roofs meet: no "
         "gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, "
         "for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its "
-        "own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines; it leaves the "
-        "outline aside and needs roofs of simple shape."
+        "own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from "
+        "these lines; it leaves the outline aside and needs roofs of simple shape."
     )
 
     def declare(self):

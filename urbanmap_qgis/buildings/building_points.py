@@ -12,7 +12,7 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, usable
 from ..progress import SILENT, Progress
 
-BLOCK = 64
+BUILDINGS_AT_ONCE = 64
 """Buildings that are worked on together."""
 
 
@@ -41,9 +41,9 @@ def iter_building_blocks(cloud: PointCloud, layout: PointLayout, ids: np.ndarray
             building = np.asarray(chunk["building_id"]).astype(np.int64)
             place = np.minimum(np.searchsorted(ids[order], building), len(ids) - 1)
             keep = (ids[order][place] == building) & usable(chunk)
-            buckets.add(place[keep] // BLOCK, layout.adapt(chunk, keep))
-        for block in range((len(ids) + BLOCK - 1) // BLOCK):
-            rows = order[block * BLOCK:(block + 1) * BLOCK]
+            buckets.add(place[keep] // BUILDINGS_AT_ONCE, layout.adapt(chunk, keep))
+        for block in range((len(ids) + BUILDINGS_AT_ONCE - 1) // BUILDINGS_AT_ONCE):
+            rows = order[block * BUILDINGS_AT_ONCE:(block + 1) * BUILDINGS_AT_ONCE]
             yield rows, _split(buckets.read(block), ids[rows])
 
 

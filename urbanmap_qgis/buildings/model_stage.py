@@ -14,7 +14,7 @@ from ..execution import in_order
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from ..terrain.grid import Grid
-from .building_points import BLOCK, coordinates, iter_building_blocks, require_dimension
+from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .footprint import Footprints
 from .plan_partition import partition_plan
 from .quality import ModelFit, RoofCell, model_fit
@@ -122,7 +122,7 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: P
 def _blocks(footprints: Footprints, cloud: PointCloud | None, progress: Progress):
     """Rows of the footprints and the roof points (n, 3) of each, block by block."""
     if cloud is None:
-        for rows in np.array_split(np.arange(len(footprints)), max(len(footprints) // BLOCK, 1)):
+        for rows in np.array_split(np.arange(len(footprints)), max(len(footprints) // BUILDINGS_AT_ONCE, 1)):
             yield rows, None
         return
     for name in ("building_id", "roof_id"):
