@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import cv2
@@ -28,6 +29,13 @@ Small enough that a real edge stays where the heights put it, large enough that 
 
 MAX_PARAPET_WIDTH = 2.0
 """Narrower strips that stand a little above their roof are its parapet, m."""
+
+
+LEAST_INSIDE = 0.25
+"""Share of a roof inside the outline below which it is a neighbour's, unless it continues a roof inside."""
+
+STRIP_ELONGATION = 8.0
+"""Regions this many times as long as wide are strips."""
 
 
 @dataclass(frozen=True)
@@ -184,8 +192,9 @@ def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, ce
     labels = label_regions(labels, background=0, connectivity=1)
     graph = RegionGraph(labels, height)
     width = _widths(labels, graph.size) * cell
+    strip = (width < MAX_PARAPET_WIDTH) | (_strip_widths(labels, graph.size) * cell < MAX_PARAPET_WIDTH)
     narrow = {r for r in graph.regions() if width[r] < parameters.min_roof_width
-              or (width[r] < MAX_PARAPET_WIDTH and _is_parapet(graph, r, parameters))}
+              or (strip[r] and _is_parapet(graph, r, parameters))}
     graph.absorb_small(smallest, parameters.distinct_step, narrow)
     return graph.lookup()[labels]
 
@@ -214,6 +223,19 @@ def _widths(labels: np.ndarray, size: int) -> np.ndarray:
     return np.maximum(2 * widest + 1, np.where(two, 2, 1))
 
 
+def _strip_widths(labels: np.ndarray, size: int) -> np.ndarray:
+    """Width (size,) of long strips, rings among them, from area and perimeter, in cells; inf for compact regions."""
+    padded = np.pad(labels, 1)
+    down, right = padded[1:] != padded[:-1], padded[:, 1:] != padded[:, :-1]
+    ends = (padded[1:][down], padded[:-1][down], padded[:, 1:][right], padded[:, :-1][right])
+    # Cell sides overrate the length of a line of any direction by 4 / pi on average.
+    perimeter = np.bincount(np.concatenate(ends), minlength=size) * (math.pi / 4)
+    area = np.bincount(labels.ravel(), minlength=size)
+    width = 2 * area / np.maximum(perimeter, 1)
+    length = perimeter / 2
+    return np.where(length >= STRIP_ELONGATION * width, width, np.inf)
+
+
 def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray, smallest: float,
                       parameters: RoofParameters) -> np.ndarray:
     """Drop what is not this building's: outside the outline, and no continuation of a roof that is inside.
@@ -222,7 +244,8 @@ def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray
     """
     graph = RegionGraph(labels, height)
     inner = np.bincount(labels[inside], minlength=graph.size)
-    own = {r for r in graph.regions() if inner[r] >= smallest / 2}
+    own = {r for r in graph.regions()
+           if inner[r] >= smallest / 2 and inner[r] >= LEAST_INSIDE * graph.area[r]}
     if not own:
         own = set(graph.regions()[:1]) if not inner[1:].any() else {int(np.argmax(np.r_[0, inner[1:]]))}
     front = list(own)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import cv2
@@ -11,7 +12,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..terrain.grid import Grid
-from .roof_partition import RoofParameters, RoofPartition, partition_roofs
+from .roof_partition import MAX_PARAPET_WIDTH, RoofParameters, RoofPartition, partition_roofs
 from .roof_surface import RoofSurface, roof_surface
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
@@ -30,7 +31,7 @@ PARAPET_SLICE = 0.3
 """Height range of the hits on the top of a parapet, m."""
 
 PARAPET_SHARE = 0.15
-"""Hits in that range for each cell of the roof's border that make a parapet."""
+"""Hits in that range for each cell of the roof's border strip that make a parapet."""
 
 GAP_FILL = 1.5
 """Inside cells this far from a supported one still get its roof, m; farther ones only under trees."""
@@ -175,7 +176,8 @@ def roofs_of_points(plan: RoofPartition, surface: RoofSurface, z: np.ndarray,
         nearest[better] = distance[better]
 
     rest = rest[roof[rest] == 0]
-    border = _drops_beside(plan.labels, middle, parameters.distinct_step).ravel()
+    reach = math.ceil(MAX_PARAPET_WIDTH / 2 / surface.grid.cell)
+    border = _drops_beside(plan.labels, middle, parameters.distinct_step, reach).ravel()
     own = labels[cell[rest]]
     above = z[rest] - high[own]
     candidate = border[cell[rest]] & (own > 0) & (above > 0) & (above <= parameters.max_parapet)
@@ -210,22 +212,32 @@ def _height_ranges(plan: RoofPartition) -> tuple[np.ndarray, np.ndarray]:
     use = plan.measured & (plan.labels > 0)
     label, height = plan.labels[use], plan.height[use]
     k = int(plan.labels.max(initial=0))
-    order = np.lexsort((height, label))
-    height = height[order]
-    n = np.bincount(label, minlength=k + 1)
-    start = np.cumsum(n) - n
-    cut = n // 20
+    distance = np.abs(height - _group_medians(label, height, k)[label])
+    # Walls and clutter among the cells must not widen the range: nothing beyond three standard deviations counts.
+    limit = np.maximum(3 * 1.4826 * _group_medians(label, distance, k), HEIGHT_TOLERANCE)
+    typical = distance <= limit[label]
     low, high = np.full(k + 1, -NOWHERE), np.full(k + 1, NOWHERE)
-    some = n > 0
-    low[some] = height[(start + cut)[some]] - HEIGHT_TOLERANCE
-    high[some] = height[(start + n - 1 - cut)[some]] + HEIGHT_TOLERANCE
+    np.minimum.at(low, label[typical], height[typical] - HEIGHT_TOLERANCE)
+    np.maximum.at(high, label[typical], height[typical] + HEIGHT_TOLERANCE)
     return low, high
 
 
-def _drops_beside(labels: np.ndarray, middle: np.ndarray, step: float) -> np.ndarray:
-    """Cells of a roof with no roof or a roof lower by `step` m in the 3 x 3 window around."""
+def _group_medians(label: np.ndarray, value: np.ndarray, k: int) -> np.ndarray:
+    """Lower median (k + 1,) of the values of each label, 0 for labels without any."""
+    ordered = value[np.lexsort((value, label))]
+    n = np.bincount(label, minlength=k + 1)
+    start = np.cumsum(n) - n
+    median = np.zeros(k + 1)
+    some = n > 0
+    median[some] = ordered[(start + (n - 1) // 2)[some]]
+    return median
+
+
+def _drops_beside(labels: np.ndarray, middle: np.ndarray, step: float, reach: int) -> np.ndarray:
+    """Cells of a roof with no roof or a roof lower by `step` m at most `reach` cells away."""
     height = np.where(labels > 0, middle[labels], NOWHERE)
-    lowest = cv2.erode(np.pad(height, 1, constant_values=NOWHERE), _NEIGHBOURHOOD)[1:-1, 1:-1]
+    window = np.ones((2 * reach + 1, 2 * reach + 1), np.uint8)
+    lowest = cv2.erode(height, window, borderType=cv2.BORDER_CONSTANT, borderValue=NOWHERE)
     return (labels > 0) & (lowest <= height - step)
 
 
