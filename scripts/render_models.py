@@ -132,7 +132,8 @@ def fit_view(vertices: np.ndarray, options: argparse.Namespace) -> View:
 
     With right r, up u and depth d of a vertex seen from `middle`, it is visible when
     |r - r0| <= (distance + d) t, t the tangent of half the opening, and likewise for u: the two extreme
-    vertices of each axis give the least distance. The tighter axis decides; then the picture is centred along both.
+    vertices of each axis give the least distance. The tighter axis decides; then the picture is centred along
+    both.
     """
     azimuth = math.radians(options.heading)
     right = np.array([math.cos(azimuth), -math.sin(azimuth), 0.0])

@@ -129,11 +129,12 @@ run() {
     local bundle=/etc/ssl/certs/ca-certificates.crt
     if [ -f "$bundle" ]; then mounts+=("$bundle:$bundle:ro"); fi
     local settings=(
+        -u XDG_RUNTIME_DIR -u XDG_CACHE_HOME -u PYTHONPATH -u VIRTUAL_ENV
         HOME=/ci/home TMPDIR=/tmp PIP_CACHE_DIR=/root/.cache/pip
         LC_ALL=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin
     )
     # shellcheck disable=SC2016
-    enter "$root" "${mounts[@]}" -- env -u XDG_RUNTIME_DIR -u XDG_CACHE_HOME -u PYTHONPATH -u VIRTUAL_ENV "${settings[@]}" \
+    enter "$root" "${mounts[@]}" -- env "${settings[@]}" \
         sh -c 'cd /ci/checkout && exec "$@"' sh "$@" || status=$?
     return "$status"
 }
