@@ -112,6 +112,37 @@ def test_checkerboard_is_mended(angle):
     assert 0 < abs(volume(solids[0]) - plain) < 0.001
 
 
+def star(seed):
+    """Wedges of different heights round one point: up to twelve edges meet there, at any angle."""
+    rng = np.random.default_rng(seed)
+    turns = np.sort(rng.uniform(0, 2 * np.pi, rng.integers(4, 13)))
+    turns = turns[np.append(np.diff(turns), turns[0] + 2 * np.pi - turns[-1]) > 0.1]
+    x, y = rng.uniform(4, 6, 2)
+    wedges = []
+    for start, end in zip(turns, [*turns[1:], turns[0] + 2 * np.pi]):
+        rim = np.linspace(start, end, 8)
+        wedges.append(shapely.Polygon([(x, y), *zip(x + 20 * np.cos(rim), y + 20 * np.sin(rim))]))
+    return wedges, rng.choice([3.0, 4.0, 5.0, 7.0, 9.5], len(wedges)).tolist()
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_many_roofs_meeting_in_a_point(seed):
+    wedges, heights = star(seed)
+    solids, partition = build(box(0, 0, 10, 10), wedges, heights)
+    assert_sound(solids)
+    if not any(solid.levelled_roofs for solid in solids):
+        expected = sum(cell.polygon.area * cell.height for cell in partition.cells)
+        assert sum(map(volume, solids)) == pytest.approx(expected, abs=0.1)
+
+
+def test_corners_too_sharp_to_cut_are_levelled():
+    needle = shapely.Polygon([(5, 5), (10, 5), (10, 5.02)])
+    other = shapely.Polygon([(5, 5), (0, 5), (0, 4.98)])
+    solids, _ = build(box(0, 0, 10, 10), [needle, other, box(0, 5, 10, 10), box(0, 0, 10, 5)], [9, 8, 3, 3])
+    assert_sound(solids)
+    assert solids[0].levelled_roofs + solids[0].mended_nodes > 0
+
+
 def test_courtyard_touching_the_outline():
     footprint = box(0, 0, 10, 10) - shapely.Polygon([(10, 5), (7, 7), (4, 5), (7, 3)])
     assert footprint.area == pytest.approx(100 - 12)

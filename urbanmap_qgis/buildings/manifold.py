@@ -17,8 +17,12 @@ from .half_edges import OUTSIDE, HalfEdges
 CORNER_SIZE = 0.01
 """Wanted length of the legs of a cut corner, m."""
 
+_LARGEST_CORNER = 0.1
 _SHORTEST_EDGE = 0.0015
 _WIDEST_CORNER = math.radians(170)
+
+_ROUNDING = 2.5
+"""Lattice steps that must lie between the edges of a corner where one of them gets a new, rounded node."""
 
 
 @dataclass(frozen=True)
@@ -34,25 +38,48 @@ class _Corner:
 
 @dataclass(frozen=True)
 class _Mend:
-    """Corners at one node that would change to another cell."""
+    """Corners at one node that would change to another cell; `narrowest`: angle of theirs or beside them."""
 
     corners: tuple[_Corner, ...]
     target: int
+    narrowest: float
 
 
-def mend_plan(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int, int]:
+@dataclass(frozen=True)
+class Mending:
+    """What was done to a plan: nodes with cut corners, cells levelled with a neighbour, nodes left as they were."""
+
+    cut_nodes: int
+    levelled_cells: int
+    unmended_nodes: int
+
+
+def mend_plan(edges: HalfEdges, heights: list[int], base: int) -> Mending:
     """Cut corners until the heights round every node have one top and one bottom.
+
+    Where corners are too sharp to be cut, the cells that cost the least volume get a neighbour's height.
 
     Parameters
     ----------
     edges : half edges of one connected part; changed in place.
-    heights : height of each cell; `base` : height of what lies outside (same unit).
-
-    Returns
-    -------
-    Number of nodes mended, and of nodes that could not be (corners too sharp or too short).
+    heights : height of each cell, changed in place; `base` : height of what lies outside (same unit).
     """
-    done = failed = 0
+    cut = levelled = 0
+    unmended: list[int] = []
+    # Each round levels a cell, so more rounds than cells would only move heights to and fro.
+    for _ in heights:
+        done, unmended = _cut_corners(edges, heights, base)
+        cut += done
+        changed = _level(edges, unmended, heights, base) if unmended else 0
+        levelled += changed
+        if not changed:
+            break
+    return Mending(cut, levelled, len(unmended))
+
+
+def _cut_corners(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int, list[int]]:
+    """Cut corners at every node where heights rise twice; return how many, and the nodes where none could be."""
+    done, failed = 0, []
     around = _neighbours(edges)
     # With fewer than four edges heights cannot rise twice; nodes that a cut adds have three or fewer.
     for node in sorted(node for node, others in around.items() if len(others) > 3):
@@ -61,11 +88,38 @@ def mend_plan(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int,
             if not mends:
                 break
             if not any(_cut(edges, node, mend) for mend in sorted(mends, key=_reluctance)):
-                failed += 1
+                failed.append(node)
                 break
             done += 1
             around = _neighbours(edges)
     return done, failed
+
+
+def _level(edges: HalfEdges, nodes: list[int], heights: list[int], base: int) -> int:
+    """Give the cells of one mend the height they would have got corners of; return their number, 0 if none can."""
+    area = _areas(edges)
+    around = _neighbours(edges)
+    ways = []
+    for node in nodes:
+        for mend in _possible_mends(_corners(edges, node, around[node], heights, base)):
+            cells = sorted({corner.cell for corner in mend.corners})
+            if mend.target != OUTSIDE and OUTSIDE not in cells:
+                cost = sum(area[cell] * abs(heights[cell] - heights[mend.target]) for cell in cells)
+                ways.append((cost, cells, heights[mend.target]))
+    if not ways:
+        return 0
+    _, cells, height = min(ways)
+    for cell in cells:
+        heights[cell] = height
+    return len(cells)
+
+
+def _areas(edges: HalfEdges) -> dict[int, int]:
+    """Twice the area of each cell, lattice units."""
+    area: dict[int, int] = {}
+    for (a, b), cell in edges.cell.items():
+        area[cell] = area.get(cell, 0) + edges.x[a] * edges.y[b] - edges.x[b] * edges.y[a]
+    return area
 
 
 def _neighbours(edges: HalfEdges) -> dict[int, set[int]]:
@@ -104,8 +158,11 @@ def _fill_dips(corners: list[_Corner], sign: int) -> Iterator[_Mend]:
     for start, end in zip(tops, [*tops[1:], tops[0] + n]):
         level = min(height[start], height[end % n])
         between = [i % n for i in range(start, end + 1) if height[i % n] < level]
-        target = start if height[start] == level else end % n
-        yield _Mend(tuple(corners[i] for i in between), corners[target].cell)
+        # The corner beside the dip on the lower top's side: the top itself, or an equally high one next to it.
+        target = between[0] - 1 if height[start] == level else (between[-1] + 1) % n
+        concerned = [between[0] - 1, *between, (between[-1] + 1) % n]
+        yield _Mend(tuple(corners[i] for i in between), corners[target].cell,
+                    min(corners[i].angle for i in concerned))
 
 
 def _falls_after(height: list[int], i: int) -> bool:
@@ -117,17 +174,16 @@ def _falls_after(height: list[int], i: int) -> bool:
 
 def _reluctance(mend: _Mend) -> tuple:
     """Sorting key: opening a building to the outside comes last, few wide corners come first."""
-    return (mend.target == OUTSIDE, len(mend.corners), -min(corner.angle for corner in mend.corners))
+    return (mend.target == OUTSIDE, len(mend.corners), -mend.narrowest)
 
 
 def _cut(edges: HalfEdges, node: int, mend: _Mend) -> bool:
-    """Carry a mend out; False, with nothing changed, where a corner is too wide or there is no room."""
-    room = 0.4 * _clearance(edges, node) * edges.resolution
+    """Carry a mend out; False, with nothing changed, where a corner is too wide or too narrow for the room."""
     narrowest = min(corner.angle for corner in mend.corners)
-    leg = max(CORNER_SIZE, _SHORTEST_EDGE / (2 * math.sin(min(narrowest, math.pi) / 2)))
-    leg = min(leg, room)
-    too_short = leg * min(1.0, 2 * math.sin(min(narrowest, math.pi) / 2)) < 0.99 * _SHORTEST_EDGE
-    if too_short or max(corner.angle for corner in mend.corners) > _WIDEST_CORNER:
+    needed = max(_SHORTEST_EDGE, _SHORTEST_EDGE / (2 * math.sin(min(narrowest, math.pi) / 2)),
+                 _ROUNDING * edges.resolution / mend.narrowest)
+    leg = min(max(CORNER_SIZE, needed), 0.4 * _clearance(edges, node) * edges.resolution, _LARGEST_CORNER)
+    if leg < needed or max(corner.angle for corner in mend.corners) > _WIDEST_CORNER:
         return False
     steps = leg / edges.resolution
     split: dict[int, int] = {}

@@ -10,7 +10,7 @@ import shapely
 
 from ..errors import InputError
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
-from .manifold import mend_plan
+from .manifold import Mending, mend_plan
 from .plan_partition import Cell
 
 ROOF, OUTER_WALL, INNER_WALL, GROUND = "roof", "outer wall", "inner wall", "ground"
@@ -33,7 +33,8 @@ class Solid:
     surface_type : of each face: "roof", "outer wall", "inner wall" or "ground".
     roof_id : of each face: the roof, or for a wall the roof whose edge is its upper one; None for the ground.
     mended_nodes : plan nodes where a corner of about 1 cm was moved between cells to keep the solid valid.
-    unmended_nodes : nodes that would have needed this but had no room: the solid is not valid there.
+    levelled_roofs : cells that got a neighbour's height, because their corners were too sharp for that.
+    unmended_nodes : nodes where neither could be done: the solid is not valid there.
     raised_roofs : roofs at or below the base, put at the least height above it.
     """
 
@@ -42,6 +43,7 @@ class Solid:
     surface_type: tuple[str, ...]
     roof_id: tuple[Hashable, ...]
     mended_nodes: int = 0
+    levelled_roofs: int = 0
     unmended_nodes: int = 0
     raised_roofs: int = 0
 
@@ -76,9 +78,9 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
     for part in _parts(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, edges.x, edges.y, directed)
-        mended, unmended = mend_plan(piece, heights, base)
+        mending = mend_plan(piece, heights, base)
         builder = _Builder(piece, heights, base, [cell.roof_id for cell in cells])
-        solids.append(builder.solid(mended, unmended, sum(raised[cell] for cell in part)))
+        solids.append(builder.solid(mending, sum(raised[cell] for cell in part)))
     return tuple(solids)
 
 
@@ -130,7 +132,7 @@ class _Builder:
         self.types: list[str] = []
         self.ids: list[Hashable] = []
 
-    def solid(self, mended: int, unmended: int, raised: int) -> Solid:
+    def solid(self, mending: Mending, raised: int) -> Solid:
         """The finished solid: ground, roofs, walls."""
         self._ground()
         self._roofs()
@@ -139,7 +141,8 @@ class _Builder:
         vertices = np.empty((len(nodes), 3))
         vertices[:, :2] = self.edges.coordinates(nodes)
         vertices[:, 2] = np.array(levels) / _UNITS
-        return Solid(vertices, tuple(self.faces), tuple(self.types), tuple(self.ids), mended, unmended, raised)
+        return Solid(vertices, tuple(self.faces), tuple(self.types), tuple(self.ids),
+                     mending.cut_nodes, mending.levelled_cells, mending.unmended_nodes, raised)
 
     def _add(self, rings: Iterable[Iterable[tuple[int, int]]], surface_type: str, roof_id: Hashable) -> None:
         """Add a face given by rings of (node, height)."""
