@@ -161,31 +161,35 @@ class Declarations:
 
     # Output
 
-    def add_file_output(self, name: str, label: str, help: str, filter: str, optional: bool = False):
-        """A file to write; an optional one is only written when asked for. Its path: `output_path`."""
+    # An optional output is written when asked for; `by_default` makes the toolbox ask for it from the start, while on
+    # the command line and in models it may still be left out.
+
+    def add_file_output(self, name: str, label: str, help: str, filter: str, optional: bool = False,
+                        by_default: bool = False):
+        """A file to write. Its path: `output_path`."""
         return self.declare_parameter(QgsProcessingParameterFileDestination(
-            name, tr(label), tr(filter), None, optional, not optional), help)
+            name, tr(label), tr(filter), None, optional, not optional or by_default), help)
 
     def add_points_output(self, name: str = "OUTPUT", label: str = "Point cloud", help: str = "",
-                          optional: bool = False):
+                          optional: bool = False, by_default: bool = False):
         """A LAZ or LAS file to write."""
-        return self.add_file_output(name, label, help, LAZ_FILTER, optional)
+        return self.add_file_output(name, label, help, LAZ_FILTER, optional, by_default)
 
-    def add_folder_output(self, name: str, label: str, help: str, optional: bool = False):
+    def add_folder_output(self, name: str, label: str, help: str, optional: bool = False, by_default: bool = False):
         """A folder to write into."""
         return self.declare_parameter(QgsProcessingParameterFolderDestination(
-            name, tr(label), None, optional, not optional), help)
+            name, tr(label), None, optional, not optional or by_default), help)
 
-    def add_raster_output(self, name: str, label: str, help: str, optional: bool = False):
+    def add_raster_output(self, name: str, label: str, help: str, optional: bool = False, by_default: bool = False):
         """A raster to write. Its path: `output_layer_path`."""
         return self.declare_parameter(QgsProcessingParameterRasterDestination(
-            name, tr(label), None, optional, not optional), help)
+            name, tr(label), None, optional, not optional or by_default), help)
 
     def add_layer_output(self, name: str, label: str, help: str, optional: bool = False,
-                         source_type=_POLYGON):
+                         source_type=_POLYGON, by_default: bool = False):
         """A vector layer or table to write with `write_layer`."""
         return self.declare_parameter(QgsProcessingParameterFeatureSink(
-            name, tr(label), source_type, None, optional, not optional), help)
+            name, tr(label), source_type, None, optional, not optional or by_default), help)
 
     def add_number_output(self, name: str, label: str, help: str, unit: str = ""):
         """A number among the results."""

@@ -31,7 +31,7 @@ def example(plugin):
             modes = ["copy", "user error", "bug", "late error", "signal"]
             self.add_choice("MODE", "Mode", "What to do.", modes, "copy")
             self.add_layer_output("OUTPUT", "Copies", "The outlines.")
-            self.add_file_output("OUTPUT_TEXT", "Text", "Anything.", "Text (*.txt)", optional=True)
+            self.add_file_output("OUTPUT_TEXT", "Text", "Anything.", "Text (*.txt)", optional=True, by_default=True)
             self.add_number_output("COUNT", "Number of outlines", "How many were copied.")
 
         def compute(self, parameters, context, feedback):
@@ -57,7 +57,8 @@ def example(plugin):
                                                                   base=table.fields),
                 columns, table.crs_wkt, table.geometries, "Polygon", progress=progress)
             progress.step(1.0)
-            return {"OUTPUT": result, "COUNT": len(table)}
+            text = self.output_path(parameters, "OUTPUT_TEXT", context)
+            return {"OUTPUT": result, "COUNT": len(table), "OUTPUT_TEXT": text and str(text)}
 
     return Example
 
@@ -81,6 +82,7 @@ def test_copies_and_counts(example, feedback, polygon_layer, read_layer, tmp_pat
     layer = polygon_layer([SQUARE], fields={"name": ["駅"]})
     results = run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)})
     assert results["COUNT"] == 1
+    assert results["OUTPUT_TEXT"] is None
     assert Path(results["OUTPUT"]) == path
     (feature,) = read_layer(path)
     assert feature.attributes["area"] == 100.0
@@ -312,6 +314,13 @@ def test_advanced_and_unit(example, qgis_app):
     assert definition.flags() & QgsProcessingParameterDefinition.Flag.FlagAdvanced
     assert definition.description() == "Step (m)"
     assert definition.minimum() == 0.01
+
+
+def test_optional_output_can_be_offered_in_the_toolbox(example, qgis_app):
+    algorithm = example().create()
+    definition = algorithm.parameterDefinition("OUTPUT_TEXT")
+    assert definition.createByDefault()
+    assert definition.flags() & definition.Flag.FlagOptional
 
 
 def test_same_crs_ignores_the_height_system(plugin, qgis_app):
