@@ -91,7 +91,7 @@ def test_outlines_shifted_at_random_come_back(length):
     result = estimate_displacements(shifted(truth, shifts), evidence_of(truth), GRID)
     assert np.hypot(*(found(result) + shifts).T) == pytest.approx(np.zeros(len(truth)), abs=0.2)
     assert set(result.status) == {"moved"}
-    assert (result.score_after > result.score_before).all()
+    assert result.score_after.min() > 0.8 and result.score_before.mean() < 0.8
     assert (np.hypot(*(found(result) + shifts).T) < 3 * result.sigma).all()
 
 
@@ -158,6 +158,23 @@ def test_two_outlines_above_one_another_do_not_repel():
     truth = np.array([shapely.box(0, 0, 10, 12), shapely.box(0, 0, 10, 12)], dtype=object)
     result = estimate_displacements(truth, evidence_of(truth), GRID)
     assert not found(result).any()
+
+
+def test_equal_sheds_side_by_side_do_not_change_places():
+    row = turned(np.array([shapely.box(2.4 * k, 0, 2.4 * (k + 1), 3) for k in range(6)], dtype=object))
+    noise = np.random.default_rng(6).normal(0, 0.4, GRID.shape)
+    result = estimate_displacements(row, np.clip(evidence_of(row) + noise, -1, 1), GRID)
+    assert not found(result).any()
+
+
+def test_an_outline_without_points_is_not_observable():
+    truth = terrace()
+    surface = np.full(GRID.shape, 5.0)
+    x, y = np.meshgrid(*GRID.centres())
+    shapely.prepare(truth[0])
+    surface[shapely.contains_xy(truth[0], x, y)] = np.nan
+    result = estimate_displacements(truth, evidence_of(truth), GRID, surface)
+    assert result.status[0] == "not observable" and set(result.status[1:]) == {"kept"}
 
 
 def test_bad_input_is_refused():

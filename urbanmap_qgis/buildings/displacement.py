@@ -18,7 +18,7 @@ from ..errors import InputError
 from ..progress import SILENT, Progress
 from ..terrain.grid import Grid
 from .displacement_adjust import adjusted, snapped
-from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums
+from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums, sums_inside
 from .displacement_pairs import neighbours, overlap_tables, walls_between
 from .displacement_search import (
     COARSE_STEP,
@@ -29,15 +29,17 @@ from .displacement_search import (
     coarse_search,
     fine_search,
     lattice,
+    without_needless,
 )
 
 KEPT, MOVED, NOT_OBSERVABLE = "kept", "moved", "not observable"
 MAX_SHIFT = 2.5  # m
 OUTLINES_AT_ONCE = 1000  # connected sets of outlines are worked on together up to this number
 LEAST_SEEN = 0.25  # share of its area that must be covered by building evidence somewhere in reach
+LEAST_MEASURED = 0.2  # share of its area that must hold points (in a sparse cloud many cells hold none)
 STACKED = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
 NOISE = 0.8  # m2, worth that chance adds: sets the scale of sigma
-REGISTER_SIGMA = 0.15  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
+REGISTER_SIGMA = 0.2  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
 LEAST_COMMON = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
 MOVED_FROM = 0.005  # m, shorter shifts are none
 
@@ -74,7 +76,8 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
     ----------
     polygons : (n,) shapely polygons or multipolygons; missing or empty ones get status "not observable".
     evidence : (rows, columns) in [-1, 1] on `grid`, see `EvidenceAccumulator.evidence`.
-    surface : not used yet by the search; (rows, columns) highest z.
+    surface : (rows, columns) highest z, NaN where no point fell: if given, an outline that would come to lie
+        mostly where there are no points is not observable, whatever the evidence beside it suggests.
     max_shift : m, longest shift of an outline.
 
     Raises
@@ -91,6 +94,7 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
     shifts, sigma = np.zeros((n, 2)), np.full(n, float(max_shift))
     before, after, seen = np.zeros(n), np.zeros(n), np.zeros(n, bool)
     sums = row_sums(np.nan_to_num(evidence), grid.cell)
+    measured = None if surface is None else row_sums(np.isfinite(surface), grid.cell)
     usable = np.flatnonzero(shapely.is_geometry(polygons) & (shapely.area(polygons) > 0))
     usable = usable[_place_order(polygons[usable])]
     pairs = neighbours(polygons[usable], 2 * max_shift)
@@ -98,7 +102,7 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
     for members, own_pairs in _batches(len(usable), pairs):
         progress.step(done / max(len(usable), 1))
         which = usable[members]
-        part = _placed(polygons[which], own_pairs, sums, grid, max_shift)
+        part = _placed(polygons[which], own_pairs, sums, measured, grid, max_shift)
         shifts[which], sigma[which], before[which], after[which], seen[which] = part
         done += len(members)
     progress.step(1.0)
@@ -146,13 +150,13 @@ def _batches(n: int, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
     return result
 
 
-def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid, max_shift: float
-            ) -> tuple[np.ndarray, ...]:
+def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured: np.ndarray | None, grid: Grid,
+            max_shift: float) -> tuple[np.ndarray, ...]:
     """Shifts, sigma, scores before and after, and whether observable, of one batch."""
     area = shapely.area(polygons)
     jigsaw = _jigsaw(polygons, area, pairs, sums, grid, max_shift)
-    jigsaw, best_cover = _with_common_shift(jigsaw, max_shift)
-    shifts = coarse_search(jigsaw, max_shift)
+    jigsaw, cover = _with_common_shift(jigsaw, max_shift)
+    shifts = coarse_search(jigsaw, cover, max_shift)
     beliefs = []
     for step, width in FINE_STEPS:
         shifts, belief = fine_search(jigsaw, shifts, step, width)
@@ -162,12 +166,16 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Gri
         shifts = choose(jigsaw, np.concatenate((
             shifts[:, None], better[:, None], jigsaw.common[:, None],
             snapped(jigsaw, shifts, max_shift, 4), snapped(jigsaw, better, max_shift, 4)), axis=1))
-    seen = best_cover >= LEAST_SEEN * area
+    shifts = without_needless(jigsaw, shifts)
+    seen = cover.max(axis=1) >= LEAST_SEEN * area
+    if measured is not None:
+        with_points = sums_inside(jigsaw.pieces, shifts[:, None], measured, grid)[:, 0]
+        seen &= with_points >= LEAST_MEASURED * area
     shifts = np.where(seen[:, None], shifts, jigsaw.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
     sigma = np.where(seen, _sigma(beliefs[0], FINE_STEPS[0][0], max_shift), max_shift)
-    cover = jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None]
-    return shifts, sigma, cover[:, 0], cover[:, 1], seen
+    scores = jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None]
+    return shifts, sigma, *np.clip(scores.T, -1, 1), seen
 
 
 def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid,
@@ -185,7 +193,7 @@ def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.
 
 
 def _with_common_shift(jigsaw: Jigsaw, max_shift: float) -> tuple[Jigsaw, np.ndarray]:
-    """The jigsaw with the common shift of every connected set, and the best cover (n,) m2 of each outline."""
+    """The jigsaw with the common shift of every connected set, and the cover (n, k) m2 on the coarse lattice."""
     n = len(jigsaw.perimeter)
     pairs = jigsaw.pairs
     sets, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
@@ -202,7 +210,7 @@ def _with_common_shift(jigsaw: Jigsaw, max_shift: float) -> tuple[Jigsaw, np.nda
     price = DEPART * np.bincount(label, jigsaw.perimeter, sets) / np.sqrt(np.bincount(label, minlength=sets))
     clear = (gain >= price) & (np.hypot(*shift.T) >= LEAST_COMMON)
     shift = np.where(clear[:, None], shift, 0)
-    return replace(jigsaw, common=shift[label]), cover.max(1)
+    return replace(jigsaw, common=shift[label]), cover
 
 
 def _sum_by(label: np.ndarray, values: np.ndarray, groups: int) -> np.ndarray:

@@ -6,7 +6,6 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
-from .displacement_pairs import EQUAL
 from .displacement_search import Jigsaw
 
 PROBE = 0.3  # m, distance at which the evidence is probed around an outline
@@ -20,25 +19,24 @@ PASSES = 2
 def adjusted(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
     """Shifts (n, 2) with joined walls brought together and whole rows of houses moved to the evidence.
 
-    Newton's steps: the evidence gives each outline a slope and a curvature, each joined wall or corner one
+    Newton's steps: the evidence gives each outline a slope and a curvature, each joined wall one
     observation of the difference of two shifts.
     """
     n = len(shifts)
     for _ in range(PASSES):
         slope, curvature = _pull(jigsaw, shifts)
-        i, j, direction, misfit, weight = _joints(jigsaw, shifts)
-        outer = weight[:, None, None] * direction[:, :, None] * direction[:, None, :]
+        i, j, misfit, weight = _joints(jigsaw, shifts)
+        joint = weight[:, None, None] * np.eye(2)
         own = np.arange(n)
-        blocks = np.concatenate((curvature, outer, outer, -outer, -outer))
+        blocks = np.concatenate((curvature, joint, joint, -joint, -joint))
         row, column = np.concatenate((own, i, j, i, j)), np.concatenate((own, i, j, j, i))
         axis = np.arange(2)
         rows = np.broadcast_to(2 * row[:, None, None] + axis[:, None], blocks.shape)
         columns = np.broadcast_to(2 * column[:, None, None] + axis, blocks.shape)
         normal = coo_matrix((blocks.ravel(), (rows.ravel(), columns.ravel())), (2 * n, 2 * n)).tocsc()
         right = slope.copy()
-        pull = (weight * misfit)[:, None] * direction
-        np.add.at(right, j, pull)
-        np.add.at(right, i, -pull)
+        np.add.at(right, j, weight[:, None] * misfit)
+        np.add.at(right, i, -weight[:, None] * misfit)
         step = spsolve(normal, right.ravel()).reshape(n, 2)
         length = np.hypot(*step.T)
         shifts = shifts + step * np.minimum(1, LONGEST_STEP / np.maximum(length, 1e-9))[:, None]
@@ -58,33 +56,21 @@ def _pull(jigsaw: Jigsaw, shifts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _joints(jigsaw: Jigsaw, shifts: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Joined walls and corners: outlines i and j (m,), direction (m, 2), misfit (m,) m, weight (m,)."""
+    """Joined walls: outlines i and j (m,), misfit (m, 2) m of their relative shift, weight (m,)."""
     walls = jigsaw.walls
-    relative = jigsaw.relative(shifts)[walls.pair]
-    across = walls.gap - np.einsum("ij,ij->i", walls.normal, relative)
-    slide = np.einsum("ij,ij->i", walls.along, relative)
-    low, high = walls.low + slide, walls.high + slide
-    shared = np.minimum(high, walls.length) - np.maximum(low, 0)
-    wall = (np.abs(across) < JOINED) & (shared > 0.5)
-    begin, end = wall & (np.abs(low) < JOINED), wall & (np.abs(high - walls.length) < JOINED)
-    pair = np.concatenate([walls.pair[use] for use in (wall, begin, end)])
-    direction = np.concatenate((walls.normal[wall], walls.along[begin], walls.along[end]))
-    misfit = np.concatenate((across[wall], -low[begin], (walls.length - high)[end]))
-    weight = STIFFNESS * np.concatenate((shared[wall], np.ones(begin.sum() + end.sum())))
-    return *jigsaw.pairs[pair].T, direction, misfit, weight
+    misfit = walls.meeting - jigsaw.relative(shifts)[walls.pair]
+    joined = np.hypot(*misfit.T) < JOINED
+    return *jigsaw.pairs[walls.pair[joined]].T, misfit[joined], STIFFNESS * walls.length[joined]
 
 
 def snapped(jigsaw: Jigsaw, shifts: np.ndarray, max_shift: float, most: int) -> np.ndarray:
-    """Places (n, most, 2) where a wall drawn equally in a neighbour meets it exactly, the nearest first.
+    """Places (n, most, 2) where a wall meets a neighbour's exactly, the nearest first.
 
     The neighbour stays at its shift; an outline with fewer such places has its own shift repeated.
     """
-    walls = jigsaw.walls
-    twin = np.abs(walls.high - walls.low - walls.length) < EQUAL
-    relative = walls.normal[twin] * walls.gap[twin, None] - walls.along[twin] * walls.low[twin, None]
-    i, j = jigsaw.pairs[walls.pair[twin]].T
+    i, j = jigsaw.pairs[jigsaw.walls.pair].T
     outline = np.concatenate((j, i))
-    place = np.concatenate((shifts[i] + relative, shifts[j] - relative))
+    place = np.concatenate((shifts[i] + jigsaw.walls.meeting, shifts[j] - jigsaw.walls.meeting))
     allowed = np.hypot(*place.T) <= max_shift
     outline, place = outline[allowed], place[allowed]
     order = np.lexsort((place[:, 1], place[:, 0], np.hypot(*(place - shifts[outline]).T), outline))

@@ -19,28 +19,23 @@ from .displacement_boundary import Edges, Pieces
 MASK_CELL = 0.25
 PARALLEL = np.sin(np.radians(2.0))  # edges of a shared wall differ less than this in direction
 SHORTEST_WALL = 0.8  # m
-CORNER = 0.5  # m of shared wall that two corners falling together are worth
-EQUAL = 0.03  # m: walls whose lengths differ less are drawn on one another, not by chance
-TWIN = 4.0  # times the worth of a wall where both its ends fall together
+EQUAL = 0.03  # m: edges whose lengths differ less are one wall, drawn for both; others may be strangers
 PAIRS_AT_ONCE = 256
 
 
 @dataclass(frozen=True)
 class Walls:
-    """Edges of two outlines that would fall on each other at some shift r = (shift of j - shift of i).
+    """Edges that two outlines i and j may share: antiparallel and equally long.
 
-    pair : (m,) number of the pair, sorted; along, normal : (m, 2) unit vectors of i's edge;
-    gap : (m,) the edges lie on one line where normal.r = gap;
-    length : (m,) of i's edge; low, high : (m,) where j's edge begins and ends along i's edge at r = 0; all in m.
+    Edges that only partly face each other are left out: houses with a gap between them have those as well.
+
+    pair : (m,) number of the pair, sorted; length : (m,) m;
+    meeting : (m, 2) m, the relative shift (shift of j less shift of i) at which both ends fall together.
     """
 
     pair: np.ndarray
-    along: np.ndarray
-    normal: np.ndarray
-    gap: np.ndarray
     length: np.ndarray
-    low: np.ndarray
-    high: np.ndarray
+    meeting: np.ndarray
 
 
 def neighbours(polygons: np.ndarray, reach: float) -> np.ndarray:
@@ -52,46 +47,36 @@ def neighbours(polygons: np.ndarray, reach: float) -> np.ndarray:
 
 
 def walls_between(edges: Edges, pairs: np.ndarray, reach: float) -> Walls:
-    """Antiparallel edges of each pair (p, 2) that a relative shift of up to `reach` m can bring together."""
-    count = np.bincount(edges.owner, minlength=int(pairs.max()) + 1 if len(pairs) else 0)
+    """Edges of each pair (p, 2) that may be one wall, where a relative shift of up to `reach` m joins them."""
+    vector = edges.end - edges.start
+    length = np.hypot(*vector.T)
+    long = length > SHORTEST_WALL
+    owner, start, end, vector, length = (a[long] for a in (edges.owner, edges.start, edges.end, vector, length))
+    count = np.bincount(owner, minlength=int(pairs.max()) + 1 if len(pairs) else 0)
     first = np.cumsum(count) - count
     combinations = count[pairs[:, 0]] * count[pairs[:, 1]]
     pair = np.repeat(np.arange(len(pairs)), combinations)
     number = np.arange(len(pair)) - np.repeat(np.cumsum(combinations) - combinations, combinations)
     i, j = pairs[pair].T
     a, b = first[i] + number // count[j], first[j] + number % count[j]
-    vector = edges.end - edges.start
-    length = np.hypot(*vector.T)
+    equal = np.abs(length[a] - length[b]) < EQUAL
+    pair, a, b = pair[equal], a[equal], b[equal]
     unit = vector / length[:, None]
-    opposite = ((np.einsum("ij,ij->i", unit[a], unit[b]) < 0) & (np.minimum(length[a], length[b]) > SHORTEST_WALL)
+    opposite = ((np.einsum("ij,ij->i", unit[a], unit[b]) < 0)
                 & (np.abs(unit[a, 0] * unit[b, 1] - unit[a, 1] * unit[b, 0]) < PARALLEL))
     pair, a, b = pair[opposite], a[opposite], b[opposite]
-    along = unit[a]
-    normal = np.column_stack((along[:, 1], -along[:, 0]))
-    low = np.einsum("ij,ij->i", along, edges.end[b] - edges.start[a])
-    high = np.einsum("ij,ij->i", along, edges.start[b] - edges.start[a])
-    middle = (edges.start[a] + edges.end[a] - edges.start[b] - edges.end[b]) / 2
-    gap = np.einsum("ij,ij->i", normal, middle)
-    near = (np.abs(gap) <= reach) & (low - length[a] < reach) & (high > -reach)
-    return Walls(pair[near], along[near], normal[near], gap[near], length[a][near], low[near], high[near])
+    meeting = (start[a] + end[a] - start[b] - end[b]) / 2
+    near = np.hypot(*meeting.T) <= reach
+    return Walls(pair[near], length[a][near], meeting[near])
 
 
 def fit(walls: Walls, shifts: np.ndarray, width: float) -> np.ndarray:
-    """Metres of wall (and corners) that fall together, of each wall (m,) at its relative shifts (m, k, 2): (m, k).
+    """Metres of each wall (m,) that meet at its relative shifts (m, k, 2): (m, k).
 
-    Full value at an exact meeting, falling to none at `width` m.
+    Full length at an exact meeting, falling to none at `width` m.
     """
-    across = _nearness(np.einsum("ij,ikj->ik", walls.normal, shifts) - walls.gap[:, None], width)
-    slide = np.einsum("ij,ikj->ik", walls.along, shifts)
-    low, high, length = walls.low[:, None] + slide, walls.high[:, None] + slide, walls.length[:, None]
-    shared = np.maximum(np.minimum(high, length) - np.maximum(low, 0), 0)
-    ends = _nearness(low, width), _nearness(high - length, width)
-    twin = TWIN * length * (np.abs(walls.high - walls.low - walls.length) < EQUAL)[:, None] * ends[0] * ends[1]
-    return across * (shared + CORNER * (ends[0] + ends[1]) * (shared > 0) + twin)
-
-
-def _nearness(distance: np.ndarray, width: float) -> np.ndarray:
-    return np.maximum(1 - (distance / width) ** 2, 0)
+    away = np.sum((shifts - walls.meeting[:, None]) ** 2, axis=2)
+    return walls.length[:, None] * np.maximum(1 - away / width**2, 0)
 
 
 def fit_tables(walls: Walls, pairs: int, shifts: np.ndarray, width: float) -> np.ndarray:

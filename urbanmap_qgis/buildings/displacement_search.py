@@ -10,13 +10,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ..terrain.grid import Grid
 from .displacement_boundary import Edges, Pieces, sums_inside
 from .displacement_pairs import MASK_CELL, Walls, fit_tables
 
 OVERLAP = 1.5  # worth lost per m2 of overlap: 1 for the evidence counted twice, the rest for the overlap itself
-WALL = 0.3  # m2 that one metre of meeting wall is worth
+WALL = 1.6  # m2 that one metre of meeting wall is worth
 DEPART = 0.1  # m: an outline departs from the common shift only if it gains such a strip all around it
 DEPART_OVER = 0.25  # m, the whole price is paid from this departure on
 TIE = 0.01  # m2 a metre of boundary and of departure: decides where nothing else does
@@ -25,6 +27,7 @@ FINE_STEPS = ((0.2, 0.4), (0.1, 0.25))  # m: step of the lattice, distance at wh
 COARSE_WIDTH, EXACT_WIDTH = 0.6, 0.15  # m, the same distance for the coarse lattice and for the last choice
 ROUNDS = 16
 DAMPING = 0.3
+SAME_PLACE = 1e-3  # m
 PAIRS_AT_ONCE = 2048  # pairs whose tables over all candidates are held at once
 
 
@@ -52,11 +55,11 @@ class Jigsaw:
         """Evidence covered (m2) by each outline at its shifts (n, k, 2): (n, k)."""
         return sums_inside(self.coarse if coarse else self.pieces, shifts, self.sums, self.grid)
 
-    def single(self, shifts: np.ndarray, coarse: bool = False) -> np.ndarray:
-        """Worth (m2) of each outline by itself at its shifts (n, k, 2): (n, k)."""
+    def single(self, shifts: np.ndarray, cover: np.ndarray | None = None) -> np.ndarray:
+        """Worth (m2) of each outline by itself at its shifts (n, k, 2): (n, k). `cover` saves computing it."""
         away = np.hypot(*np.moveaxis(shifts - self.common[:, None], 2, 0))
         price = DEPART * np.minimum(away / DEPART_OVER, 1) + TIE * away
-        return self.cover(shifts, coarse) - self.perimeter[:, None] * price
+        return (self.cover(shifts) if cover is None else cover) - self.perimeter[:, None] * price
 
     def relative(self, shifts: np.ndarray) -> np.ndarray:
         """Shift (p, 2) of the second outline of each pair against the first."""
@@ -134,11 +137,11 @@ def _damped(old: np.ndarray, new: np.ndarray) -> np.ndarray:
     return np.float32(DAMPING) * old + np.float32(1 - DAMPING) * (new - new.max(1, keepdims=True))
 
 
-def coarse_search(jigsaw: Jigsaw, max_shift: float) -> np.ndarray:
-    """Best shifts (n, 2) on the coarse lattice within `max_shift` m."""
+def coarse_search(jigsaw: Jigsaw, cover: np.ndarray, max_shift: float) -> np.ndarray:
+    """Best shifts (n, 2) on the coarse lattice within `max_shift` m; `cover` (n, k) m2 on that lattice."""
     steps = lattice(COARSE_STEP, max_shift)
-    n, q = len(jigsaw.perimeter), 2 * int(np.abs(steps).max())
-    single = jigsaw.single(np.broadcast_to(steps * COARSE_STEP, (n, *steps.shape)), coarse=True)
+    q = 2 * int(np.abs(steps).max())
+    single = jigsaw.single(np.broadcast_to(steps * COARSE_STEP, (*cover.shape, 2)), cover)
     fits = fit_tables(jigsaw.walls, len(jigsaw.pairs), _square(q) * COARSE_STEP, COARSE_WIDTH)
     stride, middle = round(COARSE_STEP / MASK_CELL), jigsaw.overlaps.shape[1] // 2
     at = middle + stride * _square(q)
@@ -172,3 +175,24 @@ def choose(jigsaw: Jigsaw, candidates: np.ndarray) -> np.ndarray:
     tables = jigsaw.together(relative, EXACT_WIDTH)
     belief = best_together(jigsaw.single(candidates), jigsaw.pairs, worth)
     return np.take_along_axis(candidates, belief.argmax(1)[:, None, None], 1)[:, 0]
+
+
+def without_needless(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
+    """Shifts (n, 2) where outlines that gain nothing by departing from the common shift are put back to it.
+
+    Neighbours that depart together are judged together: equal sheds that only changed places go back.
+    """
+    n = len(shifts)
+    departing = np.hypot(*(shifts - jigsaw.common).T) > SAME_PLACE
+    inside = departing[jigsaw.pairs].all(axis=1)
+    groups, label = connected_components(
+        coo_matrix((np.ones(inside.sum()), jigsaw.pairs[inside].T), (n, n)), directed=False)
+    gain = np.bincount(label, _difference(jigsaw.single(np.stack((jigsaw.common, shifts), 1))), groups)
+    relative = np.stack((jigsaw.relative(jigsaw.common), jigsaw.relative(shifts)), 1)
+    of_pair = np.where(departing[jigsaw.pairs[:, 0]], *label[jigsaw.pairs].T)
+    gain += np.bincount(of_pair, _difference(jigsaw.together(relative, EXACT_WIDTH)), groups)
+    return np.where((gain[label] > 0)[:, None], shifts, jigsaw.common)
+
+
+def _difference(before_and_after: np.ndarray) -> np.ndarray:
+    return before_and_after[:, 1] - before_and_after[:, 0]

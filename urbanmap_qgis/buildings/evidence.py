@@ -25,6 +25,7 @@ HIGH = 2.0  # m above ground: from here on a smooth surface is a building
 SMOOTH = 0.12  # m, deviation from a plane of a window lying on one roof
 ROUGH = 0.35  # m, the same in foliage
 VEGETATION = -0.2  # evidence of a high rough cell: outlines seldom cover it, but a tree may hang over a roof
+CERTAIN, REACH = 1.0, 2.5  # m from a cell with points: its evidence holds there as well, or half of it does
 GUESS = 0.5  # weight of the shape where a cloud has classes but this cell holds neither building nor ground
 
 
@@ -93,7 +94,7 @@ class EvidenceAccumulator:
         +1: surely building, -1: surely not (ground, road, low things), 0: unknown.
         With class 6 in the cloud the classes decide and the shape only fills in; without, the shape decides:
         high above `ground` (rows, columns; m, NaN = unknown) and smooth is building, high and rough is foliage.
-        Cells without points take the mean of the cells around them, as far as two cells.
+        Cells without points take after the cells around them, as far as `REACH` m.
         """
         ground = np.asarray(ground, np.float32)
         if ground.shape != self.grid.shape:
@@ -105,7 +106,7 @@ class EvidenceAccumulator:
             share = np.divide(self.building - self.ground, classed, out=np.zeros_like(classed), where=classed > 0)
             # A wall's cell holds roof and ground points: their balance tells where in the cell the wall stands.
             shape = np.where(classed > 0, share, GUESS * shape)
-        return _filled(shape.astype(np.float32), seen)
+        return _filled(shape.astype(np.float32), seen, self.grid.cell)
 
     def _from_shape(self, ground: np.ndarray, seen: np.ndarray) -> np.ndarray:
         """Evidence of the cells with points, from heights, smoothness and returns only."""
@@ -164,13 +165,17 @@ def _roughness(height: np.ndarray, known: np.ndarray, size: int = 3) -> np.ndarr
     return np.where(np.isfinite(rough), rough, (SMOOTH + ROUGH) / 2)
 
 
-def _filled(evidence: np.ndarray, seen: np.ndarray, reach: int = 2) -> np.ndarray:
-    """Evidence with cells that no point fell into given the mean of the seen cells around them."""
-    weight, value = seen.astype(np.float32), np.where(seen, evidence, np.float32(0))
-    for _ in range(reach):
-        near = _box(weight, 3)
+def _filled(evidence: np.ndarray, seen: np.ndarray, cell: float) -> np.ndarray:
+    """Evidence with cells that no point fell into given the mean of the seen cells around them.
+
+    Within `CERTAIN` m it is taken whole; up to `REACH` m by half: where the points end (at the edge of a tile, at
+    water) an outline must neither be drawn in nor pushed out.
+    """
+    known, value = seen.astype(np.float32), np.where(seen, evidence, np.float32(0))
+    for ring in range(math.ceil(REACH / cell)):
+        near = _box(known, 3)
         mean = np.divide(_box(value, 3), near, out=np.zeros_like(near), where=near > 0.5)
-        empty = weight == 0
-        value = np.where(empty, mean, value).astype(np.float32)
-        weight = np.where(empty, near > 0.5, weight).astype(np.float32)
+        first_outside = (ring - 1) * cell < CERTAIN <= ring * cell
+        value = np.where(known == 0, mean * (0.5 if first_outside else 1), value).astype(np.float32)
+        known = np.maximum(known, near > 0.5).astype(np.float32)
     return np.clip(value, -1, 1)
