@@ -5,6 +5,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.roof_segmentation import (
+    DEFAULTS,
     FEW_POINTS,
     NO_POINTS,
     OK,
@@ -30,7 +31,7 @@ def scatter(polygon, height, density=DENSITY, seed=0):
     return np.c_[x, y, z + rng.normal(0, NOISE, len(x))]
 
 
-def segment(parts, outline, density=DENSITY, parameters=RoofParameters(), ground=0.0, **more):
+def segment(parts, outline, density=DENSITY, parameters=DEFAULTS, ground=0.0, **more):
     points = np.concatenate(parts)
     return points, segment_roofs(*points.T, outline, ground, density, parameters, **more)
 
@@ -56,7 +57,7 @@ def test_flat_roof():
 def test_setbacks_are_apart_and_numbered_from_low_to_high():
     outline = shapely.box(0, 0, 30, 10)
     steps = [scatter(shapely.box(10 * i, 0, 10 * i + 10, 10), h, seed=i) for i, h in enumerate((12.0, 6.0, 9.0))]
-    points, result = segment(steps, outline)
+    _points, result = segment(steps, outline)
     np.testing.assert_allclose(result.roofs.height, [6, 9, 12], atol=0.02)
     truth = np.repeat([3, 1, 2], [len(s) for s in steps])
     assert (result.roof_of_point == truth).mean() > 0.995
@@ -188,6 +189,15 @@ def test_courtyard_without_points_has_no_data():
     assert label_at(result, 15, 15) == 0
 
 
+def test_small_hole_in_the_data_is_filled_but_not_supported():
+    outline = shapely.box(0, 0, 20, 20)
+    hole = shapely.box(8, 8, 12.8, 12.8)
+    _, result = segment([scatter(outline - hole, 12.0)], outline)
+    assert (result.roof_of_cell[result.inside] == 1).all()
+    row, column, _ = result.grid.cells(np.array([10.4]), np.array([10.4]))
+    assert not result.supported[row[0], column[0]]
+
+
 def test_neighbour_in_the_expanded_outline_is_left_out():
     outline = shapely.box(0, 0, 10, 10)
     neighbour = scatter(shapely.box(10, 0, 11, 10), 20.0, seed=1)
@@ -199,7 +209,7 @@ def test_neighbour_in_the_expanded_outline_is_left_out():
 
 def test_roof_that_sticks_out_of_the_outline_is_followed():
     roof = shapely.box(-1.5, 0, 10, 10)
-    points, result = segment([scatter(roof, 8.0)], shapely.box(0, 0, 10, 10))
+    _points, result = segment([scatter(roof, 8.0)], shapely.box(0, 0, 10, 10))
     assert (result.roof_of_point == 1).all()
     assert label_at(result, -1, 5) == 1
 
@@ -246,10 +256,10 @@ def test_multipolygon_and_far_coordinates():
     np.testing.assert_allclose(result.roofs.height, [106, 106], atol=0.02)
 
 
-@pytest.mark.parametrize("change", [dict(z=np.ones(4)), dict(z=np.full(5, np.nan)), dict(density=0.0),
-                                    dict(ground=np.nan), dict(multi_return=np.ones(3, bool))])
+@pytest.mark.parametrize("change", [{"z": np.ones(4)}, {"z": np.full(5, np.nan)}, {"density": 0.0},
+                                    {"ground": np.nan}, {"multi_return": np.ones(3, bool)}])
 def test_bad_input_is_refused(change):
-    arguments = dict(x=np.ones(5), y=np.ones(5), z=np.ones(5), outline=shapely.box(0, 0, 2, 2), ground=0.0,
-                     density=1.0)
+    arguments = {"x": np.ones(5), "y": np.ones(5), "z": np.ones(5), "outline": shapely.box(0, 0, 2, 2), "ground": 0.0,
+                     "density": 1.0}
     with pytest.raises(InputError):
         segment_roofs(**{**arguments, **change})

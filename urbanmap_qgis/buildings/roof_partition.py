@@ -17,7 +17,7 @@ from .roof_surface import RoofSurface
 PIECE_THICKNESS = 0.5
 """Height range of the level pieces that roofs are put together from, m."""
 
-REFINEMENTS = 6
+REFINEMENTS = 5
 """Rounds of moving the boundaries between roofs; each moves them by one cell at most."""
 
 SMOOTHNESS = 0.15
@@ -247,7 +247,7 @@ def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray
     own = {r for r in graph.regions()
            if inner[r] >= smallest / 2 and inner[r] >= LEAST_INSIDE * graph.area[r]}
     if not own:
-        own = set(graph.regions()[:1]) if not inner[1:].any() else {int(np.argmax(np.r_[0, inner[1:]]))}
+        own = {max(graph.regions(), key=lambda r: (inner[r], graph.area[r], -r))}
     front = list(own)
     while front:
         r = front.pop()

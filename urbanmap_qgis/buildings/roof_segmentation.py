@@ -34,7 +34,13 @@ PARAPET_SHARE = 0.15
 """Hits in that range for each cell of the roof's border strip that make a parapet."""
 
 GAP_FILL = 1.5
-"""Inside cells this far from a supported one still get its roof, m; farther ones only under trees."""
+"""Inside cells this far from a supported one still get its roof, m; farther ones under trees and in small gaps."""
+
+LARGEST_GAP, ENCLOSURE = 25.0, 0.75
+"""Area in m2 and share of the border along roofs of gaps that are filled however far the next point is.
+
+A building no larger than that has no courtyard: it is filled whole.
+"""
 
 DEFAULTS = RoofParameters()
 
@@ -265,9 +271,29 @@ def _complete(plan: RoofPartition, surface: RoofSurface, roof_of_point: np.ndarr
     supported = (cv2.morphologyEx(hit, cv2.MORPH_CLOSE, _NEIGHBOURHOOD) > 0) & (plan.labels > 0)
     distance, nearest = ndimage.distance_transform_edt(~supported, return_indices=True)
     under_clutter = (surface.count > 0) | (plan.labels > 0)
-    fill = surface.inside & ~open_cells & (under_clutter | (distance * surface.grid.cell <= GAP_FILL))
+    near = distance * surface.grid.cell <= GAP_FILL
+    gap = surface.inside & ~open_cells & ~supported & ~under_clutter
+    if surface.inside.sum() * surface.grid.cell**2 > LARGEST_GAP:
+        gap = _enclosed(gap, supported, surface.grid.cell)
+    fill = surface.inside & ~open_cells & (under_clutter | near | gap)
     of_cell = np.where(supported | (fill & supported.any()), plan.labels[tuple(nearest)], 0)
     return of_cell, supported
+
+
+def _enclosed(gap: np.ndarray, supported: np.ndarray, cell: float) -> np.ndarray:
+    """Cells of gaps that are small and have roofs around: no returns came back, but no courtyard is that small."""
+    part, n = ndimage.label(gap)
+    if n == 0:
+        return gap
+    small = np.bincount(part.ravel()) * cell**2 <= LARGEST_GAP
+    padded, roof = np.pad(part, 1), np.pad(supported, 1)
+    sides, closed = np.zeros(n + 1), np.zeros(n + 1)
+    for axis, shift in ((0, 1), (0, -1), (1, 1), (1, -1)):
+        beside, roof_beside = np.roll(padded, shift, axis), np.roll(roof, shift, axis)
+        border = (padded > 0) & (beside == 0)
+        sides += np.bincount(padded[border], minlength=n + 1)
+        closed += np.bincount(padded[border & roof_beside], minlength=n + 1)
+    return gap & (small & (closed >= ENCLOSURE * sides))[part]
 
 
 def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point: np.ndarray,
