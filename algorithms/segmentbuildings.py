@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
-from .outlines import BUILDING_ID, footprints_of
+from .outlines import BUILDING_ID, NOTE, footprints_of
 from .workers import workers
 
 
@@ -79,10 +79,17 @@ class SegmentBuildings(UrbanMapAlgorithm):
     def _write(self, parameters, context, table, footprints, buildings, progress):
         fields = make_fields((BUILDING_ID, "int"), ("points", "int"), ("density", "real"), ("ground", "real"),
                              ("shift_x", "real"), ("shift_y", "real"), ("shift_sigma", "real"),
-                             ("shift_status", "text"), ("status", "text"), ("note", "text"), base=table.fields)
+                             ("shift_status", "text"), ("status", "text"), (NOTE, "text"), base=table.fields)
         columns = {**table.columns, BUILDING_ID: footprints.ids, "points": buildings.points,
                    "density": buildings.density, "ground": buildings.ground, "shift_x": buildings.shift_x,
                    "shift_y": buildings.shift_y, "shift_sigma": buildings.shift_sigma,
-                   "shift_status": buildings.shift_status, "status": buildings.status, "note": footprints.notes}
+                   "shift_status": buildings.shift_status, "status": buildings.status,
+                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points)]}
         return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
                                 buildings.outlines, "MultiPolygon", "segmented_buildings", progress)
+
+
+def _note(note: str, usable: bool, points: int) -> str:
+    """What is to be said of an outline: its flaws, and that nothing stands in it."""
+    nothing = "there are no points of a building in its outline" if usable and not points else ""
+    return "; ".join(filter(None, (note, nothing)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib.util
+import sys
 from pathlib import Path
 
 import laspy
@@ -41,3 +43,15 @@ def make_cloud():
         return path
 
     return make
+
+
+@pytest.fixture(scope="session")
+def synthetic():
+    """The module of made-up town blocks, see synthetic_blocks.py."""
+    name = "urbanmap_synthetic_blocks"
+    if name not in sys.modules:
+        spec = importlib.util.spec_from_file_location(name, Path(__file__).with_name("synthetic_blocks.py"))
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[name] = module
+        spec.loader.exec_module(module)
+    return sys.modules[name]

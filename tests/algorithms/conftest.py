@@ -148,3 +148,38 @@ def read_layer(qgis_app):
                                 geometry=item.geometry()) for item in layer.getFeatures()]
 
     return read
+
+
+@pytest.fixture(scope="session")
+def save_outlines(qgis_app):
+    """`save_outlines(path, geometries, fields, epsg)`: shapely polygons in a GeoPackage; gives its path."""
+
+    def save(path, geometries, fields=None, epsg=6677, kind="MultiPolygon"):
+        from qgis.core import (
+            QgsCoordinateReferenceSystem,
+            QgsCoordinateTransformContext,
+            QgsFeature,
+            QgsGeometry,
+            QgsVectorFileWriter,
+            QgsVectorLayer,
+        )
+
+        columns = fields or {}
+        kinds = {int: "integer", float: "double", str: "string"}
+        text = "".join(f"&field={key}:{kinds[type(values[0])]}" for key, values in columns.items())
+        layer = QgsVectorLayer(f"{kind}?crs=EPSG:{epsg}{text}" if epsg else f"{kind}?{text[1:]}", "outlines", "memory")
+        for row, geometry in enumerate(geometries):
+            feature = QgsFeature(layer.fields())
+            feature.setAttributes([values[row] for values in columns.values()])
+            if geometry is not None:
+                feature.setGeometry(QgsGeometry.fromWkt(geometry.wkt))
+            layer.dataProvider().addFeature(feature)
+        if not epsg:
+            layer.setCrs(QgsCoordinateReferenceSystem())
+        options = QgsVectorFileWriter.SaveVectorOptions()
+        options.layerName = "outlines"
+        code = QgsVectorFileWriter.writeAsVectorFormatV3(layer, str(path), QgsCoordinateTransformContext(), options)
+        assert code[0] == 0, code
+        return path
+
+    return save
