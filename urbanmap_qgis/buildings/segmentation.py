@@ -6,6 +6,7 @@ building take part: class 6 where the cloud is classified, otherwise what stands
 
 from __future__ import annotations
 
+import itertools
 import math
 import os
 from collections.abc import Iterator
@@ -172,26 +173,25 @@ class _Tiling:
         self.columns = int((high[0] - low[0]) // self.side) + 2
         self.rows = rows
         self.bounds = bounds
-        self.tile_of_row = self._key(centre[:, 0], centre[:, 1])
+        column, row = self._cells(centre[:, 0], centre[:, 1])
+        self.tile_of_row = row * self.columns + column
         self.names = np.unique(self.tile_of_row)
 
-    def _key(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        column = np.floor((x - self.origin[0]) / self.side).astype(np.int64)
-        row = np.floor((y - self.origin[1]) / self.side).astype(np.int64)
-        return np.where((column >= 0) & (column < self.columns) & (row >= 0), row * self.columns + column, -1)
+    def _cells(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Column and row of the tile that each place lies in."""
+        return (np.floor((x - self.origin[0]) / self.side).astype(np.int64),
+                np.floor((y - self.origin[1]) / self.side).astype(np.int64))
 
     def keys(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Tiles that points belong to, buffers included: pairs of keys and the points' numbers."""
-        seen: list[np.ndarray] = []
-        for dx in (-BUFFER, BUFFER):
-            for dy in (-BUFFER, BUFFER):
-                key = self._key(x + dx, y + dy)
-                new = np.isin(key, self.names)
-                for earlier in seen:
-                    new &= key != earlier
-                seen.append(key)
-                members = np.flatnonzero(new)
-                yield key[members], members
+        first, last = self._cells(x - BUFFER, y - BUFFER), self._cells(x + BUFFER, y + BUFFER)
+        spans = math.ceil(2 * BUFFER / self.side) + 1
+        for right, up in itertools.product(range(spans), repeat=2):
+            column, row = first[0] + right, first[1] + up
+            key = row * self.columns + column
+            members = np.flatnonzero((column <= last[0]) & (row <= last[1]) & (column >= 0) & (row >= 0)
+                                     & (column < self.columns) & np.isin(key, self.names))
+            yield key[members], members
 
     def near(self, name: int) -> np.ndarray:
         """Rows of the outlines that reach into the tile or its buffer."""

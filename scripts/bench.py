@@ -1,0 +1,185 @@
+"""Table of speed, memory and accuracy: `make bench`.
+
+Times are CPU seconds of this process. Each is also given as a ratio to a reference measured in the same run, the
+Delaunay triangulation of 200,000 random points by scipy, so that figures of different machines compare.
+With the real data beside the checkout (../shared/data) the models are scored against the laser points and the true
+outlines, next to the published figures of roofer 1.1; without them the made block is used alone.
+"""
+
+from __future__ import annotations
+
+import csv
+import resource
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import shapely
+from scipy.spatial import Delaunay
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
+from urbanmap_qgis.buildings.footprint import Footprints, clean_footprints  # noqa: E402
+from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models, roof_cells, wall_rectangles  # noqa: E402
+from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons  # noqa: E402
+from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
+from urbanmap_qgis.buildings.segmentation import segment_buildings  # noqa: E402
+from urbanmap_qgis.io.pointcloud import open_cloud, read_all  # noqa: E402
+from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
+
+DATA = ROOT.parent / "shared" / "data" / "als"
+DELFT = DATA / "delft_west"
+CELLS = ("82500_446000", "83000_446000", "83000_446500")
+FLAT_RMSE_3D = 0.2
+"""A building is flat-roofed where roofer's one-height model has at most this RMSE 3D (m)."""
+
+
+@dataclass(frozen=True)
+class Run:
+    """Models of one input and the CPU seconds of each stage."""
+
+    models: list[BuildingModel]
+    seconds: dict[str, float]
+
+
+def outlines_of(path: Path, field: str) -> tuple[np.ndarray, list]:
+    """Polygons and values of a field of a GeoPackage."""
+    from osgeo import ogr
+
+    ogr.UseExceptions()
+    source = ogr.Open(str(path))
+    geometries, values = [], []
+    for feature in source.GetLayer(0):
+        geometries.append(shapely.from_wkb(bytes(feature.GetGeometryRef().ExportToWkb())))
+        values.append(feature.GetField(field))
+    made = np.empty(len(geometries), dtype=object)
+    made[:] = geometries
+    return made, values
+
+
+def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None, method: str = "partition") -> Run:
+    """The chain of the building stages with its defaults, as the algorithms run it."""
+    seconds = {}
+    footprints = clean_footprints(outlines)
+
+    def timed(name, work):
+        start = time.process_time()
+        result = work()
+        seconds[name] = time.process_time() - start
+        return result
+
+    with tempfile.TemporaryDirectory() as folder:
+        buildings, roofs = Path(folder, "buildings.laz"), Path(folder, "roofs.laz")
+        found = timed("segment buildings", lambda: segment_buildings(open_cloud([points]), footprints, buildings))
+        placed = Footprints(footprints.ids, found.outlines, footprints.notes)
+        density = float(np.median(found.density[found.density > 0]))
+        timed("segment roofs", lambda: segment_cloud_roofs(open_cloud([buildings]), placed, roofs, ground=found.ground,
+                                                           density=density))
+        drawn = timed("roof polygons",
+                      lambda: cloud_roof_polygons(open_cloud([roofs]), placed, PolygonParameters(method)))
+        table = RoofInput(np.array(drawn.polygon, object), np.array(drawn.building_id), np.array(drawn.roof_id),
+                          np.array(drawn.height), np.array(drawn.status, object))
+        models = timed("building models", lambda: build_models(
+            placed, table, found.ground if base is None else base, open_cloud([roofs])))
+    return Run(models, seconds)
+
+
+def score(run: Run, truth: np.ndarray, points: np.ndarray) -> list[Score]:
+    """Scores of all buildings against true outlines and class 6 points (n, 3)."""
+    return [score_building(model.building_id, outline, inside, roof_cells(model.solids), wall_rectangles(model.solids))
+            for model, outline, inside in zip(run.models, truth, points_inside(points, truth))]
+
+
+def print_table(title: str, header: tuple[str, ...], rows: list[tuple]) -> None:
+    """A table in Markdown, so that it can go into the documentation as it is."""
+    print(f"\n{title}\n")
+    print("| " + " | ".join(header) + " |")
+    print("|" + "---|" * len(header))
+    for row in rows:
+        print("| " + " | ".join(f"{value:.3f}" if isinstance(value, float) else str(value) for value in row) + " |")
+
+
+def reference_seconds() -> float:
+    """CPU seconds of the reference."""
+    points = np.random.default_rng(0).uniform(0, 1000, (200_000, 2))
+    start = time.process_time()
+    Delaunay(points)
+    return time.process_time() - start
+
+
+def delft_table() -> None:
+    """Accuracy on the part of Delft that is here, with damaged inputs, one set of defaults."""
+    truth, ids = outlines_of(DELFT / "outlines.gpkg", "lokaalid")
+    cloud = read_all(open_cloud([DELFT / "points.laz"]), ("x", "y", "z", "classification"))
+    points = np.column_stack([cloud[name] for name in "xyz"])[cloud["classification"] == 6]
+    with (DELFT / "peers.csv").open() as stream:
+        peers = {row["lokaalid"]: row for row in csv.DictReader(stream)}
+    flat = [float(peers[name]["lod12_rmse_3d"] or "inf") <= FLAT_RMSE_3D for name in ids]
+    rows = []
+    for cloud_name, outline_name in (
+            ("points", "outlines"), ("points_unclassified", "outlines"), ("points_2_per_m2", "outlines"),
+            ("points_1_per_m2", "outlines"), ("points", "outlines_shifted_1m"), ("points", "outlines_shifted_2m"),
+            ("points_unclassified", "outlines_shifted_1m"), ("points_unclassified", "outlines_shifted_2m")):
+        outlines, _ = outlines_of(DELFT / f"{outline_name}.gpkg", "lokaalid")
+        run = chain(DELFT / f"{cloud_name}.laz", outlines)
+        scores = score(run, truth, points)
+        means = summary(scores)
+        flat_z = [one.rmse_z for one, is_flat in zip(scores, flat) if is_flat and np.isfinite(one.rmse_z)]
+        sound = sum(model.status == "ok" for model in run.models)
+        rows.append((cloud_name, outline_name, f"{means['modelled']}/{means['buildings']}", sound, means["roofs"],
+                     means["rmse_z95"], means["rmse_3d"], float(np.mean(flat_z)), means["plan_iou"],
+                     1000 * sum(run.seconds.values()) / len(truth)))
+    print_table("Delft (AHN3); roofer 1.1 LoD1.3, step 0.5 m: RMSE z 95 % 0.623 m, RMSE 3D 0.393 m, 256 roofs",
+                ("points", "outlines", "modelled", "status ok", "roofs", "RMSE z 95 % (m)", "RMSE 3D (m)",
+                 "flat roofs: RMSE z (m)", "plan IoU", "CPU ms/building"), rows)
+
+
+def cells_table(reference: float) -> None:
+    """Speed of each stage on whole 500 m cells."""
+    rows = []
+    for name in CELLS:
+        outlines, base = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
+        run = chain(DATA / "delft_cells" / f"points_{name}.laz", outlines, np.array(base, float))
+        count = len(outlines)
+        rows.append((name, count, *(1000 * value / count for value in run.seconds.values()),
+                     1000 * sum(run.seconds.values()) / count, sum(run.seconds.values()) / reference,
+                     sum(bool(model.solids) for model in run.models)))
+    print_table("Delft cells: CPU ms a building",
+                ("cell", "buildings", "segment buildings", "segment roofs", "roof polygons", "building models", "all",
+                 "all / reference", "modelled"), rows)
+
+
+def ground_table(reference: float) -> None:
+    """Speed of the cloth filter on a made scene."""
+    rng = np.random.default_rng(1)
+    x, y = rng.uniform(0, 400, (2, 2_000_000))
+    z = 0.02 * x + np.where((x % 40 < 15) & (y % 40 < 15), 12.0, 0.0) + rng.normal(0, 0.03, len(x))
+    start = time.process_time()
+    ground = classify_ground(x, y, z)
+    spent = time.process_time() - start
+    print_table("Cloth filter, 2 million made points", ("CPU s", "million points/s", "CPU / reference", "ground share"),
+                [(spent, len(x) / spent / 1e6, spent / reference, float(ground.mean()))])
+
+
+def main() -> int:
+    """Print all tables that the data here allow."""
+    reference = reference_seconds()
+    print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
+    ground_table(reference)
+    if DELFT.is_dir():
+        delft_table()
+        cells_table(reference)
+    else:
+        print("\nThe real data are not beside the checkout: models are not scored.")
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    print(f"\nPeak memory of this process: {peak:.0f} MB")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
