@@ -16,6 +16,7 @@ MODELS = ROOT / "resources" / "models"
 
 # Module and class of every algorithm. A module that cannot be imported is named in the log; the others go on.
 ALGORITHMS = (
+    ("surfacefromals", "SurfaceFromAls"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),

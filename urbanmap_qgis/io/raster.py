@@ -125,8 +125,9 @@ class RasterSampler:
         """Bilinear values at points, (n,) float32; NaN outside and where there is no data (see `sample`)."""
         x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
         heights = np.full(x.shape, np.nan, dtype=np.float32)
-        row, column, inside = self.grid.cells(np.nan_to_num(x), np.nan_to_num(y))
-        points = np.flatnonzero(inside & np.isfinite(x) & np.isfinite(y))
+        numbers = np.isfinite(x) & np.isfinite(y)
+        row, column, inside = self.grid.cells(np.where(numbers, x, 0), np.where(numbers, y, 0))
+        points = np.flatnonzero(inside & numbers)
         across = -(-self.grid.columns // _SAMPLE_BLOCK)
         block = row[points] // _SAMPLE_BLOCK * across + column[points] // _SAMPLE_BLOCK
         order = np.argsort(block, kind="stable")

@@ -135,8 +135,7 @@ def _drape(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings,
     grid = Grid.covering(x.min(), y.min(), x.max(), y.max(), settings.resolution)
     # One cell more: bilinear places need two in each direction.
     grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
-    spacing = np.sqrt(grid.rows * grid.columns / len(z)) * settings.resolution
-    levels = lowest_heights(x, y, z, grid, lonely_limit(spacing))
+    levels = lowest_heights(x, y, z, grid, lonely_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0))
     progress.step(0.4)
     first, trend, lowest = hang(levels, settings, progress.part(0.4, 0.5))
     bottom = bottom_points(x, y, z, grid, lowest)
@@ -316,6 +315,8 @@ def hang(levels: Levels, settings: ClothSettings,
     cloth, trend and believed lowest heights, (rows, columns) each.
     """
     lowest, second, support = levels.lowest, levels.second, levels.support
+    if not np.isfinite(lowest).any():
+        raise InsufficientDataError("The cloud has no points that could be ground.")
     filled = support[support > 0]
     firm = support >= max(_FIRM * float(np.median(filled)), 1.0) if len(filled) else support > 0
     for _ in range(_PIT_ROUNDS):

@@ -210,7 +210,7 @@ def bridge(x: np.ndarray, y: np.ndarray, rim: np.ndarray) -> np.ndarray:
     if len(x) < 3:
         return np.empty((0, 3), dtype=np.int64)
     try:
-        triangulation = Delaunay(np.column_stack((x - x.mean(), y - y.mean())), qhull_options="Qbb Qc Q12")
+        triangulation = Delaunay(np.column_stack((x - x.mean(), y - y.mean())), qhull_options="Qbb Qc Qz Q12")
     except QhullError:  # all points on one line: there is nothing to close
         return np.empty((0, 3), dtype=np.int64)
     corners = triangulation.simplices.astype(np.int64)

@@ -8,6 +8,7 @@ LOWEST_HEIGHT = -500.0
 HIGHEST_HEIGHT = 9000.0
 VOXEL = 4.0
 LONELY = 5
+_FEWEST = 100
 
 
 def plausible(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -16,9 +17,14 @@ def plausible(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
         return (np.isfinite(x) & np.isfinite(y) & (z >= LOWEST_HEIGHT) & (z <= HIGHEST_HEIGHT))
 
 
-def lonely_limit(spacing: float, voxel: float = VOXEL) -> int:
-    """Limit of `isolated` for points about `spacing` metres apart: a quarter of what flat ground would have."""
-    return int(min(LONELY, 0.25 * (3 * voxel / spacing) ** 2))
+def lonely_limit(count: int, area: float, voxel: float = VOXEL) -> int:
+    """Limit of `isolated` for `count` points on `area` m2: at most a quarter of what flat ground would have.
+
+    0, which finds none, for clouds of fewer than 100 points: they are too few to tell.
+    """
+    if count < _FEWEST:
+        return 0
+    return int(min(LONELY, 0.25 * count / area * (3 * voxel) ** 2))
 
 
 def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,

@@ -12,7 +12,7 @@ from ..progress import SILENT, Progress
 from .cloth import JAVANMARDI, ClothSettings, classify_ground
 from .delaunay import highest_in_cells, triangulate
 from .grid import Grid
-from .outliers import isolated, plausible
+from .outliers import isolated, lonely_limit, plausible
 from .rasterise import rasterise
 from .sampling import sample
 
@@ -139,7 +139,8 @@ def surface_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, max_
     usable = plausible(x, y, z)
     x, y, z = x[usable], y[usable], z[usable]
     if len(z):
-        crowd = ~isolated(x, y, z)
+        lonely = lonely_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0)
+        crowd = ~isolated(x, y, z, lonely=lonely)
         x, y, z = x[crowd], y[crowd], z[crowd]
     top = thin_highest(x, y, z, grid.cell)
     x, y, z = x[top], y[top], z[top]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 from collections.abc import Iterator, Sequence
@@ -85,8 +86,8 @@ class SurfaceSummary:
     points_read : all points in the files. points_used : without noise, withheld and points alone in space.
     ground_points : points taken as ground, None if no ground was asked for. ground_method : "classes", "cloth" or "".
     triangles : of the surface. triangles_left_out : longer than `max_edge`.
-    empty_share : share of the cells without a height. far_share : share of the cells that lie in triangles with
-    a side of 10 m or more, where the surface is a guess.
+    empty_share : share of the cells without a height. far_share : share of the raster in triangles with a side of
+    10 m or more (for coarse rasters and sparse clouds 14 cells or spacings), where the surface is a guess.
     grid : place of the rasters. crs_wkt : their CRS.
     """
 
@@ -166,8 +167,8 @@ def surfaces_from_files(paths: Sequence[str | os.PathLike], surface_path: str | 
             progress.message(f"{surface.left_out:,} of {surface.triangles:,} triangles were longer than "
                              f"{settings.max_edge:g} m and left out.")
         if surface.far_share > 0.05 and not settings.max_edge:
-            progress.warn(f"{100 * surface.far_share:.0f} % of the surface spans {_FAR:g} m or more without points "
-                          "(water, gaps): set a longest edge to leave such places out.")
+            progress.warn(f"{100 * surface.far_share:.0f} % of the surface spans {surface.far:g} m or more without "
+                          "points (water, gaps): set a longest edge to leave such places out.")
         write_raster(surface_path, surface.raster, work.grid, wkt, progress=progress.part(0.9, 0.95))
         if ground is not None:
             write_raster(ground_path, ground, work.grid, wkt, progress=progress.part(0.95, 1.0))
@@ -183,8 +184,9 @@ class _Work:
     def __init__(self, cloud: PointCloud, settings: SurfaceSettings, executor: Executor | None, stack: ExitStack):
         self.cloud, self.settings, self.executor, self.stack = cloud, settings, executor, stack
         extent = np.maximum(cloud.maximum[:2] - cloud.minimum[:2], settings.resolution)
-        spacing = float(np.sqrt(extent[0] * extent[1] / cloud.point_count))
-        self.lonely = lonely_limit(spacing)
+        area = float(extent[0] * extent[1])
+        spacing = math.sqrt(area / cloud.point_count)
+        self.lonely = lonely_limit(cloud.point_count, area)
         self.blocks = Blocks.for_spacing(max(settings.resolution, min(spacing, _WIDEST_SPACING)))
         self.tiling = Tiling.for_blocks(settings.resolution, self.blocks)
         self.points = stack.enter_context(PointBuckets(POINT))
@@ -326,6 +328,7 @@ class _Canvas:
                  mesh: MeshWriter | None = None, framed: bool = False):
         self.work, self.vertices, self.max_edge, self.mesh = work, vertices, max_edge, mesh
         self.triangles = self.left_out = 0
+        self.far = max(_FAR, 2 * work.blocks.radius)
         progress.message("Triangulating the ground." if framed else "Triangulating the surface.")
         self.raster = self._blank()
         if mesh:
@@ -419,7 +422,7 @@ class _Canvas:
         self.left_out += len(large) - len(kept)
         if self.mesh:
             self.mesh.add_triangles(numbers[kept])
-        self.far_share = _share_of(x, y, kept, shorter(x, y, kept, _FAR), self.work.grid) if not framed else 0.0
+        self.far_share = _share_of(x, y, kept, shorter(x, y, kept, self.far), self.work.grid) if not framed else 0.0
 
 
 def _share_of(x: np.ndarray, y: np.ndarray, triangles: np.ndarray, without: np.ndarray, grid: Grid) -> float:

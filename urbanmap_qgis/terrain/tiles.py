@@ -228,9 +228,10 @@ class TileSurface:
     ----------
     rows, columns : where `raster` lies in the whole. raster : NaN where no triangle covers, LEFT_OUT where one
     that is too long does.
-    count : of triangles. triangles : (m, 3) vertex numbers of those that are not too long. edges : (k, 2) open directed edges, in vertex numbers.
-    unused : numbers of own vertices without a triangle. numbers, vertices : corners of the edges and unused
-    vertices with their places. used_elsewhere : numbers of the vertices of other tiles that the triangles use.
+    count : of triangles. triangles : (m, 3) vertex numbers of those that are not too long.
+    edges : (k, 2) open directed edges, in vertex numbers. unused : numbers of own vertices without a triangle.
+    numbers, vertices : corners of the edges and unused vertices with their places.
+    used_elsewhere : numbers of the vertices of other tiles that the triangles use.
     """
 
     rows: slice
