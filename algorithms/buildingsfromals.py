@@ -47,9 +47,9 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "PolygonZ, one feature a surface: roof, outer wall, inner "
                               "wall, ground.", optional=True)
         self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with solids, surface types and the "
-                             "figures of each building.", CITYJSON_FILTER)
+                             "figures of each building.", CITYJSON_FILTER, optional=True, by_default=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, quality, the worst buildings with "
-                             "reasons.", HTML_FILTER)
+                             "reasons.", HTML_FILTER, optional=True, by_default=True)
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")

@@ -57,7 +57,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ..urbanmap_qgis.buildings.roof_partition import RoofParameters
+        from ..urbanmap_qgis.buildings.roof_levels import RoofParameters
         from ..urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
         from ..urbanmap_qgis.io.pointcloud import open_cloud
 

@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..terrain.grid import Grid
-from .roof_partition import MAX_PARAPET_WIDTH, RoofParameters, RoofPartition, partition_roofs
+from .roof_levels import MAX_PARAPET_WIDTH, RoofParameters, RoofLevels, roof_levels
 from .roof_surface import RoofSurface, roof_surface
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
@@ -135,7 +135,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
         return _no_roof(len(z), surface)
     if len(usable) < POINTS_TO_DIVIDE:
         return _one_roof(z, usable, surface)
-    plan = partition_roofs(surface, z[usable], density, outline.area, parameters)
+    plan = roof_levels(surface, z[usable], density, outline.area, parameters)
     of_point = roofs_of_points(plan, surface, z[usable], parameters)
     open_cells = _open_cells(surface, x[~high], y[~high], parameters)
     of_cell, supported = _complete(plan, surface, of_point, open_cells)
@@ -154,7 +154,7 @@ def _check(x: np.ndarray, y: np.ndarray, z: np.ndarray, ground: float, density: 
         raise InputError("A building's ground height and point density must be numbers, density above 0.")
 
 
-def roofs_of_points(plan: RoofPartition, surface: RoofSurface, z: np.ndarray,
+def roofs_of_points(plan: RoofLevels, surface: RoofSurface, z: np.ndarray,
                     parameters: RoofParameters) -> np.ndarray:
     """Roof (n,) of each point of the raster, 0 for clutter.
 
@@ -213,7 +213,7 @@ def _parapet_tops(roof: np.ndarray, above: np.ndarray, border_cells: np.ndarray)
     return top
 
 
-def _height_ranges(plan: RoofPartition) -> tuple[np.ndarray, np.ndarray]:
+def _height_ranges(plan: RoofLevels) -> tuple[np.ndarray, np.ndarray]:
     """Lowest and highest height (k + 1,) that points of each roof have, m; 0 and unmeasured roofs have none."""
     use = plan.measured & (plan.labels > 0)
     label, height = plan.labels[use], plan.height[use]
@@ -263,7 +263,7 @@ def _open_cells(surface: RoofSurface, x: np.ndarray, y: np.ndarray, parameters: 
     return large[part]
 
 
-def _complete(plan: RoofPartition, surface: RoofSurface, roof_of_point: np.ndarray,
+def _complete(plan: RoofLevels, surface: RoofSurface, roof_of_point: np.ndarray,
               open_cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Roof of each cell, with the gaps inside the outline filled, and whether points support it."""
     hit = np.zeros(surface.grid.shape, dtype=np.uint8)

@@ -15,7 +15,7 @@ from ..io.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .footprint import Footprints
-from .roof_partition import RoofParameters
+from .roof_levels import RoofParameters
 from .roof_segmentation import RoofSegmentation, segment_roofs
 
 SEGMENT_BUILDINGS = "Segment buildings"

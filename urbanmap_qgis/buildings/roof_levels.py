@@ -74,7 +74,7 @@ class RoofParameters:
 
 
 @dataclass(frozen=True)
-class RoofPartition:
+class RoofLevels:
     """Roofs of a building in plan.
 
     Attributes
@@ -91,8 +91,8 @@ class RoofPartition:
     peaks: HeightPeaks
 
 
-def partition_roofs(surface: RoofSurface, z: np.ndarray, density: float, outline_area: float,
-                   parameters: RoofParameters) -> RoofPartition:
+def roof_levels(surface: RoofSurface, z: np.ndarray, density: float, outline_area: float,
+                   parameters: RoofParameters) -> RoofLevels:
     """Cut a building's plan into roofs.
 
     Parameters
@@ -125,7 +125,7 @@ def partition_roofs(surface: RoofSurface, z: np.ndarray, density: float, outline
         labels = _refine(labels, height, parameters)
     labels = _without_slivers(labels, height, smallest, surface.grid.cell, parameters)
     labels = _of_this_building(labels, height, surface.inside, smallest, parameters)
-    return RoofPartition(labels, height, measured, peaks)
+    return RoofLevels(labels, height, measured, peaks)
 
 
 def _pieces(height: np.ndarray, covered: np.ndarray, peaks: HeightPeaks,
