@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..terrain.grid import Grid
-from .roof_levels import MAX_PARAPET_WIDTH, RoofParameters, RoofLevels, roof_levels
+from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
 from .roof_surface import RoofSurface, roof_surface
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
