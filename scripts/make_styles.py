@@ -67,7 +67,7 @@ def fill(colour: str, outline: str = EDGE, width_mm: float = 0.2, pen: str = "so
     """A plain fill symbol."""
     return QgsFillSymbol.createSimple({
         "color": colour, "outline_color": outline, "outline_width": str(width_mm), "outline_style": pen,
-        "style": brush, "joinstyle": "miter"})
+        "style": brush, "joinstyle": "round"})
 
 
 def solid_symbol(colour: str):

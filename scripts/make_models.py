@@ -1,0 +1,202 @@
+#!/usr/bin/env python3
+"""Write the shipped editable models, resources/models/*.model3, from the algorithms' own parameters.
+
+    python3 scripts/make_models.py
+
+Written by the oldest QGIS that the plugin supports (3.22), they are read by all later ones. Needs a Python that
+sees QGIS, and the packages of requirements.txt.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingModelAlgorithm,
+    QgsProcessingModelChildAlgorithm,
+    QgsProcessingModelChildParameterSource,
+    QgsProcessingModelOutput,
+    QgsProcessingModelParameter,
+    QgsProcessingParameterDefinition,
+)
+from qgis.PyQt.QtCore import QPointF, QSizeF
+from qgis.PyQt.QtGui import QColor
+
+ROOT = Path(__file__).resolve().parent.parent
+MODELS = ROOT / "resources" / "models"
+ADVANCED = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+
+INPUT, STEP, OUTPUT, COMMENT = (QSizeF(190, 40), QSizeF(220, 44), QSizeF(190, 40), QSizeF(300, 92))
+COLUMNS = {"settings": 130.0, "inputs": 380.0, "steps": 720.0, "comments": 1080.0, "outputs": 1440.0}
+TOP, ROW, STEP_ROW = 80.0, 70.0, 170.0
+SETTING_COLOUR, INPUT_COLOUR = QColor("#eef1f4"), QColor("#fff3c4")
+
+
+@dataclass(frozen=True)
+class Step:
+    """A step of a model: the algorithm's id, what is told beside it, and where its parameters come from.
+
+    `made` takes another step's output; `note` is a text parameter that takes the model's settings; of the rest, the
+    step is given what it shares by name with the model. `outputs` are results of the model: name and label.
+    """
+
+    algorithm: str
+    comment: str
+    made: dict[str, tuple[str, str]] = field(default_factory=dict)
+    note: str = ""
+    outputs: dict[str, str] = field(default_factory=dict)
+
+
+BUILDINGS_FROM_ALS = (
+    Step("segmentbuildings", "1. Moves each outline to its building and takes the points out of the cloud."),
+    Step("segmentroofs", "2. Tells the roofs of each building apart by the histogram of heights.",
+         made={"POINTS": ("segmentbuildings", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS")}),
+    Step("roofpolygons", "3. Draws the polygon of each roof from its points.",
+         made={"POINTS": ("segmentroofs", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS")}),
+    Step("buildingmodels", "4. Joins the roofs to closed solids on the ground, checks and measures each.",
+         made={"ROOFS": ("roofpolygons", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS"),
+               "POINTS": ("segmentroofs", "OUTPUT")},
+         note="NOTE",
+         outputs={"OUTPUT": "Building models", "OUTPUT_SURFACES": "Surfaces", "OUTPUT_CITYJSON": "CityJSON",
+                  "OUTPUT_MESH": "OBJ mesh", "OUTPUT_REPORT": "Report"}),
+)
+
+
+def load_provider():
+    """Start QGIS's Processing with the checkout as a plugin; returns what has to be kept alive."""
+    application = QgsApplication([], True)
+    application.initQgis()
+    sys.path.append(str(Path(QgsApplication.pkgDataPath()) / "python" / "plugins"))
+    from processing.core.Processing import Processing
+
+    Processing.initialize()
+    spec = importlib.util.spec_from_file_location(
+        "urbanmap_plugin", ROOT / "__init__.py", submodule_search_locations=[str(ROOT)])
+    package = importlib.util.module_from_spec(spec)
+    sys.modules["urbanmap_plugin"] = package
+    spec.loader.exec_module(package)
+    plugin = package.classFactory(None)
+    plugin.initProcessing()
+    return application, plugin
+
+
+def place(component, column: str, y: float, size: QSizeF, text: str = "", colour: QColor | None = None) -> None:
+    """Position, size, comment and colour of a box of the model."""
+    component.setPosition(QPointF(COLUMNS[column], y))
+    component.setSize(size)
+    if text:
+        component.comment().setDescription(text)
+    if colour is not None:
+        component.setColor(colour)
+
+
+def add_inputs(model: QgsProcessingModelAlgorithm, chain) -> None:
+    """The chain's input parameters: layers and files in one column, settings in another."""
+    rows = {"inputs": TOP, "settings": TOP}
+    for definition in chain.parameterDefinitions():
+        if definition.isDestination():
+            continue
+        column = "inputs" if definition.type() in ("multilayer", "source", "raster") else "settings"
+        box = QgsProcessingModelParameter(definition.name())
+        place(box, column, rows[column], INPUT, colour=INPUT_COLOUR if column == "inputs" else SETTING_COLOUR)
+        rows[column] += ROW * (2 if column == "inputs" else 1)
+        model.addModelParameter(definition.clone(), box)
+
+
+def settings_expression(chain) -> str:
+    """Expression for a text with the settings of a run (QGIS 3.22 knows no files, and no defaults, there)."""
+    parts = []
+    for definition in chain.parameterDefinitions():
+        default = definition.defaultValue()
+        if not definition.isDestination() and default is not None:
+            label = definition.description().replace("'", "''")
+            value = f"'{default}'" if isinstance(default, str) else default
+            parts.append(f"'{label}: ' || coalesce(@{definition.name()}, {value})")
+    return " || '; ' || ".join(parts)
+
+
+def add_step(model: QgsProcessingModelAlgorithm, step: Step, row: int, chain) -> None:
+    """One step with its sources, its comment and the results of the model that it makes."""
+    source = QgsProcessingModelChildParameterSource
+    child = QgsProcessingModelChildAlgorithm(f"urbanmap:{step.algorithm}")
+    child.setChildId(step.algorithm)
+    child.setDescription(child.algorithm().displayName())
+    for definition in child.algorithm().parameterDefinitions():
+        name = definition.name()
+        if not definition.isDestination() and chain.parameterDefinition(name) and name not in step.made:
+            child.addParameterSources(name, [source.fromModelParameter(name)])
+    for name, (other, output) in step.made.items():
+        child.addParameterSources(name, [source.fromChildOutput(other, output)])
+    if step.note:
+        child.addParameterSources(step.note, [source.fromExpression(settings_expression(chain))])
+    y = TOP + row * STEP_ROW
+    place(child, "steps", y, STEP, step.comment)
+    child.comment().setPosition(QPointF(COLUMNS["comments"], y))
+    child.comment().setSize(COMMENT)
+    results = {}
+    for place_down, (name, label) in enumerate(step.outputs.items()):
+        definition = chain.parameterDefinition(name)
+        result = QgsProcessingModelOutput(label, label)
+        result.setChildId(step.algorithm)
+        result.setChildOutputName(name)
+        result.setMandatory(not definition.flags() & definition.Flag.FlagOptional)
+        place(result, "outputs", y + (place_down - 2) * ROW, OUTPUT)
+        results[name] = result
+    child.setModelOutputs(results)
+    model.addChildAlgorithm(child)
+
+
+def build(name: str, chain_id: str, steps: tuple[Step, ...]) -> QgsProcessingModelAlgorithm:
+    """The model of a chain, with the chain's own parameters, labels and help."""
+    chain = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{chain_id}").create()
+    # QGIS reads the group's id from the file; the provider gives the group its name.
+    model = QgsProcessingModelAlgorithm(name, chain.groupId(), chain.groupId())
+    add_inputs(model, chain)
+    for row, step in enumerate(steps):
+        add_step(model, step, row, chain)
+    model.setHelpContent(help_content(chain, steps))
+    model.setParameterOrder([definition.name() for definition in chain.parameterDefinitions()
+                             if not definition.isDestination()])
+    missing = [definition.name() for definition in chain.parameterDefinitions() if definition.isDestination()
+               and not any(definition.name() in step.outputs for step in steps)]
+    if missing:
+        sys.exit(f"{name}: the model lacks {', '.join(missing)} of {chain.id()}.")
+    return model
+
+
+def help_content(chain, steps: tuple[Step, ...]) -> dict[str, str]:
+    """The chain's help, for the model's panel."""
+    content = {
+        "ALG_DESC": f"{chain.shortDescription()}</p><p>This is the same chain as “{chain.displayName()}”, as a model: "
+                    "open it in the modeller to see its steps, or save it under another name and change it.",
+    }
+    for definition in chain.parameterDefinitions():
+        key = definition.name()
+        if definition.isDestination():
+            step = next(item for item in steps if key in item.outputs)
+            key = f"{step.algorithm}:{key}"
+        content[key] = definition.help()
+    return content
+
+
+def main() -> None:
+    """Write all models."""
+    application, plugin = load_provider()
+    path = MODELS / "buildings_from_als.model3"
+    model = build("Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS)
+    if not model.toFile(str(path)):
+        sys.exit(f"{path} cannot be written.")
+    print(path.relative_to(ROOT))
+    plugin.unload()
+    application.exitQgis()
+
+
+if __name__ == "__main__":
+    main()
