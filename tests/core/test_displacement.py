@@ -122,6 +122,32 @@ def test_no_order_and_no_company_matters():
     assert np.array_equal(company[1:], alone)
 
 
+def test_pieces_of_work_do_not_matter(monkeypatch):
+    truth = terrace()
+    polygons, evidence = shifted(truth, random_shifts(len(truth), 1.5, seed=8)), evidence_of(truth)
+    whole = found(estimate_displacements(polygons, evidence, GRID))
+    monkeypatch.setattr("urbanmap_qgis.buildings.displacement_search.PAIRS_AT_ONCE", 3)
+    monkeypatch.setattr("urbanmap_qgis.buildings.displacement_pairs.PAIRS_AT_ONCE", 2)
+    monkeypatch.setattr("urbanmap_qgis.buildings.displacement_boundary.LOOKUPS", 1000)
+    monkeypatch.setattr("urbanmap_qgis.buildings.displacement.OUTLINES_AT_ONCE", 1)
+    assert np.array_equal(found(estimate_displacements(polygons, evidence, GRID)), whole)
+
+
+def test_houses_with_a_narrow_gap_stay_apart():
+    houses = turned(np.array([shapely.box(0, 0, 18, 25), shapely.box(18.5, 0, 36, 25.4)], dtype=object))
+    result = estimate_displacements(houses, evidence_of(houses), GRID)
+    assert not found(result).any()
+
+
+def test_an_outline_cut_by_the_end_of_the_points_stays():
+    truth = np.array([shapely.box(-14, 0, 6, 12), shapely.box(6, 0, 16, 12)], dtype=object)
+    evidence, surface = evidence_of(truth), np.zeros(GRID.shape)
+    x = GRID.centres()[0]
+    evidence[:, x < 0] = 0
+    surface[:, x < 0] = np.nan
+    assert not found(estimate_displacements(truth, evidence, GRID, surface)).any()
+
+
 def test_without_evidence_nothing_moves():
     truth = terrace()
     result = estimate_displacements(truth, np.zeros(GRID.shape, np.float32), GRID)

@@ -18,7 +18,7 @@ from ..errors import InputError
 from ..progress import SILENT, Progress
 from ..terrain.grid import Grid
 from .displacement_adjust import adjusted, snapped
-from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums, sums_inside
+from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums
 from .displacement_pairs import neighbours, overlap_tables, walls_between
 from .displacement_search import (
     COARSE_STEP,
@@ -37,6 +37,8 @@ MAX_SHIFT = 2.5  # m
 OUTLINES_AT_ONCE = 1000  # connected sets of outlines are worked on together up to this number
 LEAST_SEEN = 0.25  # share of its area that must be covered by building evidence somewhere in reach
 LEAST_MEASURED = 0.2  # share of its area that must hold points (in a sparse cloud many cells hold none)
+HALF_MEASURED = 0.4  # the same, for a say in the common shift: one cut by the end of the points has none
+UNSEEN_HOLD = 100.0  # price of departing, for an outline that is not observable
 STACKED = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
 NOISE = 0.8  # m2, worth that chance adds: sets the scale of sigma
 REGISTER_SIGMA = 0.2  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
@@ -155,7 +157,13 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     """Shifts, sigma, scores before and after, and whether observable, of one batch."""
     area = shapely.area(polygons)
     jigsaw = _jigsaw(polygons, area, pairs, sums, grid, max_shift)
-    jigsaw, cover = _with_common_shift(jigsaw, max_shift)
+    still = np.zeros((len(area), 1, 2))
+    measured_share = np.ones(len(area)) if measured is None else jigsaw.of(measured, still)[:, 0] / area
+    jigsaw, cover = _with_common_shift(jigsaw, measured_share >= HALF_MEASURED, max_shift)
+    seen = cover.max(axis=1) >= LEAST_SEEN * area
+    if measured is not None:
+        seen &= jigsaw.of(measured, jigsaw.common[:, None])[:, 0] >= LEAST_MEASURED * area
+    jigsaw = replace(jigsaw, hold=np.where(seen, 1.0, UNSEEN_HOLD))
     shifts = coarse_search(jigsaw, cover, max_shift)
     beliefs = []
     for step, width in FINE_STEPS:
@@ -167,10 +175,6 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
             shifts[:, None], better[:, None], jigsaw.common[:, None],
             snapped(jigsaw, shifts, max_shift, 4), snapped(jigsaw, better, max_shift, 4)), axis=1))
     shifts = without_needless(jigsaw, shifts)
-    seen = cover.max(axis=1) >= LEAST_SEEN * area
-    if measured is not None:
-        with_points = sums_inside(jigsaw.pieces, shifts[:, None], measured, grid)[:, 0]
-        seen &= with_points >= LEAST_MEASURED * area
     shifts = np.where(seen[:, None], shifts, jigsaw.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
     sigma = np.where(seen, _sigma(beliefs[0], FINE_STEPS[0][0], max_shift), max_shift)
@@ -189,21 +193,24 @@ def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.
     overlaps[stacked] = 0
     perimeter = np.bincount(edges.owner, np.hypot(*(edges.end - edges.start).T), len(polygons))
     return Jigsaw(edges, pieces, pieces_of(edges, COARSE_PIECE), perimeter, sums, grid, pairs,
-                  walls_between(edges, pairs, reach), overlaps, np.zeros((len(polygons), 2)))
+                  walls_between(edges, pairs, reach), overlaps, np.zeros((len(polygons), 2)), np.ones(len(polygons)))
 
 
-def _with_common_shift(jigsaw: Jigsaw, max_shift: float) -> tuple[Jigsaw, np.ndarray]:
-    """The jigsaw with the common shift of every connected set, and the cover (n, k) m2 on the coarse lattice."""
+def _with_common_shift(jigsaw: Jigsaw, voice: np.ndarray, max_shift: float) -> tuple[Jigsaw, np.ndarray]:
+    """The jigsaw with the common shift of every connected set, and the cover (n, k) m2 on the coarse lattice.
+
+    Outlines without a voice (n,) bool follow the shift that the others find.
+    """
     n = len(jigsaw.perimeter)
     pairs = jigsaw.pairs
     sets, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
     steps = lattice(COARSE_STEP, max_shift) * COARSE_STEP
     cover = jigsaw.cover(np.broadcast_to(steps, (n, *steps.shape)), coarse=True)
-    table = _sum_by(label, cover, sets)
+    table = _sum_by(label[voice], cover[voice], sets)
     shift = steps[table.argmax(1)]
     for step, _ in FINE_STEPS:
         around = shift[:, None] + lattice(1, 2.9) * step
-        finer = _sum_by(label, jigsaw.cover(around[label]), sets)
+        finer = _sum_by(label[voice], jigsaw.cover(around[label])[voice], sets)
         shift = np.take_along_axis(around, finer.argmax(1)[:, None, None], 1)[:, 0]
     gain = finer.max(1) - table[:, np.flatnonzero((steps == 0).all(1))[0]]
     # Chance adds up slower than the outlines; what is common to roofs against walls is no shift of the map.

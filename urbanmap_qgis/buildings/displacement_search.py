@@ -27,6 +27,7 @@ FINE_STEPS = ((0.2, 0.4), (0.1, 0.25))  # m: step of the lattice, distance at wh
 COARSE_WIDTH, EXACT_WIDTH = 0.6, 0.15  # m, the same distance for the coarse lattice and for the last choice
 ROUNDS = 16
 DAMPING = 0.3
+CHANCE = .5  # share of the worth of newly meeting walls that speaks for a departure
 SAME_PLACE = 1e-3  # m
 PAIRS_AT_ONCE = 2048  # pairs whose tables over all candidates are held at once
 
@@ -37,7 +38,8 @@ class Jigsaw:
 
     edges, pieces, coarse : boundaries; perimeter : (n,) m; sums, grid : row sums of the evidence;
     pairs : (p, 2) first < second; walls : see `Walls`; overlaps : tables of `overlap_tables`;
-    common : (n, 2) m, shift of the whole set that each outline belongs to.
+    common : (n, 2) m, shift of the whole set that each outline belongs to;
+    hold : (n,) factor on the price of departing from it.
     """
 
     edges: Edges
@@ -50,16 +52,21 @@ class Jigsaw:
     walls: Walls
     overlaps: np.ndarray
     common: np.ndarray
+    hold: np.ndarray
 
     def cover(self, shifts: np.ndarray, coarse: bool = False) -> np.ndarray:
         """Evidence covered (m2) by each outline at its shifts (n, k, 2): (n, k)."""
         return sums_inside(self.coarse if coarse else self.pieces, shifts, self.sums, self.grid)
 
+    def of(self, sums: np.ndarray, shifts: np.ndarray) -> np.ndarray:
+        """Another raster, given by its row sums, added up over each outline at its shifts (n, k, 2): (n, k)."""
+        return sums_inside(self.pieces, shifts, sums, self.grid)
+
     def single(self, shifts: np.ndarray, cover: np.ndarray | None = None) -> np.ndarray:
         """Worth (m2) of each outline by itself at its shifts (n, k, 2): (n, k). `cover` saves computing it."""
         away = np.hypot(*np.moveaxis(shifts - self.common[:, None], 2, 0))
         price = DEPART * np.minimum(away / DEPART_OVER, 1) + TIE * away
-        return (self.cover(shifts) if cover is None else cover) - self.perimeter[:, None] * price
+        return (self.cover(shifts) if cover is None else cover) - (self.hold * self.perimeter)[:, None] * price
 
     def relative(self, shifts: np.ndarray) -> np.ndarray:
         """Shift (p, 2) of the second outline of each pair against the first."""
@@ -67,11 +74,14 @@ class Jigsaw:
 
     def together(self, relative: np.ndarray, width: float) -> np.ndarray:
         """Worth (m2) of each pair at its relative shifts (p, k, 2): (p, k)."""
-        return (WALL * fit_tables(self.walls, len(self.pairs), relative, width)
-                - OVERLAP * self._overlap(relative))
+        return self.meeting(relative, width) - OVERLAP * self.overlap(relative)
 
-    def _overlap(self, relative: np.ndarray) -> np.ndarray:
-        """Overlap (m2) at relative shifts (p, k, 2), bilinear in the tables."""
+    def meeting(self, relative: np.ndarray, width: float) -> np.ndarray:
+        """Worth (m2) of the walls of each pair that meet at its relative shifts (p, k, 2): (p, k)."""
+        return WALL * fit_tables(self.walls, len(self.pairs), relative, width)
+
+    def overlap(self, relative: np.ndarray) -> np.ndarray:
+        """Overlap (m2) of each pair at its relative shifts (p, k, 2), bilinear in the tables: (p, k)."""
         side = self.overlaps.shape[1]
         place = np.clip(relative / MASK_CELL + side // 2, 0, side - 1.001)
         cell = place.astype(np.int64)
@@ -180,7 +190,8 @@ def choose(jigsaw: Jigsaw, candidates: np.ndarray) -> np.ndarray:
 def without_needless(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
     """Shifts (n, 2) where outlines that gain nothing by departing from the common shift are put back to it.
 
-    Neighbours that depart together are judged together: equal sheds that only changed places go back.
+    Neighbours that depart together are judged together: equal sheds that only changed places go back. Walls that
+    come to meet count in part only, for equal walls may meet by chance; walls torn apart count whole.
     """
     n = len(shifts)
     departing = np.hypot(*(shifts - jigsaw.common).T) > SAME_PLACE
@@ -190,7 +201,9 @@ def without_needless(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
     gain = np.bincount(label, _difference(jigsaw.single(np.stack((jigsaw.common, shifts), 1))), groups)
     relative = np.stack((jigsaw.relative(jigsaw.common), jigsaw.relative(shifts)), 1)
     of_pair = np.where(departing[jigsaw.pairs[:, 0]], *label[jigsaw.pairs].T)
-    gain += np.bincount(of_pair, _difference(jigsaw.together(relative, EXACT_WIDTH)), groups)
+    gain -= OVERLAP * np.bincount(of_pair, _difference(jigsaw.overlap(relative)), groups)
+    walls = np.bincount(of_pair, _difference(jigsaw.meeting(relative, EXACT_WIDTH)), groups)
+    gain += np.where(walls > 0, CHANCE * walls, walls)
     return np.where((gain[label] > 0)[:, None], shifts, jigsaw.common)
 
 
