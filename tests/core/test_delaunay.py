@@ -117,6 +117,14 @@ def test_open_edges_of_two_triangles():
     assert len(cancel_twins(np.empty((0, 2), dtype=np.int64))) == 0
 
 
+def test_open_edges_of_patches_that_touch_in_corners():
+    points = scattered(4_000)
+    triangles = triangulate(*points.T)
+    some = triangles[np.random.default_rng(1).random(len(triangles)) < 0.6]
+    edges = some[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    assert np.array_equal(open_edges(some), cancel_twins(edges))
+
+
 def test_bridge_fills_only_the_open_side():
     # A square ring: outer side 4, inner side 2; covered between, open inside.
     outer = np.array([[0, 0], [4, 0], [4, 4], [0, 4]], dtype=float)

@@ -171,8 +171,20 @@ def circumcircles(x: np.ndarray, y: np.ndarray,
 
 def open_edges(triangles: np.ndarray) -> np.ndarray:
     """Directed edges (k, 2) of counter-clockwise triangles that no other triangle shares."""
+    if not len(triangles):
+        return np.empty((0, 2), dtype=np.int64)
+    # Most corners are closed round: the sides opposite to them form rings, along which any numbers given to the
+    # corners cancel. Only edges between two corners where they do not need to be looked at. The numbers are
+    # scattered (squares), so that they do not cancel by chance, and whole, so that they cancel exactly.
+    number = np.arange(int(triangles.max()) + 1) * 2_654_435_761 % 2_147_483_648
+    number = (number * number % 17_592_186_044_399).astype(float)
+    a, b, c = triangles.T
+    balance = np.bincount(a, number[b] - number[c], len(number))
+    balance += np.bincount(b, number[c] - number[a], len(number))
+    balance += np.bincount(c, number[a] - number[b], len(number))
     edges = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    return cancel_twins(edges)
+    is_open = balance != 0
+    return cancel_twins(edges[is_open[edges[:, 0]] & is_open[edges[:, 1]]])
 
 
 def cancel_twins(edges: np.ndarray) -> np.ndarray:
