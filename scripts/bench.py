@@ -27,8 +27,9 @@ from scripts.scoring import Score, points_inside, score_building, summary  # noq
 from urbanmap_qgis.buildings.footprint import Footprints, clean_footprints  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models, roof_cells, wall_rectangles  # noqa: E402
 from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons  # noqa: E402
+from urbanmap_qgis.buildings.roof_levels import RoofParameters  # noqa: E402
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
-from urbanmap_qgis.buildings.segmentation import segment_buildings  # noqa: E402
+from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings  # noqa: E402
 from urbanmap_qgis.io.pointcloud import open_cloud, read_all  # noqa: E402
 from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
 
@@ -62,8 +63,10 @@ def outlines_of(path: Path, field: str) -> tuple[np.ndarray, list]:
     return made, values
 
 
-def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None, method: str = "partition") -> Run:
-    """The chain of the building stages with its defaults, as the algorithms run it."""
+def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None,
+          placing: SegmentationParameters | None = None, levels: RoofParameters | None = None,
+          drawing: PolygonParameters | None = None) -> Run:
+    """The chain of the building stages as the algorithms run it, with its defaults where nothing else is given."""
     seconds = {}
     footprints = clean_footprints(outlines)
 
@@ -75,13 +78,13 @@ def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None, me
 
     with tempfile.TemporaryDirectory() as folder:
         buildings, roofs = Path(folder, "buildings.laz"), Path(folder, "roofs.laz")
-        found = timed("segment buildings", lambda: segment_buildings(open_cloud([points]), footprints, buildings))
+        found = timed("segment buildings", lambda: segment_buildings(open_cloud([points]), footprints, buildings,
+                                                                     placing))
         placed = Footprints(footprints.ids, found.outlines, footprints.notes)
         density = float(np.median(found.density[found.density > 0]))
-        timed("segment roofs", lambda: segment_cloud_roofs(open_cloud([buildings]), placed, roofs, ground=found.ground,
-                                                           density=density))
-        drawn = timed("roof polygons",
-                      lambda: cloud_roof_polygons(open_cloud([roofs]), placed, PolygonParameters(method)))
+        timed("segment roofs", lambda: segment_cloud_roofs(open_cloud([buildings]), placed, roofs, levels,
+                                                           found.ground, density))
+        drawn = timed("roof polygons", lambda: cloud_roof_polygons(open_cloud([roofs]), placed, drawing))
         table = RoofInput(np.array(drawn.polygon, object), np.array(drawn.building_id), np.array(drawn.roof_id),
                           np.array(drawn.height), np.array(drawn.status, object))
         models = timed("building models", lambda: build_models(
@@ -112,14 +115,39 @@ def reference_seconds() -> float:
     return time.process_time() - start
 
 
-def delft_table() -> None:
+@dataclass(frozen=True)
+class Delft:
+    """What models of Delft are scored against: true outlines, class 6 points (n, 3), which buildings are flat."""
+
+    truth: np.ndarray
+    points: np.ndarray
+    flat: list[bool]
+
+    @classmethod
+    def read(cls) -> Delft:
+        """Read the part of Delft that is beside the checkout."""
+        truth, ids = outlines_of(DELFT / "outlines.gpkg", "lokaalid")
+        cloud = read_all(open_cloud([DELFT / "points.laz"]), ("x", "y", "z", "classification"))
+        points = np.column_stack([cloud[name] for name in "xyz"])[cloud["classification"] == 6]
+        with (DELFT / "peers.csv").open() as stream:
+            peers = {row["lokaalid"]: row for row in csv.DictReader(stream)}
+        flat = [float(peers[name]["lod12_rmse_3d"] or "inf") <= FLAT_RMSE_3D for name in ids]
+        return cls(truth, points, flat)
+
+    def figures(self, run: Run) -> tuple:
+        """Modelled, status ok, roofs, RMSE z 95 %, RMSE 3D, RMSE z of flat roofs, plan IoU."""
+        scores = score(run, self.truth, self.points)
+        means = summary(scores)
+        flat = [one.rmse_z for one, is_flat in zip(scores, self.flat) if is_flat and np.isfinite(one.rmse_z)]
+        return (f"{means['modelled']}/{means['buildings']}", sum(model.status == "ok" for model in run.models),
+                means["roofs"], means["rmse_z95"], means["rmse_3d"], float(np.mean(flat)), means["plan_iou"])
+
+
+FIGURES = ("modelled", "status ok", "roofs", "RMSE z 95 % (m)", "RMSE 3D (m)", "flat roofs: RMSE z (m)", "plan IoU")
+
+
+def delft_table(delft: Delft) -> None:
     """Accuracy on the part of Delft that is here, with damaged inputs, one set of defaults."""
-    truth, ids = outlines_of(DELFT / "outlines.gpkg", "lokaalid")
-    cloud = read_all(open_cloud([DELFT / "points.laz"]), ("x", "y", "z", "classification"))
-    points = np.column_stack([cloud[name] for name in "xyz"])[cloud["classification"] == 6]
-    with (DELFT / "peers.csv").open() as stream:
-        peers = {row["lokaalid"]: row for row in csv.DictReader(stream)}
-    flat = [float(peers[name]["lod12_rmse_3d"] or "inf") <= FLAT_RMSE_3D for name in ids]
     rows = []
     for cloud_name, outline_name in (
             ("points", "outlines"), ("points_unclassified", "outlines"), ("points_2_per_m2", "outlines"),
@@ -127,16 +155,31 @@ def delft_table() -> None:
             ("points_unclassified", "outlines_shifted_1m"), ("points_unclassified", "outlines_shifted_2m")):
         outlines, _ = outlines_of(DELFT / f"{outline_name}.gpkg", "lokaalid")
         run = chain(DELFT / f"{cloud_name}.laz", outlines)
-        scores = score(run, truth, points)
-        means = summary(scores)
-        flat_z = [one.rmse_z for one, is_flat in zip(scores, flat) if is_flat and np.isfinite(one.rmse_z)]
-        sound = sum(model.status == "ok" for model in run.models)
-        rows.append((cloud_name, outline_name, f"{means['modelled']}/{means['buildings']}", sound, means["roofs"],
-                     means["rmse_z95"], means["rmse_3d"], float(np.mean(flat_z)), means["plan_iou"],
-                     1000 * sum(run.seconds.values()) / len(truth)))
+        rows.append((cloud_name, outline_name, *delft.figures(run),
+                     1000 * sum(run.seconds.values()) / len(outlines)))
     print_table("Delft (AHN3); roofer 1.1 LoD1.3, step 0.5 m: RMSE z 95 % 0.623 m, RMSE 3D 0.393 m, 256 roofs",
-                ("points", "outlines", "modelled", "status ok", "roofs", "RMSE z 95 % (m)", "RMSE 3D (m)",
-                 "flat roofs: RMSE z (m)", "plan IoU", "CPU ms/building"), rows)
+                ("points", "outlines", *FIGURES, "CPU ms/building"), rows)
+
+
+def steps_table(delft: Delft) -> None:
+    """What each step beyond the paper brings."""
+    still, whole = SegmentationParameters(maximum_displacement=0.0), RoofParameters(height_rmse=None)
+    steps = (
+        ("the paper, 50 m2, highest point",
+         {"placing": still, "levels": RoofParameters(height_rmse=None, min_roof_share=1.0),
+          "drawing": PolygonParameters("paper", "maximum")}),
+        ("the paper, roofs from a fifth of a small outline",
+         {"placing": still, "levels": whole, "drawing": PolygonParameters("paper", "maximum")}),
+        ("robust roof height", {"placing": still, "levels": whole, "drawing": PolygonParameters("paper")}),
+        ("outline divided among its roofs", {"placing": still, "levels": whole}),
+        ("sloped roofs cut into level ones", {"placing": still}),
+        ("outlines moved to the points: the defaults", {}),
+        ("the same, outlines drawn from the points", {"drawing": PolygonParameters("points")}),
+    )
+    for outline_name in ("outlines", "outlines_shifted_2m"):
+        outlines, _ = outlines_of(DELFT / f"{outline_name}.gpkg", "lokaalid")
+        rows = [(name, *delft.figures(chain(DELFT / "points.laz", outlines, **options))) for name, options in steps]
+        print_table(f"Step by step, Delft, {outline_name}", ("steps", *FIGURES), rows)
 
 
 def cells_table(reference: float) -> None:
@@ -172,7 +215,9 @@ def main() -> int:
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
     ground_table(reference)
     if DELFT.is_dir():
-        delft_table()
+        delft = Delft.read()
+        delft_table(delft)
+        steps_table(delft)
         cells_table(reference)
     else:
         print("\nThe real data are not beside the checkout: models are not scored.")
