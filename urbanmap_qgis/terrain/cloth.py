@@ -319,8 +319,10 @@ def hang(levels: Levels, settings: ClothSettings,
         raise InsufficientDataError("The cloud has no points that could be ground.")
     filled = support[support > 0]
     firm = support >= max(_FIRM * float(np.median(filled)), 1.0) if len(filled) else support > 0
+    # Pits must not tilt the trend. Under dense forest hardly any cell is firm: there all must serve.
+    enough = np.count_nonzero(firm) > _FIRM * np.count_nonzero(np.isfinite(lowest))
+    trend = trend_surface(np.where(firm, lowest, np.inf) if enough else lowest, settings.resolution)
     for _ in range(_PIT_ROUNDS):
-        trend = trend_surface(lowest, settings.resolution)
         obstacle = lowest - trend
         cloth = _rest(obstacle, settings, np.zeros(lowest.shape, dtype=bool), progress)
         pit = _pits(obstacle, _grow(obstacle, obstacle - cloth <= _PIT_DEPTH), firm)
