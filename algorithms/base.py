@@ -167,6 +167,8 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
                 self.input_path(parameters, name, context)
             elif definition.type() == "fileDestination":
                 self.output_path(parameters, name, context)
+            elif definition.type() == "sink":
+                layers.check_place(self, parameters, name, context)
         self.check(parameters, context)
 
     # Reading parameters

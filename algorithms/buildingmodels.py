@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
+from dataclasses import replace
+
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
-from .outlines import column, footprints_of, numbers
+from .outlines import column, footprints_of, numbers, open_points
 from .parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
 from .workers import workers
 
@@ -60,17 +63,14 @@ class BuildingModels(UrbanMapAlgorithm):
 
         from ..urbanmap_qgis.buildings.model_stage import build_models
         from ..urbanmap_qgis.buildings.model_table import model_columns
-        from ..urbanmap_qgis.io.pointcloud import open_cloud
+        from ..urbanmap_qgis.io.obj import write_obj
 
         progress = self.progress(feedback)
         buildings = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(buildings, progress)
-        roof_table = self.read_polygons(parameters, "ROOFS", context, progress)
+        roof_table = self._roof_table(parameters, context, progress)
         self.same_crs("ROOFS", roof_table.crs, "FOOTPRINTS", buildings.crs)
-        paths = self.point_files(parameters, "POINTS", context)
-        cloud = open_cloud(paths, buildings.crs_wkt) if paths else None
-        if cloud:
-            self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", buildings.crs)
+        cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
         base = self._base_heights(parameters, context, buildings, footprints)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85))
@@ -80,17 +80,31 @@ class BuildingModels(UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} buildings have no model; the field “reason” tells why.").format(
                 len(models) - modelled, len(models)))
         figures = np.array(columns["rmse_z95"], float)
-        written = progress.part(0.85, 1.0)
+        with ExitStack() as unfinished:
+            files = self._write_files(parameters, context, buildings, models, columns, progress.part(0.85, 0.9),
+                                      unfinished)
+            progress.step(0.9)
+            layers = self._write_layers(parameters, context, buildings, models, columns, progress.part(0.9, 1.0))
+            if "OUTPUT_MESH" in files:
+                # Not with the other files: the mesh names its file of materials, so that it cannot be renamed.
+                write_obj(files["OUTPUT_MESH"], city_buildings(models, columns))
         return {
-            **self._write_layers(parameters, context, buildings, models, columns, written),
-            **self._write_files(parameters, context, buildings, models, columns, written),
+            **layers, **files,
             "BUILDINGS": len(models), "MODELLED": modelled,
             "RMSE_Z95": float(np.nanmean(figures)) if np.isfinite(figures).any() else None,
         }
 
+    def _roof_table(self, parameters, context, progress):
+        """The layer of roofs, which has none where no building has one."""
+        source = self.parameterAsSource(parameters, "ROOFS", context)
+        if source is not None and source.featureCount() == 0:
+            return self.read_vector(parameters, "ROOFS", context, progress)
+        return self.read_polygons(parameters, "ROOFS", context, progress)
+
     def _roofs(self, table):
         """Roof polygons with their heights, for the core."""
         import numpy as np
+        import shapely
 
         from ..urbanmap_qgis.buildings.model_stage import RoofInput
         from ..urbanmap_qgis.errors import InputError
@@ -100,9 +114,10 @@ class BuildingModels(UrbanMapAlgorithm):
             if values is None or not np.isfinite(values).all():
                 raise InputError(tr("{0}: the field {1} is missing or has empty values; give the result of “Roof "
                                     "polygons”.").format(self.label_of("ROOFS"), name))
-        status = column(table, "status") or [""] * len(table)
-        return RoofInput(table.geometries, found["building_id"].astype(np.int64), found["roof_id"].astype(np.int64),
-                         found["height"], np.array(status, dtype=object))
+        status = np.array(column(table, "status") or [""] * len(table), dtype=object)
+        kept = ~shapely.is_missing(table.geometries)
+        return RoofInput(table.geometries[kept], found["building_id"].astype(np.int64)[kept],
+                         found["roof_id"].astype(np.int64)[kept], found["height"][kept], status[kept])
 
     def _base_heights(self, parameters, context, table, footprints):
         """Foot of each building: from the raster, else a field, NaN where neither knows."""
@@ -125,10 +140,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ..urbanmap_qgis.buildings.model_table import COLUMNS
         from ..urbanmap_qgis.buildings.solid import multipolygon, surfaces
 
-        shapes = [multipolygon(model.solids) if model.solids else None for model in models]
-        results = {"OUTPUT": self.write_layer(
-            parameters, "OUTPUT", context, make_fields(*COLUMNS, base=table.fields), {**table.columns, **columns},
-            table.crs, shapes, "MultiPolygonZ", "building_models", progress)}
+        results = {}
         if parameters.get("OUTPUT_SURFACES"):
             faces = [(model.building_id, *face) for model in models for solid in model.solids
                      for face in zip(solid.roof_id, solid.surface_type, surfaces(solid))]
@@ -138,29 +150,40 @@ class BuildingModels(UrbanMapAlgorithm):
                 make_fields(("building_id", "int"), ("roof_id", "int"), ("surface_type", "text")),
                 {name: [face[place] for face in faces] for place, name in enumerate(names)}, table.crs,
                 [face[3] for face in faces], "PolygonZ", "building_surfaces", progress)
+        shapes = [multipolygon(model.solids) if model.solids else None for model in models]
+        # Once the surfaces are in their place the rest follows, cancelled or not: no mixture of old and new results.
+        last = replace(progress, cancelled=lambda: False) if results else progress
+        results["OUTPUT"] = self.write_layer(
+            parameters, "OUTPUT", context, make_fields(*COLUMNS, base=table.fields), {**table.columns, **columns},
+            table.crs, shapes, "MultiPolygonZ", "building_models", last)
         return results
 
-    def _write_files(self, parameters, context, table, models, columns, progress):
-        """CityJSON, OBJ and report, where wanted."""
+    def _write_files(self, parameters, context, table, models, columns, progress, unfinished):
+        """CityJSON and report, where wanted; they take their places when `unfinished` is closed.
+
+        Returns the paths of all files that are wanted, by output name.
+        """
         from ..urbanmap_qgis.buildings.model_table import write_model_report
-        from ..urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
-        from ..urbanmap_qgis.io.obj import write_obj
+        from ..urbanmap_qgis.io.atomic import written_beside
+        from ..urbanmap_qgis.io.cityjson import write_cityjson
 
-        def city_buildings():
-            for row, model in enumerate(models):
-                attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}
-                yield CityBuilding(f"building-{model.building_id}", attributes, model.solids)
-
-        results = {}
-        paths = {name: self.output_path(parameters, name, context)
-                 for name in ("OUTPUT_CITYJSON", "OUTPUT_MESH", "OUTPUT_REPORT")}
-        if paths["OUTPUT_CITYJSON"]:
+        results = {name: self.output_path(parameters, name, context)
+                   for name in ("OUTPUT_CITYJSON", "OUTPUT_MESH", "OUTPUT_REPORT")}
+        paths = {name: unfinished.enter_context(written_beside(path))
+                 for name, path in results.items() if path and name != "OUTPUT_MESH"}
+        if "OUTPUT_CITYJSON" in paths:
             code = table.crs.authid().removeprefix("EPSG:")
-            write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(), epsg=int(code) if code.isdigit() else None,
-                           title="UrbanMap building models", progress=progress)
-        if paths["OUTPUT_MESH"]:
-            write_obj(paths["OUTPUT_MESH"], city_buildings())
-        if paths["OUTPUT_REPORT"]:
+            write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(models, columns), title="UrbanMap building models",
+                           epsg=int(code) if code.isdigit() else None, progress=progress)
+        if "OUTPUT_REPORT" in paths:
             write_model_report(paths["OUTPUT_REPORT"], columns, self.settings_of(parameters))
-        results.update({name: str(path) for name, path in paths.items() if path})
-        return results
+        return {name: str(path) for name, path in results.items() if path}
+
+
+def city_buildings(models, columns):
+    """The models with their figures as the writers of files take them, one after another."""
+    from ..urbanmap_qgis.io.cityjson import CityBuilding
+
+    for row, model in enumerate(models):
+        attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}
+        yield CityBuilding(f"building-{model.building_id}", attributes, model.solids)

@@ -319,6 +319,19 @@ def _definition(parameters: Mapping, name: str) -> QgsProcessingOutputLayerDefin
     return value if isinstance(value, QgsProcessingOutputLayerDefinition) else None
 
 
+def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
+    """Refuse a layer output whose folder does not exist or cannot be written, before anything is computed.
+
+    Raises
+    ------
+    OutputError : with what to do.
+    """
+    path = _plain_file(parameters, name, context)
+    if path is not None and not (path.parent.is_dir() and os.access(path.parent, os.W_OK)):
+        raise OutputError(tr("{0}: the folder {1} does not exist or cannot be written; choose another output.").format(
+            algorithm.label_of(name), path.parent))
+
+
 def _plain_file(parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
     """The file that a layer output is to be written to; None for memory layers, databases and the like."""
     value = parameters.get(name)
@@ -338,9 +351,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
                 layer: tuple, features: Iterable[list[QgsFeature]], style: str, progress: Progress) -> str:
     label = algorithm.label_of(name)
     folder = path.parent
-    if not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise OutputError(tr("{0}: the folder {1} does not exist or cannot be written; choose another output.").format(
-            label, folder))
+    check_place(algorithm, parameters, name, context)
     definition = _definition(parameters, name)
     try:
         with tempfile.TemporaryDirectory(prefix=f".{path.stem}-", dir=folder) as scratch:

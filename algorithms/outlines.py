@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
 from ..urbanmap_qgis.errors import InputError
 from ..urbanmap_qgis.progress import SILENT, Progress
+from .crs import crs_name
 from .layers import VectorTable
 from .parameters import tr
 
@@ -37,6 +43,54 @@ def numbers(table: VectorTable, name: str):
     except (TypeError, ValueError):
         raise InputError(tr("{0}: the field {1} must hold numbers; convert it or choose another field.").format(
             table.label, name)) from None
+
+
+def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable, progress: Progress = SILENT,
+                may_be_empty: bool = False):
+    """The point cloud of the parameter POINTS, in the CRS of the outlines; None where none was given.
+
+    A cloud that states no CRS is taken to be in the outlines' one, and the user is told.
+
+    Raises
+    ------
+    InputError : it is no point cloud, or in another or an unsuitable CRS.
+    InsufficientDataError : it holds no points, unless it may be empty: a result without any building.
+    """
+    from ..urbanmap_qgis.io.pointcloud import open_cloud
+
+    paths = algorithm.point_files(parameters, "POINTS", context)
+    if not paths:
+        return None
+    cloud = open_cloud(paths, may_be_empty=may_be_empty)
+    if not cloud.crs_wkt:
+        progress.warn(tr("{0}: the files state no coordinate reference system; they are taken to be in that of {1}, "
+                         "{2}.").format(algorithm.label_of("POINTS"), algorithm.label_of("FOOTPRINTS"),
+                                        crs_name(footprints.crs)))
+        return replace(cloud, crs_wkt=footprints.crs_wkt)
+    algorithm.require_projected("POINTS", cloud.crs_wkt)
+    algorithm.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", footprints.crs)
+    return cloud
+
+
+@contextmanager
+def points_output(algorithm, parameters: Mapping, context) -> Iterator[Path]:
+    """Path of a scratch file for the points of OUTPUT, which takes its place when the block succeeds.
+
+    What is written in the block beside the points, such as a layer, is so part of one result: all of it is new or
+    all of it is as it was.
+    """
+    from ..urbanmap_qgis.io.atomic import written_beside
+
+    with written_beside(algorithm.output_path(parameters, "OUTPUT", context)) as scratch:
+        yield scratch
+
+
+def check_points_output(algorithm, parameters: Mapping, context) -> None:
+    """Refuse a name for the points of OUTPUT that is not that of a LAS or LAZ file."""
+    path = algorithm.output_path(parameters, "OUTPUT", context)
+    if path is not None and path.suffix.lower() not in (".las", ".laz"):
+        raise InputError(tr("{0}: the name {1} must end in .laz or .las.").format(
+            algorithm.label_of("OUTPUT"), path.name))
 
 
 def footprints_of(table: VectorTable, progress: Progress = SILENT):

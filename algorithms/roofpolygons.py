@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
-from .outlines import footprints_of
+from .outlines import footprints_of, open_points
 from .workers import workers
 
 
@@ -43,13 +43,11 @@ class RoofPolygons(UrbanMapAlgorithm):
         import shapely
 
         from ..urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons
-        from ..urbanmap_qgis.io.pointcloud import open_cloud
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context), table.crs_wkt)
-        self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", table.crs)
+        cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
         settings = PolygonParameters(self.parameterAsString(parameters, "METHOD", context),
                                      self.parameterAsString(parameters, "HEIGHT", context))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
-from .outlines import BUILDING_ID, NOTE, footprints_of
+from .outlines import BUILDING_ID, NOTE, check_points_output, footprints_of, open_points, points_output
 from .workers import workers
 
 
@@ -49,30 +49,31 @@ class SegmentBuildings(UrbanMapAlgorithm):
                                "model.")
         self.add_number_output("POINT_COUNT", "Points", "Points given to buildings.")
 
+    def check(self, parameters, context):
+        check_points_output(self, parameters, context)
+
     def compute(self, parameters, context, feedback):
         from ..urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
-        from ..urbanmap_qgis.io.pointcloud import open_cloud
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context), table.crs_wkt)
-        self.require_projected("POINTS", cloud.crs_wkt)
-        self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", table.crs)
+        cloud = open_points(self, parameters, context, table, progress)
         settings = SegmentationParameters(
             self.parameterAsDouble(parameters, "EXPANSION", context),
             self.parameterAsDouble(parameters, "MIN_HEIGHT", context),
             self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context))
-        output = self.output_path(parameters, "OUTPUT", context)
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            buildings = segment_buildings(cloud, footprints, output, settings, ground, executor, progress)
+        with points_output(self, parameters, context) as points:
+            with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+                buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,
+                                              progress.part(0.0, 0.95))
+            layer = self._write(parameters, context, table, footprints, buildings, progress.part(0.95, 1.0))
         without = int((buildings.status != "ok").sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings have too few points for a model.")
         return {
-            "OUTPUT": str(output),
-            "OUTPUT_BUILDINGS": self._write(parameters, context, table, footprints, buildings, progress),
+            "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_BUILDINGS": layer,
             "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),
         }
 

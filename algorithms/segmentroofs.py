@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from ..urbanmap_qgis.errors import InputError
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
-from .outlines import BUILDING_ID, footprints_of, numbers
+from .outlines import BUILDING_ID, check_points_output, footprints_of, numbers, open_points, points_output
+from .parameters import tr
 from .workers import workers
 
 
@@ -54,18 +56,24 @@ class SegmentRoofs(UrbanMapAlgorithm):
         self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Buildings in whose points no roof was "
                                "found.")
 
+    def check(self, parameters, context):
+        check_points_output(self, parameters, context)
+        width, shift = (self.parameterAsDouble(parameters, name, context) for name in ("BIN_WIDTH", "BIN_SHIFT"))
+        if shift > width:
+            raise InputError(tr("{0} is {1} m, more than {2}, {3} m: heights between the bins would be lost; give at "
+                                "most the width.").format(self.label_of("BIN_SHIFT"), shift,
+                                                          self.label_of("BIN_WIDTH"), width))
+
     def compute(self, parameters, context, feedback):
         import numpy as np
 
         from ..urbanmap_qgis.buildings.roof_levels import RoofParameters
         from ..urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
-        from ..urbanmap_qgis.io.pointcloud import open_cloud
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
-        cloud = open_cloud(self.point_files(parameters, "POINTS", context), table.crs_wkt)
-        self.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", table.crs)
+        cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
         beta = parameters.get("PARAPET_THRESHOLD")
         settings = RoofParameters(
             bin_width=self.parameterAsDouble(parameters, "BIN_WIDTH", context),
@@ -78,24 +86,26 @@ class SegmentRoofs(UrbanMapAlgorithm):
             min_height=self.parameterAsDouble(parameters, "MIN_HEIGHT", context))
         known = numbers(table, "density")
         positive = known[known > 0] if known is not None else np.zeros(0)
-        output = self.output_path(parameters, "OUTPUT", context)
         density = float(np.median(positive)) if len(positive) else None
-        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            roofs = segment_cloud_roofs(cloud, footprints, output, settings, numbers(table, "ground"), density,
-                                        executor, progress)
+        with points_output(self, parameters, context) as points:
+            with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+                roofs = segment_cloud_roofs(cloud, footprints, points, settings, numbers(table, "ground"), density,
+                                            executor, progress.part(0.0, 0.95))
+            layer = self._write(parameters, context, table, roofs, progress.part(0.95, 1.0))
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
             progress.warn(f"{without} of {len(footprints)} buildings have no roof in their points.")
+        return {
+            "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_ROOFS": layer,
+            "ROOFS": len(roofs.roof_id), "WITHOUT_ROOFS": without,
+        }
+
+    def _write(self, parameters, context, table, roofs, progress):
         fields = make_fields((BUILDING_ID, "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
                              ("points", "int"), ("area", "real"), ("density", "real"), ("rmse", "real"),
                              ("status", "text"))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
-        return {
-            "OUTPUT": str(output),
-            "OUTPUT_ROOFS": self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs,
-                                             progress=progress),
-            "ROOFS": len(roofs.roof_id), "WITHOUT_ROOFS": without,
-        }
+        return self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs, progress=progress)
 
 
 def _table():

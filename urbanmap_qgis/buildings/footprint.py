@@ -65,13 +65,16 @@ def clean_footprints(geometries: np.ndarray, ids: np.ndarray | None = None) -> F
 def _checked_ids(ids: np.ndarray) -> np.ndarray:
     """Building ids as int64, refused where they could not name points in a point cloud."""
     try:
-        numbers = np.asarray(ids).astype(np.int64)
-    except (TypeError, ValueError) as error:
+        given = np.asarray(ids).astype(np.float64)
+    except (TypeError, ValueError, OverflowError):
+        given = np.full(1, np.nan)
+    if not (np.isfinite(given) & (given == np.floor(given))).all():
         raise InputError("Some building_id of the outlines is empty or no whole number: number the "
-                         "outlines or remove the field.") from error
-    if (numbers < 1).any() or (numbers >= 2**32).any():
+                         "outlines or remove the field.")
+    if (given < 1).any() or (given >= 2**32).any():
         raise InputError("Some building_id of the outlines is below 1 or too large: number the outlines "
                          "from 1 or remove the field.")
+    numbers = given.astype(np.int64)
     unique, counts = np.unique(numbers, return_counts=True)
     if (counts > 1).any():
         raise InputError(f"The outlines hold the building_id {unique[counts > 1][0]} more than once: make it "

@@ -135,18 +135,23 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
 
     Raises
     ------
-    InputError : the cloud does not reach any outline.
+    InputError : the cloud does not reach any outline, or has no sound point near one.
     """
     parameters = parameters or SegmentationParameters()
     layout = PointLayout(cloud, [("building_id", "building number")])
     tiles = _Tiling(cloud, footprints)
     table = SegmentedBuildings.empty(footprints)
+    near = 0
     with PointBuckets(layout.dtype) as buckets, cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress.part(0.0, 0.4)):
-            keep = usable(chunk)
+            keep = usable(chunk) & np.isfinite(chunk.x) & np.isfinite(chunk.y)
             records = layout.adapt(chunk, keep)
             for keys, members in tiles.keys(np.asarray(chunk.x)[keep], np.asarray(chunk.y)[keep]):
                 buckets.add(keys, records[members])
+                near += len(members)
+        if not near:
+            raise InputError("No sound point lies near any outline: check that points and outlines are of the same "
+                             "place, and that coordinates and heights are in metres.")
         pieces = _tiles(tiles, buckets, layout, footprints, parameters, ground)
         for done, (rows, part, records) in enumerate(in_order(_segment_tile, pieces, executor)):
             table.put(rows, part)
@@ -179,8 +184,9 @@ class _Tiling:
 
     def _cells(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row of the tile that each place lies in."""
-        return (np.floor((x - self.origin[0]) / self.side).astype(np.int64),
-                np.floor((y - self.origin[1]) / self.side).astype(np.int64))
+        far = 2.0**31
+        return (np.clip((x - self.origin[0]) // self.side, -far, far).astype(np.int64),
+                np.clip((y - self.origin[1]) // self.side, -far, far).astype(np.int64))
 
     def keys(self, x: np.ndarray, y: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Tiles that points belong to, buffers included: pairs of keys and the points' numbers."""

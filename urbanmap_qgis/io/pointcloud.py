@@ -55,13 +55,15 @@ class PointCloud:
         return all(name in header.point_format.dimension_names for header in self.headers)
 
 
-def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None) -> PointCloud:
+def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
+               may_be_empty: bool = False) -> PointCloud:
     """Open the headers of LAS, LAZ or COPC files and check that they form one cloud.
 
     Parameters
     ----------
     paths : one or several files.
     crs_wkt : the coordinate reference system to use where the files state none.
+    may_be_empty : accept files without any point, which an earlier step may have had to write.
 
     Raises
     ------
@@ -78,9 +80,9 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None) -
             raise InputError(f"{path.name} is in {crs.name}, but {stated[0][0].name} is in "
                              f"{stated[0][1].name}: give files of one coordinate reference system.")
     full = [header for header in headers if header.point_count]
-    if not full:
+    if not full and not may_be_empty:
         raise InsufficientDataError(f"{files[0].name} holds no points: choose another point cloud.")
-    corners = np.array([[header.mins, header.maxs] for header in full], dtype=float)
+    corners = np.array([[header.mins, header.maxs] for header in full or headers[:1]], dtype=float)
     if not np.isfinite(corners).all():
         raise InputError(f"{files[0].name} has coordinates that are not numbers: repair the file's header.")
     return PointCloud(files, headers, stated[0][1].to_wkt() if stated else crs_wkt,
@@ -172,7 +174,7 @@ class PointLayout:
         first = max(cloud.headers, key=lambda header: header.point_format.id)
         header = laspy.LasHeader(point_format=first.point_format.id, version=first.version)
         header.scales = np.min([h.scales for h in cloud.headers], axis=0)
-        header.offsets = cloud.headers[0].offsets
+        header.offsets = _common_offsets(cloud)
         header.global_encoding = cloud.headers[0].global_encoding
         header.system_identifier = cloud.headers[0].system_identifier
         header.generating_software = "UrbanMap"
@@ -211,6 +213,17 @@ class PointLayout:
         """Records of this layout with their attributes by name and scaled coordinates."""
         return laspy.ScaleAwarePointRecord(records, self.header.point_format,
                                            self.header.scales, self.header.offsets)
+
+
+def _common_offsets(cloud: PointCloud) -> np.ndarray:
+    """Offsets (3,) that suit all files: their own, or where they differ the cloud's corner in whole units.
+
+    With one file's offsets and another's finer scale, coordinates could be too large for 32 bits.
+    """
+    first = cloud.headers[0]
+    alike = all(np.array_equal(header.offsets, first.offsets) and np.array_equal(header.scales, first.scales)
+                for header in cloud.headers)
+    return first.offsets if alike else np.floor(cloud.minimum)
 
 
 def _extra_parameters(dimension: laspy.DimensionInfo) -> laspy.ExtraBytesParams:
