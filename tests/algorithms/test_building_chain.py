@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import shapely
+import shapely.affinity
 
 from urbanmap_qgis.buildings.validity import check_solid
 from urbanmap_qgis.io.cityjson import read_cityjson
@@ -61,26 +63,33 @@ KNOWN = {
 FLAT_GABLE_VOLUME = 160 * (7.5 - GROUND)
 
 
+def run_chain(folder, clouds, outlines, **more):
+    """Results of the whole chain from files."""
+    import processing
+
+    return processing.run("urbanmap:buildingsfromals", {
+        "POINTS": [str(cloud) for cloud in clouds], "FOOTPRINTS": str(outlines), "OUTPUT": str(folder / "models.gpkg"),
+        "OUTPUT_CITYJSON": str(folder / "models.city.json"), "OUTPUT_REPORT": str(folder / "report.html"), **more})
+
+
 @pytest.fixture(scope="module")
 def town(qgis_app, synthetic, make_cloud, save_outlines, tmp_path_factory):
     """The whole chain run once: two point files and Japanese names; results by building name."""
-    import processing
-
     folder = tmp_path_factory.mktemp("街区 モデル")
     blocks = make_blocks(synthetic)
     scene = synthetic.Scene([block for block in blocks.values() if block.parts], noise=0.02,
                             extra=make_clutter(synthetic))
     points, _ = scene.points()
     half = len(points) // 2
-    files = [str(make_cloud(folder / name, *part.T, number_of_returns=1, return_number=1))
+    files = [make_cloud(folder / name, *part.T, number_of_returns=1, return_number=1)
              for name, part in (("点群 東.laz", points[:half]), ("点群 西.las", points[half:]))]
     outlines = save_outlines(folder / "建物 外周.gpkg", [block.outline for block in blocks.values()],
                              {"名称": list(blocks)})
     wanted = {"OUTPUT": "モデル.gpkg", "OUTPUT_SURFACES": "面.gpkg", "OUTPUT_CITYJSON": "都市 模型.city.json",
               "OUTPUT_REPORT": "報告.html", "OUTPUT_MESH": "網.obj"}
-    results = processing.run("urbanmap:buildingsfromals", {
-        "POINTS": files, "FOOTPRINTS": str(outlines), **{name: str(folder / file) for name, file in wanted.items()}})
-    return SimpleNamespace(folder=folder, results=results, wanted=wanted, blocks=blocks)
+    results = run_chain(folder, files, outlines, **{name: str(folder / file) for name, file in wanted.items()})
+    return SimpleNamespace(folder=folder, results=results, wanted=wanted, blocks=blocks, points=points, files=files,
+                           outlines=outlines)
 
 
 @pytest.fixture(scope="module")
@@ -203,3 +212,68 @@ def test_layers_carry_crs_and_style(town, output):
     layer = QgsVectorLayer(town.results[output], "result", "ogr")
     assert layer.crs().authid() == "EPSG:6677"
     assert layer.listStylesInDatabase()[0] == 1
+
+
+def solids_of(path):
+    """What the models of a CityJSON file are, by building id: vertices, faces, types, and figures.
+
+    The order of points may change the last binary digit of a mean, so figures are taken to the micrometre.
+    """
+    return {item.id: ([(solid.vertices.tolist(), solid.faces, solid.surface_type) for solid in item.solids],
+                      {name: round(value, 6) if isinstance(value, float) else value
+                       for name, value in item.attributes.items()}) for item in read_cityjson(path)}
+
+
+def test_the_same_input_gives_the_same_bytes(town, tmp_path):
+    again = run_chain(tmp_path, town.files, town.outlines)
+    first, second = (Path(results["OUTPUT_CITYJSON"]).read_bytes() for results in (town.results, again))
+    assert first == second
+    assert rows_of(town.results["OUTPUT"]) == rows_of(again["OUTPUT"])
+
+
+def test_order_and_cut_of_the_input_change_no_model(town, save_outlines, make_cloud, tmp_path):
+    """Outlines from last to first, points in another order and cut into other files of other kinds."""
+    numbers = list(range(1, len(town.blocks) + 1))
+    outlines = [block.outline for block in town.blocks.values()]
+    save_outlines(tmp_path / "o.gpkg", outlines[::-1], {"building_id": numbers[::-1]})
+    points = town.points[np.random.default_rng(5).permutation(len(town.points))]
+    cuts = np.split(points, [len(points) // 5, len(points) // 2])
+    clouds = [make_cloud(tmp_path / f"{place}.{suffix}", *part.T, point_format=kind, return_number=1,
+                         number_of_returns=1) for place, (part, suffix, kind) in
+              enumerate(zip(cuts, ("las", "laz", "laz"), (1, 6, 7)))]
+    other = run_chain(tmp_path, clouds, tmp_path / "o.gpkg")
+    assert solids_of(other["OUTPUT_CITYJSON"]) == solids_of(town.results["OUTPUT_CITYJSON"])
+    assert [row["building_id"] for row in rows_of(other["OUTPUT"])] == numbers[::-1]
+
+
+def test_two_workers_change_nothing(town, tmp_path, monkeypatch, plugin):
+    """Two at work, a few buildings at once, and points that do not fit into memory."""
+    monkeypatch.setattr(plugin("urbanmap_qgis.buildings.building_points"), "BUILDINGS_AT_ONCE", 3)
+    monkeypatch.setattr(plugin("urbanmap_qgis.io.point_buckets").PointBuckets.__init__, "__defaults__", (0,))
+    monkeypatch.setattr(plugin("urbanmap_qgis.io.pointcloud").iter_chunks, "__defaults__", (
+        *plugin("urbanmap_qgis.io.pointcloud").iter_chunks.__defaults__[:-1], 20_000))
+    workers = plugin("algorithms.workers")
+    monkeypatch.setattr(workers, "_processes", workers._in_window)
+    again = run_chain(tmp_path, town.files, town.outlines, WORKERS=2)
+    assert solids_of(again["OUTPUT_CITYJSON"]) == solids_of(town.results["OUTPUT_CITYJSON"])
+
+
+def test_turned_and_moved_town_has_the_same_roofs(town, synthetic, save_outlines, make_cloud, tmp_path):
+    """By 30 degrees, and from near the origin of the zone to 40 km away."""
+    shift = np.array([-EAST, -NORTH, 0.0])
+    place = (30.0, -41_234.56, 43_210.98)
+    points = synthetic.turned(town.points + shift, *place)
+    outlines = [synthetic.turned_plan(shapely.affinity.translate(block.outline, -EAST, -NORTH), *place)
+                for block in town.blocks.values()]
+    save_outlines(tmp_path / "o.gpkg", outlines, {"名称": list(town.blocks)})
+    cloud = make_cloud(tmp_path / "turned.laz", *points.T, return_number=1, number_of_returns=1)
+    turned = run_chain(tmp_path, [cloud], tmp_path / "o.gpkg")
+    rows = {row["名称"]: row for row in rows_of(turned["OUTPUT"])}
+    solids = {item.id: item.solids for item in read_cityjson(turned["OUTPUT_CITYJSON"])}
+    for name, (heights, area, content) in KNOWN.items():
+        found = solids[f"building-{rows[name]['building_id']}"]
+        assert rows[name]["status"] == "ok", name
+        assert np.allclose(roof_heights(found), heights, rtol=0, atol=0.05), name
+        assert rows[name]["area"] == pytest.approx(area, rel=0.01), name
+        assert rows[name]["volume"] == pytest.approx(content, rel=0.02), name
+        assert [str(problem) for solid in found for problem in check_solid(solid)] == [], name
