@@ -1,0 +1,47 @@
+"""Lays out the streets, the ground under them and the lanes on them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .ground import Ground, Street
+from .model import Lane
+
+AVENUE_PITCH, STREET_PITCH = 72.0, 80.0
+"""Distances between streets along u and along v, m."""
+
+BEYOND = 25.0
+"""Lanes and markings go on beyond the city's square, m."""
+
+
+def make_ground(size: float, origin: tuple[float, float], rng: np.random.Generator) -> Ground:
+    """Ground with an avenue (A, along u) and a street (B, along v) that cross at the origin, and side streets."""
+    streets = [Street("A", "u", 0.0, 8.7, 3.5, 2), Street("B", "v", 0.0, 6.2, 3.0, 1)]
+    for along, pitch, letter in (("u", AVENUE_PITCH, "A"), ("v", STREET_PITCH, "B")):
+        count = int((size / 2 - 18.0) // pitch)
+        for number in range(1, count + 1):
+            for side in (1, -1):
+                streets.append(Street(f"{letter}{2 * number - (side > 0)}", along, side * number * pitch, 3.0, 1.5, 1,
+                                      2.7))
+    angle = float(rng.uniform(8.0, 20.0))
+    slope = (float(rng.uniform(0.008, 0.016)), float(rng.uniform(-0.012, -0.004)))
+    return Ground(origin, angle, float(rng.uniform(11.0, 15.0)), slope, 0.2, tuple(streets))
+
+
+def make_lanes(ground: Ground, size: float) -> tuple[Lane, ...]:
+    """Lanes of all streets, traffic on the left. The survey drives in the kerb lane of the avenue and the street."""
+    lanes = []
+    reach = size / 2 + BEYOND
+    for street in ground.streets:
+        for side in (1, -1):
+            for number in range(street.lanes):
+                across = street.at + side * (number + 0.5) * street.lane_width
+                # Traffic in the direction of u keeps to its left, the side of +v; along v to the side of -u.
+                ends = ((-side * reach, across), (side * reach, across))
+                if street.along == "v":
+                    across = street.at - side * (number + 0.5) * street.lane_width
+                    ends = ((across, -side * reach), (across, side * reach))
+                start, end = (tuple(float(c) for c in ground.to_world(*uv)) for uv in ends)
+                lanes.append(Lane(street.name, start, end, street.lane_width,
+                                  survey=street.name in ("A", "B") and number == street.lanes - 1))
+    return tuple(lanes)
