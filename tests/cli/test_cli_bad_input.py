@@ -1,0 +1,103 @@
+"""What the command line says to input that it cannot use: one sentence, exit code 1, and earlier results whole.
+
+All that can be wrong is gone through in tests/algorithms/test_building_bad_input.py; here is what a run of the
+program adds: the exit code, what is printed, and what lies in the folder afterwards.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import time
+
+import numpy as np
+import pytest
+
+EAST, NORTH = -7000.0, -35000.0
+EARLIER = b"an earlier result"
+FILES = {"OUTPUT": "models.gpkg", "OUTPUT_CITYJSON": "models.city.json", "OUTPUT_REPORT": "report.html"}
+
+
+@pytest.fixture(scope="module")
+def cloud(synthetic, make_cloud, tmp_path_factory):
+    scene = synthetic.Scene([synthetic.flat(synthetic.rectangle(EAST, NORTH, 12, 15), 12.3)], spacing=0.6)
+    return make_cloud(tmp_path_factory.mktemp("cloud") / "cloud.laz", *scene.points()[0].T)
+
+
+def write_outlines(path, corner=(EAST, NORTH), size=(12.0, 15.0), epsg=6677, count=1):
+    """A GeoJSON of outlines beside one another."""
+    features = []
+    for place in range(count):
+        x, y = corner[0] + place * 2 * size[0], corner[1]
+        ring = [[x, y], [x + size[0], y], [x + size[0], y + size[1]], [x, y + size[1]], [x, y]]
+        features.append({"type": "Feature", "properties": {"building_id": 1},
+                         "geometry": {"type": "Polygon", "coordinates": [ring]}})
+    crs = {"type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{epsg}"}}
+    path.write_text(json.dumps({"type": "FeatureCollection", "crs": crs, "features": features}), encoding="utf-8")
+    return path
+
+
+def cut(path, source):
+    path.write_bytes(source.read_bytes()[:source.stat().st_size // 2])
+    return path
+
+
+# Name: what to change of a good run (a function of the folder and the good cloud), and words of the answer.
+CASES = {
+    "degrees": (lambda folder, _: {"FOOTPRINTS": write_outlines(
+        folder / "o.geojson", (139.7, 35.6), (0.001, 0.001), 6668)}, "coordinates are degrees"),
+    "another zone": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", epsg=6676)}, "EPSG:6676"),
+    "no overlap": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", (EAST + 9000, NORTH))},
+                   "do not overlap"),
+    "ids twice": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", count=2)}, "more than once"),
+    "truncated": (lambda folder, cloud: {"POINTS": [cloud, cut(folder / "cut.laz", cloud)]}, "cut.laz"),
+    "folder missing": (lambda folder, _: {"OUTPUT": folder / "missing" / "models.gpkg"}, "folder"),
+    "no folder": (lambda _, __: {"OUTPUT_CITYJSON": "/dev/null/models.city.json"}, "folder"),
+}
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_refusal(run_algorithm, cloud, tmp_path, case):
+    change, words = CASES[case]
+    folder = tmp_path / "results"
+    folder.mkdir()
+    for name in FILES.values():
+        (folder / name).write_bytes(EARLIER)
+    parameters = {"POINTS": [cloud], "FOOTPRINTS": write_outlines(tmp_path / "good.geojson"),
+                  **{name: folder / file for name, file in FILES.items()}, **change(tmp_path, cloud)}
+    done = run_algorithm("urbanmap:buildingsfromals", **parameters)
+    assert done.code == 1
+    assert words in done.err
+    assert "Traceback" not in done.out + done.err
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == dict.fromkeys(FILES.values(), EARLIER)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no SIGINT for one process")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupted_chain_leaves_earlier_results(linked_profile, make_cloud, tmp_path, number):
+    random = np.random.default_rng(1)
+    count = 3_000_000
+    cloud = make_cloud(tmp_path / "cloud.las", EAST + random.uniform(0, 60, count),
+                       NORTH + random.uniform(0, 60, count), random.uniform(0, 30, count))
+    folder = tmp_path / "results"
+    folder.mkdir()
+    for name in FILES.values():
+        (folder / name).write_bytes(EARLIER)
+    outlines = write_outlines(tmp_path / "o.geojson", (EAST + 10, NORTH + 10), (40.0, 40.0))
+    process = linked_profile().start(
+        "run", "urbanmap:buildingsfromals", "--", f"POINTS={cloud}", f"FOOTPRINTS={outlines}",
+        *(f"{name}={folder / file}" for name, file in FILES.items()))
+    waited = ""
+    while "Step: Segment buildings" not in waited and process.poll() is None:
+        waited += process.stdout.readline()
+    time.sleep(0.2)
+    assert process.poll() is None, "the run ended before it could be interrupted"
+    process.send_signal(number)
+    sent = time.monotonic()
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 1, out + err
+    assert "The run was cancelled." in err
+    assert "Traceback" not in out + err
+    assert time.monotonic() - sent < 30
+    assert {path.name: path.read_bytes() for path in folder.iterdir()} == dict.fromkeys(FILES.values(), EARLIER)
