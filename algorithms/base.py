@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
 from html import escape
 from pathlib import Path
@@ -40,6 +41,8 @@ GROUPS = {
 }
 
 POINT_SUFFIXES = (".las", ".laz")
+
+TEMPORARY_LAYER = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # as QGIS names them
 
 AROUND = 60.0  # m of a raster read beyond the features that it is for
 
@@ -395,4 +398,6 @@ def _value_text(value: object) -> str:
     if hasattr(value, "source") and hasattr(value, "name"):
         return value.name()
     text = str(value)
+    if TEMPORARY_LAYER.search(text):
+        return tr("temporary layer")
     return Path(text).name if os.sep in text else text

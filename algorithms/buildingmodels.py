@@ -176,7 +176,7 @@ class BuildingModels(UrbanMapAlgorithm):
             write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(models, columns), title="UrbanMap building models",
                            epsg=int(code) if code.isdigit() else None, progress=progress)
         if "OUTPUT_REPORT" in paths:
-            write_model_report(paths["OUTPUT_REPORT"], columns, self.settings_of(parameters))
+            write_model_report(paths["OUTPUT_REPORT"], columns, self.settings_of(parameters), table.geometries)
         return {name: str(path) for name, path in results.items() if path}
 
 

@@ -6,8 +6,10 @@ import os
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+import shapely
 
 from ..io.report import Report
+from ..io.svg import plan_map
 from .model_stage import BLOCK, GROUND_UNKNOWN, NOT_MODELLED, OK, SIMPLIFIED, BuildingModel, ground_area
 from .solid import volume
 
@@ -47,14 +49,15 @@ def _row(model: BuildingModel) -> dict:
     }
 
 
-def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
-                       settings: Mapping[str, object]) -> None:
+def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence], settings: Mapping[str, object],
+                       plans: Sequence[shapely.Geometry | None] = ()) -> None:
     """Write the HTML report of a run: counts, quality, the worst buildings with reasons, the settings.
 
     Parameters
     ----------
     columns : as `model_columns` gives them.
-    settings : names and values of the inputs and parameters.
+    settings : names and values of the inputs and parameters; empty ones are left out.
+    plans : plan of each building, for the map.
     """
     status = np.array(columns["status"], dtype=object)
     report = Report("Building models")
@@ -83,21 +86,44 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
                      "Buildings by point to model distance", upper=4.0)
     report.histogram(np.array(columns["density"], float), "points a m²", "Buildings by point density")
     report.histogram(100 * np.array(columns["unseen"], float), "% of the plan", "Buildings by plan without points")
-    _worst(report, columns)
+    worst = _worst(columns)
+    if len(plans) and not shapely.is_missing(np.array(plans, dtype=object)).all():
+        report.section("Map")
+        labels = {int(row): str(columns["building_id"][row]) for row in worst}
+        report.figure(plan_map(plans, np.array(columns["rmse_z95"], float), (0.15, 0.3, 0.6, 1.0), "m", labels),
+                      "RMSE of height, best 95 %, of each building; the worst are numbered. North is up.")
+    report.section(f"The worst {len(worst)}")
+    names = ("building_id", "status", "roofs", "points", "rmse_z95", "p95")
+    heads = ("building", "status", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
+    report.table(heads, [[*(columns[name][row] for name in names), _why(columns, row)] for row in worst])
     report.section("Settings")
-    report.facts(settings)
+    report.facts({name: value for name, value in settings.items() if value not in (None, "")})
     report.write(path)
 
 
-def _worst(report: Report, columns: Mapping[str, Sequence]) -> None:
-    """The buildings to look at first: those without a model, then those that fit worst."""
+def _worst(columns: Mapping[str, Sequence]) -> np.ndarray:
+    """Rows of the buildings to look at first: those without a model, then those that fit worst."""
     p95 = np.array(columns["p95"], float)
     missing = np.array(columns["status"], dtype=object) == NOT_MODELLED
-    order = np.lexsort((np.array(columns["building_id"]), -np.where(np.isfinite(p95), p95, -1.0), ~missing))[:WORST]
-    report.section(f"The worst {len(order)}")
-    names = ("building_id", "status", "reason", "roofs", "points", "rmse_z95", "p95", "unseen")
-    heads = ("building", "status", "reason", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "unseen share")
-    report.table(heads, [[columns[name][row] for name in names] for row in order])
+    return np.lexsort((np.array(columns["building_id"]), -np.where(np.isfinite(p95), p95, -1.0), ~missing))[:WORST]
+
+
+def _why(columns: Mapping[str, Sequence], row: int) -> str:
+    """In words, what the figures of a building say against its model."""
+    causes = [columns["reason"][row]] if columns["reason"][row] else []
+    unseen, density = columns["unseen"][row], columns["density"][row]
+    coverage, rmse = columns["coverage"][row], columns["rmse_z95"][row]
+    if unseen > 0.2:
+        causes.append(f"{100 * unseen:.0f} % of its plan has no roof points")
+    if density < 2.0:
+        causes.append(f"only {density:.1f} points a m²")
+    if coverage < 0.9:
+        causes.append(f"{100 * (1 - coverage):.0f} % of its points lie beside the model: check the outline")
+    if rmse > 1.0:
+        causes.append("its roofs do not follow the points: a broken roof, or points of something else")
+    elif rmse > 0.3:
+        causes.append("sloped or uneven roofs are modelled level")
+    return "; ".join(causes)
 
 
 def _mean(values: Sequence[float]) -> float:

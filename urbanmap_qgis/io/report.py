@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from .atomic import written_beside
+from .svg import bars
 
 _STYLE = """
 body { font-family: sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em;
@@ -83,8 +84,11 @@ class Report:
         top = float(upper if upper is not None else finite.max())
         low = min(0.0, float(finite.min()))
         counts, edges = np.histogram(np.minimum(finite, top), bins=bins, range=(low, max(top, low + 1e-9)))
-        self._parts.append(f"<figure>{_bars(counts, edges, label)}"
-                           f"<figcaption>{html.escape(caption)}</figcaption></figure>")
+        self.figure(bars(counts, edges, label), caption)
+
+    def figure(self, svg: str, caption: str) -> None:
+        """Add a picture given as SVG."""
+        self._parts.append(f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>")
 
     def write(self, path: str | os.PathLike) -> None:
         """Write the page; it appears at `path` when it is whole.
@@ -112,25 +116,3 @@ def _cell(value: Cell) -> str:
     if isinstance(value, (float, np.floating)):
         return f'<td class="number">{float(value):,.3f}</td>'
     return f"<td>{html.escape(str(value))}</td>"
-
-
-def _bars(counts: np.ndarray, edges: np.ndarray, label: str) -> str:
-    """An SVG bar chart with a labelled axis."""
-    width, height, left, bottom = 460, 200, 46, 40
-    plot_width, plot_height = width - left - 10, height - bottom - 12
-    tallest = max(int(counts.max()), 1)
-    step = plot_width / len(counts)
-    bars = "".join(
-        f'<rect x="{left + i * step + 0.5:.1f}" y="{12 + plot_height * (1 - count / tallest):.1f}" '
-        f'width="{max(step - 1, 1):.1f}" height="{plot_height * count / tallest:.1f}" fill="#2f6f8f"/>'
-        for i, count in enumerate(counts.tolist()))
-    ticks = "".join(
-        f'<text x="{left + share * plot_width:.0f}" y="{height - bottom + 16}" text-anchor="middle">'
-        f"{edges[0] + share * (edges[-1] - edges[0]):.3g}</text>" for share in (0.0, 0.25, 0.5, 0.75, 1.0))
-    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
-            f'font-family="sans-serif" font-size="11">{bars}'
-            f'<path d="M{left} {height - bottom}H{width - 10}" stroke="#444"/>'
-            f'{ticks}<text x="{left - 6}" y="20" text-anchor="end">{tallest}</text>'
-            f'<text x="{left - 6}" y="{height - bottom}" text-anchor="end">0</text>'
-            f'<text x="{left + plot_width / 2:.0f}" y="{height - 6}" text-anchor="middle">'
-            f"{html.escape(label)}</text></svg>")

@@ -1,0 +1,44 @@
+"""HTML reports and their drawings."""
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.errors import OutputError
+from urbanmap_qgis.io.report import Report
+from urbanmap_qgis.io.svg import RAMP, UNKNOWN, bars, plan_map
+
+
+def test_page_escapes_text_and_formats_numbers(tmp_path):
+    report = Report("A & B")
+    report.table(["n", "x"], [[1234567, 0.12345], [float("nan"), "<script>"], [True, None]])
+    report.warning("mind <this>")
+    report.histogram(np.array([1.0, 2.0, np.nan]), "m", "lengths")
+    report.write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert "A &amp; B" in page and "&lt;script&gt;" in page and "<script>" not in page
+    assert "1,234,567" in page and "0.123" in page and page.count("–") == 2
+    assert "lengths (1 without a value)" in page
+    with pytest.raises(OutputError):
+        report.write(tmp_path / "no" / "r.html")
+
+
+def test_bars_are_as_tall_as_their_counts():
+    picture = ElementTree.fromstring(bars(np.array([1, 4, 2]), np.array([0.0, 1.0, 2.0, 3.0]), "m"))
+    heights = [float(rect.get("height")) for rect in picture.iter() if rect.tag.endswith("rect")]
+    assert np.array(heights) / max(heights) == pytest.approx([0.25, 1.0, 0.5], abs=0.01)
+
+
+def test_map_draws_each_plan_in_its_colour_to_scale():
+    plans = [shapely.box(0, 0, 10, 10), shapely.box(20, 0, 40, 10), None,
+             shapely.Polygon(shapely.box(50, 0, 60, 10).exterior, [shapely.box(53, 3, 56, 6).exterior])]
+    text = plan_map(plans, np.array([0.1, 2.0, 0.5, np.nan]), (0.15, 0.3, 0.6, 1.0), "m", {1: "<7>"}, width=620)
+    picture = ElementTree.fromstring(text)
+    paths = [item for item in picture.iter() if item.tag.endswith("path") and item.get("fill")]
+    assert [item.get("fill") for item in paths] == [RAMP[0], RAMP[4], UNKNOWN]
+    spans = [np.ptp([float(x) for x in re.findall(r"[ML]([\d.]+) ", item.get("d"))]) for item in paths]
+    assert spans == pytest.approx([100, 200, 100], abs=0.2)
+    assert paths[2].get("d").count("M") == 2 and "&lt;7&gt;" in text
