@@ -24,18 +24,17 @@ from qgis.core import (
     QgsProcessingModelChildParameterSource,
     QgsProcessingModelOutput,
     QgsProcessingModelParameter,
-    QgsProcessingParameterDefinition,
 )
 from qgis.PyQt.QtCore import QPointF, QSizeF
 from qgis.PyQt.QtGui import QColor
 
 ROOT = Path(__file__).resolve().parent.parent
 MODELS = ROOT / "resources" / "models"
-ADVANCED = QgsProcessingParameterDefinition.Flag.FlagAdvanced
+DATA = ("multilayer", "source", "vector", "raster", "file")
 
-INPUT, STEP, OUTPUT, COMMENT = (QSizeF(190, 40), QSizeF(220, 44), QSizeF(190, 40), QSizeF(300, 92))
-COLUMNS = {"settings": 130.0, "inputs": 380.0, "steps": 720.0, "comments": 1080.0, "outputs": 1440.0}
-TOP, ROW, STEP_ROW = 80.0, 70.0, 170.0
+INPUT, STEP, OUTPUT, COMMENT = (QSizeF(210, 40), QSizeF(220, 44), QSizeF(210, 40), QSizeF(300, 56))
+COLUMNS = {"inputs": 140.0, "steps": 540.0, "comments": 900.0}
+TOP, ROW, STEP_ROW = 80.0, 60.0, 180.0
 SETTING_COLOUR, INPUT_COLOUR = QColor("#eef1f4"), QColor("#fff3c4")
 
 
@@ -98,15 +97,12 @@ def place(component, column: str, y: float, size: QSizeF, text: str = "", colour
 
 
 def add_inputs(model: QgsProcessingModelAlgorithm, chain) -> None:
-    """The chain's input parameters: layers and files in one column, settings in another."""
-    rows = {"inputs": TOP, "settings": TOP}
-    for definition in chain.parameterDefinitions():
-        if definition.isDestination():
-            continue
-        column = "inputs" if definition.type() in ("multilayer", "source", "raster") else "settings"
+    """The chain's input parameters: layers and files above, settings below."""
+    inputs = [item for item in chain.parameterDefinitions() if not item.isDestination()]
+    data = [item for item in inputs if item.type() in DATA]
+    for row, definition in enumerate([*data, *(item for item in inputs if item not in data)]):
         box = QgsProcessingModelParameter(definition.name())
-        place(box, column, rows[column], INPUT, colour=INPUT_COLOUR if column == "inputs" else SETTING_COLOUR)
-        rows[column] += ROW * (2 if column == "inputs" else 1)
+        place(box, "inputs", TOP + row * ROW, INPUT, colour=INPUT_COLOUR if definition in data else SETTING_COLOUR)
         model.addModelParameter(definition.clone(), box)
 
 
@@ -130,8 +126,12 @@ def add_step(model: QgsProcessingModelAlgorithm, step: Step, row: int, chain) ->
     child.setDescription(child.algorithm().displayName())
     for definition in child.algorithm().parameterDefinitions():
         name = definition.name()
-        if not definition.isDestination() and chain.parameterDefinition(name) and name not in step.made:
+        if definition.isDestination() or name in step.made:
+            continue
+        if chain.parameterDefinition(name):
             child.addParameterSources(name, [source.fromModelParameter(name)])
+        elif definition.defaultValue() is not None:
+            child.addParameterSources(name, [source.fromStaticValue(definition.defaultValue())])
     for name, (other, output) in step.made.items():
         child.addParameterSources(name, [source.fromChildOutput(other, output)])
     if step.note:
@@ -147,7 +147,7 @@ def add_step(model: QgsProcessingModelAlgorithm, step: Step, row: int, chain) ->
         result.setChildId(step.algorithm)
         result.setChildOutputName(name)
         result.setMandatory(not definition.flags() & definition.Flag.FlagOptional)
-        place(result, "outputs", y + (place_down - 2) * ROW, OUTPUT)
+        place(result, "comments", y + COMMENT.height() + (place_down + 1) * ROW, OUTPUT)
         results[name] = result
     child.setModelOutputs(results)
     model.addChildAlgorithm(child)
@@ -164,6 +164,9 @@ def build(name: str, chain_id: str, steps: tuple[Step, ...]) -> QgsProcessingMod
     model.setHelpContent(help_content(chain, steps))
     model.setParameterOrder([definition.name() for definition in chain.parameterDefinitions()
                              if not definition.isDestination()])
+    sound, problems = model.validate()
+    if not sound:
+        sys.exit(f"{name}: {'; '.join(problems)}")
     missing = [definition.name() for definition in chain.parameterDefinitions() if definition.isDestination()
                and not any(definition.name() in step.outputs for step in steps)]
     if missing:

@@ -40,14 +40,14 @@ EDGE = "#5a4a42"
 """Colour of the edges of models."""
 
 MODEL_STATUS = {
-    "ok": ("modelled", "#e9dcc6"),
-    "ground unknown": ("modelled, ground assumed", "#8fc1d9"),
-    "simplified": ("simplified to one height", "#f2c14e"),
-    "plain block": ("plain block, too few points for roofs", "#f08a4b"),
+    "ok": ("ok", "#e9dcc6"),
+    "ground unknown": ("ground assumed", "#8fc1d9"),
+    "simplified": ("simplified", "#f2c14e"),
+    "plain block": ("plain block", "#f08a4b"),
 }
 """Label and colour of the models' status; those not modelled have no geometry and are kept apart."""
 
-NOT_MODELLED = ("not modelled (no geometry: see the table)", "#d7263d")
+NOT_MODELLED = ("not modelled (see table)", "#d7263d")
 
 SURFACES = {
     "ground": ("ground", "#8d9486"),
@@ -73,8 +73,9 @@ def fill(colour: str, outline: str = EDGE, width_mm: float = 0.2, pen: str = "so
 def solid_symbol(colour: str):
     """3D symbol for surfaces that have their heights in them: one colour, lit, with edges."""
     material = engine.QgsPhongMaterialSettings()
-    material.setDiffuse(QColor(colour))
-    material.setAmbient(QColor(colour).darker(170))
+    # Ambient and full light together give the colour itself; walls, which the light from above misses, stay bright.
+    material.setDiffuse(QColor(colour).darker(180))
+    material.setAmbient(QColor(colour).darker(200))
     material.setSpecular(QColor("black"))
     symbol = engine.QgsPolygon3DSymbol()
     if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later
