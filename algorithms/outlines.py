@@ -114,5 +114,5 @@ def footprints_of(table: VectorTable, progress: Progress = SILENT):
         notes[row] = notes[row] or problem
     unusable = int((~footprints.usable).sum())
     if unusable:
-        progress.message(f"{unusable} outlines have no usable polygon; their buildings keep their rows.")
+        progress.message(tr("{0} outlines have no usable polygon; their buildings keep their rows.").format(unusable))
     return Footprints(footprints.ids, footprints.polygons, notes)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
 from .outlines import footprints_of, open_points
+from .parameters import tr
 from .workers import workers
 
 
@@ -54,7 +55,7 @@ class RoofPolygons(UrbanMapAlgorithm):
             roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
-            progress.warn(f"{without} of {len(footprints)} buildings got no roof polygon.")
+            progress.warn(tr("{0} of {1} buildings got no roof polygon.").format(without, len(footprints)))
         fields = make_fields(("building_id", "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
                              ("points", "int"), ("density", "real"), ("rmse", "real"), ("coverage", "real"),
                              ("boundary_rms", "real"), ("status", "text"))

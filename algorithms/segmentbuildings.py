@@ -5,6 +5,7 @@ from __future__ import annotations
 from .base import UrbanMapAlgorithm
 from .layers import make_fields
 from .outlines import BUILDING_ID, NOTE, check_points_output, footprints_of, open_points, points_output
+from .parameters import tr
 from .workers import workers
 
 
@@ -71,7 +72,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
             layer = self._write(parameters, context, table, footprints, buildings, progress.part(0.95, 1.0))
         without = int((buildings.status != "ok").sum())
         if without:
-            progress.warn(f"{without} of {len(footprints)} buildings have too few points for a model.")
+            progress.warn(tr("{0} of {1} buildings have too few points for a model.").format(
+                without, len(footprints)))
         return {
             "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_BUILDINGS": layer,
             "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),

@@ -94,7 +94,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
             layer = self._write(parameters, context, table, roofs, progress.part(0.95, 1.0))
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
-            progress.warn(f"{without} of {len(footprints)} buildings have no roof in their points.")
+            progress.warn(tr("{0} of {1} buildings have no roof in their points.").format(without, len(footprints)))
         return {
             "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_ROOFS": layer,
             "ROOFS": len(roofs.roof_id), "WITHOUT_ROOFS": without,
