@@ -138,7 +138,7 @@ class BuildingModels(UrbanMapAlgorithm):
     def _write_layers(self, parameters, context, table, models, columns, progress):
         """The layer of buildings and, where wanted, that of surfaces."""
         from ..urbanmap_qgis.buildings.model_table import COLUMNS
-        from ..urbanmap_qgis.buildings.solid import multipolygon, surfaces
+        from ..urbanmap_qgis.geometry.solid import multipolygon, surfaces
 
         results = {}
         if parameters.get("OUTPUT_SURFACES"):

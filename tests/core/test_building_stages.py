@@ -25,9 +25,9 @@ from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
 from urbanmap_qgis.buildings.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError
+from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.pointcloud import open_cloud, read_all
 from urbanmap_qgis.progress import Progress
-from urbanmap_qgis.terrain.grid import Grid
 
 X0, Y0, GROUND = -6900.0, -34200.0, 20.0
 ROOFS = {1: [((0, 0, 15, 12), 29.0)], 2: [((15, 0, 27, 12), 33.5)],

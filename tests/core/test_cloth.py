@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
+from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.terrain.cloth import ClothSettings, Levels, classify_ground, cloth_surface, hang
 from urbanmap_qgis.terrain.outliers import isolated, plausible
-from urbanmap_qgis.terrain.sampling import sample
 from urbanmap_qgis.terrain.trend import trend_surface
 
 SIZE = 160.0

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from scipy.spatial import Delaunay
 
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.terrain.delaunay import (
     Blocks,
     block_triangles,
@@ -21,7 +22,6 @@ from urbanmap_qgis.terrain.delaunay import (
     open_edges,
     triangulate,
 )
-from urbanmap_qgis.terrain.grid import Grid
 from urbanmap_qgis.terrain.rasterise import rasterise
 
 

@@ -8,7 +8,7 @@ from urbanmap_qgis.buildings.displacement import estimate_displacements, moved
 from urbanmap_qgis.buildings.displacement_boundary import edges_of, pieces_of, row_sums, sums_inside
 from urbanmap_qgis.buildings.displacement_pairs import MASK_CELL, fit_tables, overlap_tables, walls_between
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.terrain.grid import Grid
+from urbanmap_qgis.geometry.grid import Grid
 
 GRID = Grid.covering(-20, -20, 99.9, 59.9, 0.5)
 

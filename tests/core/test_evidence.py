@@ -5,7 +5,7 @@ import pytest
 
 from urbanmap_qgis.buildings.evidence import EvidenceAccumulator, evidence_cell
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.terrain.grid import Grid
+from urbanmap_qgis.geometry.grid import Grid
 
 GRID = Grid.covering(0, 0, 39.9, 39.9, 0.5)
 

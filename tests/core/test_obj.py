@@ -5,8 +5,9 @@ import pytest
 from shapely import box
 
 from urbanmap_qgis.buildings.plan_partition import partition_plan
-from urbanmap_qgis.buildings.solid import building_solids, volume
+from urbanmap_qgis.buildings.solid import building_solids
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.geometry.solid import volume
 from urbanmap_qgis.io.cityjson import CityBuilding
 from urbanmap_qgis.io.obj import write_obj
 

@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError, OutputError
+from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import NODATA, RasterSampler, read_raster, write_raster
-from urbanmap_qgis.terrain.grid import Grid
-from urbanmap_qgis.terrain.sampling import sample
 
 WKT = CRS.from_epsg(6677).to_wkt()
 GRID = Grid(-7000.0, -34000.0, 0.5, 300, 700)
@@ -112,7 +112,7 @@ def test_foreign_proj_and_gdal_folders_do_no_harm(tmp_path):
     """QGIS's PROJ_LIB and GDAL_DATA may hold another version's data."""
     code = ("import sys, numpy as np\n"
             "from urbanmap_qgis.io.raster import read_raster, write_raster\n"
-            "from urbanmap_qgis.terrain.grid import Grid\n"
+            "from urbanmap_qgis.geometry.grid import Grid\n"
             "write_raster(sys.argv[1], np.zeros((4, 4), np.float32), Grid(0., 4., 1., 4, 4), sys.argv[2])\n"
             "print(len(read_raster(sys.argv[1])[2]))\n")
     environment = {**os.environ, "PROJ_LIB": str(tmp_path), "PROJ_DATA": str(tmp_path), "GDAL_DATA": str(tmp_path)}

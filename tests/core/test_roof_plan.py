@@ -9,7 +9,7 @@ from shapely.affinity import rotate, translate
 
 from urbanmap_qgis.buildings.roof_plan import PartitionParameters, partition_roofs
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.terrain.grid import Grid
+from urbanmap_qgis.geometry.grid import Grid
 
 BOX = shapely.box
 PLANS = {

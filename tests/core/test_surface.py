@@ -9,10 +9,10 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, OutputError
+from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import read_raster
 from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.terrain.cloth import ClothSettings
-from urbanmap_qgis.terrain.grid import Grid
 from urbanmap_qgis.terrain.surface import ground_mask, ground_raster, ground_source, surface_raster, thin_mean
 from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
 

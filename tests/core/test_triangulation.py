@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.triangulation import clip_ears, triangulate_face
+from urbanmap_qgis.geometry.triangulation import clip_ears, triangulate_face
 
 FACES = {
     "square": [[(0, 0), (4, 0), (4, 4), (0, 4)]],

@@ -8,7 +8,7 @@ import shapely
 
 from urbanmap_qgis.buildings.displacement import estimate_displacements, moved
 from urbanmap_qgis.buildings.evidence import EvidenceAccumulator, evidence_cell
-from urbanmap_qgis.terrain.grid import Grid
+from urbanmap_qgis.geometry.grid import Grid
 
 laspy = pytest.importorskip("laspy")
 ogr = pytest.importorskip("osgeo.ogr")

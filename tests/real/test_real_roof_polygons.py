@@ -9,7 +9,7 @@ import shapely
 from urbanmap_qgis.buildings.outline_from_points import outline_from_points
 from urbanmap_qgis.buildings.roof_plan import partition_roofs
 from urbanmap_qgis.buildings.roof_polygon import paper_roof_polygons
-from urbanmap_qgis.terrain.grid import Grid
+from urbanmap_qgis.geometry.grid import Grid
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 DELFT, CITY = DATA / "als" / "delft_west", DATA / "city"

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import read_raster
 from urbanmap_qgis.terrain.cloth import classify_ground
-from urbanmap_qgis.terrain.grid import Grid
-from urbanmap_qgis.terrain.sampling import sample
 from urbanmap_qgis.terrain.surface import ground_raster
 from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
 

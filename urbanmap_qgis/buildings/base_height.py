@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from ..terrain.grid import Grid
-from ..terrain.sampling import sample
+from ..geometry.grid import Grid
+from ..geometry.sampling import sample
 
 STEP = 1.0
 """Distance (m) at most between the places along an outline where the ground is looked up."""

@@ -11,14 +11,15 @@ import shapely
 
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
+from ..geometry.grid import Grid
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid, surfaces
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
-from ..terrain.grid import Grid
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .footprint import Footprints
 from .plan_partition import partition_plan
 from .quality import ModelFit, RoofCell, model_fit
-from .solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid, building_solids, surfaces
+from .solid import building_solids
 from .validity import check_solid
 
 STOREY = 2.5

@@ -8,10 +8,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import shapely
 
+from ..geometry.solid import volume
 from ..io.report import Report
 from ..io.svg import plan_map
 from .model_stage import BLOCK, GROUND_UNKNOWN, NOT_MODELLED, OK, SIMPLIFIED, BuildingModel, ground_area
-from .solid import volume
 
 COLUMNS: tuple[tuple[str, str], ...] = (
     ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),

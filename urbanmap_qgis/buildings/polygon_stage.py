@@ -11,9 +11,9 @@ import shapely
 
 from ..errors import InsufficientDataError
 from ..execution import in_order
+from ..geometry.grid import Grid
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
-from ..terrain.grid import Grid
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .footprint import Footprints
 from .outline_from_points import outline_from_points

@@ -11,7 +11,7 @@ from shapely.affinity import translate
 from skimage import measure
 
 from ..errors import InputError
-from ..terrain.grid import Grid
+from ..geometry.grid import Grid
 from .partition_lines import MAX_WALL_LINES, Cracks, RoofPoints, candidate_lines, find_cracks, with_enclosing_lines
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve

@@ -11,7 +11,7 @@ import shapely
 from scipy import ndimage
 
 from ..errors import InputError
-from ..terrain.grid import Grid
+from ..geometry.grid import Grid
 from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
 from .roof_surface import RoofSurface, roof_surface
 

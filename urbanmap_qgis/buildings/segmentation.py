@@ -18,11 +18,11 @@ import shapely
 
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
+from ..geometry.grid import Grid
+from ..geometry.sampling import sample
 from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, usable
 from ..progress import SILENT, Progress
-from ..terrain.grid import Grid
-from ..terrain.sampling import sample
 from ..terrain.surface import ground_raster
 from .base_height import outline_ground
 from .building_points import coordinates

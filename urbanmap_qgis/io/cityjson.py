@@ -16,8 +16,8 @@ from typing import IO, Any
 
 import numpy as np
 
-from ..buildings.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
 from ..errors import InputError
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 

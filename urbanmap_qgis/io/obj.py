@@ -13,9 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..buildings.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
-from ..buildings.triangulation import triangulate_face
 from ..errors import InputError
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
+from ..geometry.triangulation import triangulate_face
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 from .cityjson import CityBuilding

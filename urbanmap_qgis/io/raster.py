@@ -16,9 +16,9 @@ from rasterio.transform import Affine
 from rasterio.windows import Window
 
 from ..errors import InputError, OutputError
+from ..geometry.grid import Grid
+from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
-from ..terrain.grid import Grid
-from ..terrain.sampling import sample
 from .atomic import written_beside
 
 NODATA = -9999.0

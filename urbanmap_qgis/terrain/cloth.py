@@ -22,11 +22,11 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from ..errors import InputError, InsufficientDataError
+from ..geometry.grid import Grid
+from ..geometry.sampling import Bilinear, sample
 from ..progress import SILENT, Progress
 from .delaunay import extreme_in_cells
-from .grid import Grid
 from .outliers import isolated, lonely_limit, plausible
-from .sampling import Bilinear, sample
 from .trend import trend_surface
 
 # Curvature of the free cloth, 1/m, by rigidness: 1 steep slopes, 2 hills, 3 flat towns. At 0.002 it sags 1.5 m

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .grid import Grid
+from ..geometry.grid import Grid
 
 _BATCH = 200_000
 

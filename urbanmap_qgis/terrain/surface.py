@@ -8,13 +8,13 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..errors import InputError, InsufficientDataError
+from ..geometry.grid import Grid
+from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
 from .cloth import JAVANMARDI, ClothSettings, classify_ground
 from .delaunay import highest_in_cells, triangulate
-from .grid import Grid
 from .outliers import isolated, lonely_limit, plausible
 from .rasterise import rasterise
-from .sampling import sample
 
 __all__ = ["NODATA", "ground_mask", "ground_raster", "ground_source", "sample", "surface_raster", "thin_highest",
            "thin_mean"]

@@ -17,6 +17,7 @@ from pyproj import CRS
 
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
+from ..geometry.grid import Grid
 from ..io.ply import MeshWriter, mesh_writer
 from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, iter_chunks, open_cloud, plan_crs, usable
@@ -24,7 +25,6 @@ from ..io.raster import write_raster
 from ..progress import SILENT, Progress
 from .cloth import JAVANMARDI, ClothSettings, Levels, hang, settle
 from .delaunay import Blocks, bridge, cancel_twins
-from .grid import Grid
 from .outliers import lonely_limit, plausible
 from .rasterise import rasterise
 from .surface import GROUND_CLASSES, GroundSource, frame_points, ground_source, shorter

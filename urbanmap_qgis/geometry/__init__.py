@@ -1,0 +1,1 @@
+"""Shapes that every stage shares: grids and their heights, solids, triangles."""

@@ -1,0 +1,64 @@
+"""Closed solids: what building models are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+ROOF, OUTER_WALL, INNER_WALL, GROUND = "roof", "outer wall", "inner wall", "ground"
+
+Face = tuple[tuple[int, ...], ...]
+"""Rings of vertex indices, not closed, the outer one first; counterclockwise seen from outside."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """A closed solid with horizontal roofs, vertical walls and a horizontal ground.
+
+    Attributes
+    ----------
+    vertices : (V, 3) coordinates, m.
+    faces : for each face its rings of vertex indices, outer ring first.
+    surface_type : of each face: "roof", "outer wall", "inner wall" or "ground".
+    roof_id : of each face: the roof, or for a wall the roof whose edge is its upper one; None for the ground.
+    mended_nodes : plan nodes where a corner of about 1 cm was moved between cells to keep the solid valid.
+    levelled_roofs : cells that got a neighbour's height, because their corners were too sharp for that.
+    unmended_nodes : nodes where neither could be done: the solid is not valid there.
+    raised_roofs : roofs at or below the base, put at the least height above it.
+    """
+
+    vertices: np.ndarray
+    faces: tuple[Face, ...]
+    surface_type: tuple[str, ...]
+    roof_id: tuple[Hashable, ...]
+    mended_nodes: int = 0
+    levelled_roofs: int = 0
+    unmended_nodes: int = 0
+    raised_roofs: int = 0
+
+
+def surfaces(solid: Solid) -> np.ndarray:
+    """Faces of a solid as an array of shapely polygons with z."""
+    rings = [ring for face in solid.faces for ring in face]
+    closed = np.array([vertex for ring in rings for vertex in (*ring, ring[0])])
+    lines = shapely.linearrings(solid.vertices[closed], indices=np.repeat(
+        np.arange(len(rings)), [len(ring) + 1 for ring in rings]))
+    return shapely.polygons(lines, indices=np.repeat(
+        np.arange(len(solid.faces)), [len(face) for face in solid.faces]))
+
+
+def multipolygon(solids: Sequence[Solid]) -> shapely.MultiPolygon:
+    """All faces of a building's solids as one MultiPolygon with z."""
+    return shapely.MultiPolygon([polygon for solid in solids for polygon in surfaces(solid)])
+
+
+def volume(solid: Solid) -> float:
+    """Volume of a solid, m3: from its roofs, which lie over the ground like the lids of prisms."""
+    roofs = np.array([kind == ROOF for kind in solid.surface_type])
+    ground = solid.vertices[solid.faces[solid.surface_type.index(GROUND)][0][0], 2]
+    lids = surfaces(solid)[roofs]
+    height = np.array([solid.vertices[face[0][0], 2] for face, roof in zip(solid.faces, roofs) if roof])
+    return float(np.sum(shapely.area(lids) * (height - ground)))
