@@ -54,7 +54,7 @@ def test_buildings_stand_within_the_city_beside_the_streets_and_apart(canyon):
     assert union.area == pytest.approx(sum(part.area for part in parts), abs=1.0)
     assert canyon.extent.buffer(0.5).covers(union)
     corners = shapely.get_coordinates(union)
-    assert set(canyon.surface_kind(*corners.T)) <= {Surface.PLOT, Surface.PARKING}
+    assert canyon.ground.kerb_distance(*corners.T).min() > 1.0
     assert {"L", "T", "U", "podium", "curved", "gable", "rectangle"} <= {b.shape for b in canyon.buildings}
     assert any(a.outline.intersection(b.outline).length > 5 for i, a in enumerate(canyon.buildings)
                for b in canyon.buildings[:i] if a.outline.dwithin(b.outline, 0.01))

@@ -27,10 +27,7 @@ _TILES = ((96, 62, 52), (70, 74, 84), (84, 92, 80))
 
 @dataclass(frozen=True)
 class Lot:
-    """A plot of a block: rectangle of the local frame; `tall` on the main streets, `corner` at the main crossing.
-
-    `free` is the space left at its sides, m; 0 where the building touches its neighbour.
-    """
+    """A plot of a block: rectangle of the local frame; `tall` on the main streets, `corner` at the main crossing."""
 
     west: float
     south: float
@@ -134,9 +131,9 @@ def _rectangle(lot: Lot, rng: np.random.Generator) -> list[RoofPart]:
 
 
 def _levels(lot: Lot, rng: np.random.Generator) -> list[RoofPart]:
-    cut, gap = float(rng.uniform(0.4, 0.6)), 0.4 / lot.width
-    lower = lot.box(cut, 0.02, 1 - gap, 0.97)
-    return _flat((lot.box(gap, 0.02, cut, 0.97), 1.0), (lower, float(rng.uniform(0.5, 0.8))))
+    cut = float(rng.uniform(0.4, 0.6))
+    lower = lot.box(cut, 0.02, 1.0, 0.97)
+    return _flat((lot.box(0.0, 0.02, cut, 0.97), 1.0), (lower, float(rng.uniform(0.5, 0.8))))
 
 
 def _l_shape(lot: Lot, rng: np.random.Generator) -> list[RoofPart]:

@@ -12,7 +12,7 @@ import numpy as np
 import shapely
 
 KERB_HEIGHT = 0.15
-KERB_RADIUS = 5.0
+KERB_RADIUS = 4.0
 PAVEMENT_FALL = 0.02
 PAVEMENT_REACH = 2.5
 """The pavement rises by `PAVEMENT_FALL` over its first metres from the kerb; all beyond lies as high as there."""

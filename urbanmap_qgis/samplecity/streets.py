@@ -21,7 +21,7 @@ def make_ground(size: float, origin: tuple[float, float], rng: np.random.Generat
         count = int((size / 2 - 18.0) // pitch)
         for number in range(1, count + 1):
             for side in (1, -1):
-                streets.append(Street(f"{letter}{2 * number - (side > 0)}", along, side * number * pitch, 3.0, 1.5, 1,
+                streets.append(Street(f"{letter}{2 * number - (side > 0)}", along, side * number * pitch, 3.0, 2.0, 1,
                                       2.7))
     angle = float(rng.uniform(8.0, 20.0))
     slope = (float(rng.uniform(0.008, 0.016)), float(rng.uniform(-0.012, -0.004)))
