@@ -27,8 +27,10 @@ from .displacement_search import (
     Jigsaw,
     choose,
     coarse_search,
+    covered_by_others,
     fine_search,
     lattice,
+    parted,
     without_needless,
 )
 
@@ -169,17 +171,27 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     for step, width in FINE_STEPS:
         shifts, belief = fine_search(jigsaw, shifts, step, width)
         beliefs.append(belief)
-    for _ in range(2):
-        better = adjusted(jigsaw, shifts)
-        shifts = choose(jigsaw, np.concatenate((
-            shifts[:, None], better[:, None], jigsaw.common[:, None],
-            snapped(jigsaw, shifts, max_shift, 4), snapped(jigsaw, better, max_shift, 4)), axis=1))
-    shifts = without_needless(jigsaw, shifts)
+    shifts = _wall_to_wall(jigsaw, shifts, max_shift)
+    apart = parted(jigsaw, shifts, area, cover, max_shift)
+    if (apart != shifts).any():
+        again = _wall_to_wall(jigsaw, apart, max_shift)
+        shifts = np.where(covered_by_others(jigsaw, again, area)[:, None], apart, again)
+    shifts = parted(jigsaw, without_needless(jigsaw, shifts), area, cover, max_shift)
     shifts = np.where(seen[:, None], shifts, jigsaw.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
     sigma = np.where(seen, _sigma(beliefs[0], FINE_STEPS[0][0], max_shift), max_shift)
     scores = jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None]
     return shifts, sigma, *np.clip(scores.T, -1, 1), seen
+
+
+def _wall_to_wall(jigsaw: Jigsaw, shifts: np.ndarray, max_shift: float) -> np.ndarray:
+    """Shifts (n, 2) adjusted so that walls which neighbours share meet, where that is worth it."""
+    for _ in range(2):
+        better = adjusted(jigsaw, shifts)
+        shifts = choose(jigsaw, np.concatenate((
+            shifts[:, None], better[:, None], jigsaw.common[:, None],
+            snapped(jigsaw, shifts, max_shift, 4), snapped(jigsaw, better, max_shift, 4)), axis=1))
+    return shifts
 
 
 def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid,

@@ -29,6 +29,7 @@ ROUNDS = 16
 DAMPING = 0.3
 CHANCE = .5  # share of the worth of newly meeting walls that speaks for a departure
 SAME_PLACE = 1e-3  # m
+STUCK = 0.4  # share of its area that others cover from which an outline looks for another place
 PAIRS_AT_ONCE = 2048  # pairs whose tables over all candidates are held at once
 
 
@@ -185,6 +186,47 @@ def choose(jigsaw: Jigsaw, candidates: np.ndarray) -> np.ndarray:
     tables = jigsaw.together(relative, EXACT_WIDTH)
     belief = best_together(jigsaw.single(candidates), jigsaw.pairs, worth)
     return np.take_along_axis(candidates, belief.argmax(1)[:, None, None], 1)[:, 0]
+
+
+def parted(jigsaw: Jigsaw, shifts: np.ndarray, area: np.ndarray, cover: np.ndarray, max_shift: float) -> np.ndarray:
+    """Shifts (n, 2) where outlines that came to lie on others found places of their own, one after another.
+
+    The search for all may end with two equal sheds in one place and none beside it; here one outline moves at a
+    time, the one that gains most, while all others stay. `cover` (n, k) is that of the coarse lattice.
+    """
+    shifts = shifts.copy()
+    n = len(shifts)
+    steps = lattice(COARSE_STEP, max_shift) * COARSE_STEP
+    alone = jigsaw.single(np.broadcast_to(steps, (n, *steps.shape)), cover)
+    for _ in range(2 * n):
+        stuck = np.flatnonzero(covered_by_others(jigsaw, shifts, area))
+        if not len(stuck):
+            break
+        first, second = shifts[jigsaw.pairs[:, 0]][:, None], shifts[jigsaw.pairs[:, 1]][:, None]
+        worth = alone + _of_both(jigsaw, jigsaw.together(second - steps, COARSE_WIDTH),
+                                 jigsaw.together(steps - first, COARSE_WIDTH))
+        now = jigsaw.single(shifts[:, None]) + _of_both(
+            jigsaw, *2 * [jigsaw.together(jigsaw.relative(shifts)[:, None], COARSE_WIDTH)])
+        gain = (worth.max(axis=1) - now[:, 0])[stuck]
+        if gain.max() <= 0:
+            break
+        mover = stuck[gain.argmax()]
+        shifts[mover] = steps[worth[mover].argmax()]
+    return shifts
+
+
+def covered_by_others(jigsaw: Jigsaw, shifts: np.ndarray, area: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the outlines that lie on others with too much of their area (n,) m2."""
+    overlap = jigsaw.overlap(jigsaw.relative(shifts)[:, None])
+    return _of_both(jigsaw, overlap, overlap)[:, 0] > STUCK * area
+
+
+def _of_both(jigsaw: Jigsaw, of_first: np.ndarray, of_second: np.ndarray) -> np.ndarray:
+    """Sums (n, k) over the pairs of each outline of what the pairs (p, k) mean to their first and their second."""
+    total = np.zeros((len(jigsaw.perimeter), of_first.shape[1]))
+    np.add.at(total, jigsaw.pairs[:, 0], of_first)
+    np.add.at(total, jigsaw.pairs[:, 1], of_second)
+    return total
 
 
 def without_needless(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
