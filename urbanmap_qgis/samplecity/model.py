@@ -131,7 +131,9 @@ class Building:
     @property
     def outline(self) -> shapely.Polygon:
         """Plan of its walls."""
-        return shapely.set_precision(shapely.union_all([part.plan for part in self.parts]), 1e-4)
+        hair = 1e-3
+        grown = shapely.union_all([part.plan.buffer(hair, join_style="mitre") for part in self.parts])
+        return grown.buffer(-hair, join_style="mitre").simplify(2 * hair)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ GPS seconds. An epoch is `AERIAL` (flights: frames and ALS) or `GROUND` (drives:
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from datetime import date
 from functools import cached_property
 
 import numpy as np
@@ -35,6 +36,7 @@ from .paint import Paint
 from .streets import make_ground, make_lanes
 
 CRS = "EPSG:6677"
+SURVEYED = date(2024, 4, 1)
 ORIGIN = (-6950.0, -34100.0)
 SCENES = ("canyon", "few markings", "repainted", "elevated road")
 MIN_SIZE, MAX_SIZE = 60.0, 600.0
