@@ -15,28 +15,33 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from demo_data import OUTLINES
 from qgis import _3d as engine
-from qgis.core import QgsApplication, QgsFillSymbol, QgsMapSettings, QgsProject, QgsSingleSymbolRenderer, QgsVectorLayer
+from qgis.core import (
+    Qgis,
+    QgsApplication,
+    QgsFillSymbol,
+    QgsMapSettings,
+    QgsProject,
+    QgsReadWriteContext,
+    QgsSingleSymbolRenderer,
+    QgsVector3D,
+    QgsVectorLayer,
+)
+from qgis.PyQt.QtGui import QColor
 from qgis.PyQt.QtXml import QDomDocument
 
 STYLES = Path(__file__).resolve().parent.parent / "resources" / "styles"
 
-VIEW_3D = """<view name="3D Map 1" isOpen="1" floating="1" area="2" x="80" y="60" width="1100" height="700">
-<qgis3d>
+SCENE = """<qgis3d>
   <origin x="{x}" y="{y}" z="0"/>
-  <camera projection-type="1" camera-navigation-mode="terrain-based-navigation" camera-movement-speed="5"
-          field-of-view="45"/>
   <color background="228,237,245,255" selection="255,255,0,255"/>
-  <point-lights/>
-  <directional-lights>
-    <directional-light color="255,255,255,255" intensity="1" x="0.45" y="-0.8" z="-0.4"/>
-  </directional-lights>
-  <terrain terrain-rendering-enabled="1" elevation-offset="{foot}" exaggeration="1" texture-size="512"
+  <terrain terrain-rendering-enabled="0" elevation-offset="0" exaggeration="1" texture-size="512"
            max-terrain-error="3" max-ground-error="1" shading-enabled="0" show-labels="0" map-theme="">
     <generator type="flat"><extent xmin="{xmin}" ymin="{ymin}" xmax="{xmax}" ymax="{ymax}"/></generator>
   </terrain>
-</qgis3d>
-<camera x="0" y="0" elev="{foot}" dist="{distance}" pitch="50" yaw="30"/>
-</view>"""
+</qgis3d>"""
+"""What of a 3D view cannot be set from Python in QGIS 3.22."""
+
+WINDOW = {"name": "3D Map 1", "isOpen": 1, "floating": 1, "area": 2, "x": 80, "y": 60, "width": 1100, "height": 700}
 
 
 def styled_layer(path: Path, title: str, style: str) -> QgsVectorLayer:
@@ -50,16 +55,29 @@ def styled_layer(path: Path, title: str, style: str) -> QgsVectorLayer:
     return layer
 
 
-def outline_layer(path: Path) -> QgsVectorLayer:
-    """The outlines as given, as dashed lines."""
+def outline_layer(path: Path, foot: float) -> QgsVectorLayer:
+    """The outlines as given: dashed lines in the map, plates at the height `foot` (m) in 3D."""
     layer = QgsVectorLayer(str(path), "Outlines as given", "ogr")
     layer.setRenderer(QgsSingleSymbolRenderer(QgsFillSymbol.createSimple(
         {"style": "no", "outline_color": "#1f4e8c", "outline_width": "0.4", "outline_style": "dash"})))
+    material = engine.QgsPhongMaterialSettings()
+    material.setDiffuse(QColor("#7f93ad"))
+    material.setAmbient(QColor("#4f5f75"))
+    symbol = engine.QgsPolygon3DSymbol()
+    if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later
+        symbol.setMaterialSettings(material)
+        symbol.setAltitudeClamping(Qgis.AltitudeClamping.Absolute)
+    else:
+        symbol.setMaterial(material)
+        symbol.setAltitudeClamping(engine.Qgs3DTypes.AltClampAbsolute)
+    symbol.setHeight(foot)
+    layer.setRenderer3D(engine.QgsVectorLayer3DRenderer(symbol))
     return layer
 
 
-def add_views(document: QDomDocument, layer: QgsVectorLayer, foot: float) -> None:
+def add_views(document: QDomDocument, shown: list, foot: float) -> None:
     """Put the extent of the map and the 3D view into a project's file: both are kept by QGIS's windows."""
+    layer = shown[-1]
     extent = layer.extent()
     extent.scale(1.15)
     canvas = document.createElement("mapcanvas")
@@ -69,15 +87,41 @@ def add_views(document: QDomDocument, layer: QgsVectorLayer, foot: float) -> Non
     settings.setExtent(extent)
     settings.writeXml(canvas, document)
     document.documentElement().appendChild(canvas)
-    view = QDomDocument()
-    view.setContent(VIEW_3D.format(
-        x=extent.center().x(), y=extent.center().y(), xmin=extent.xMinimum(), ymin=extent.yMinimum(),
-        xmax=extent.xMaximum(), ymax=extent.yMaximum(), foot=foot, distance=1.1 * max(extent.width(), extent.height())))
     views = document.createElement("mapViewDocks3D")
-    views.appendChild(document.importNode(view.documentElement(), True))
+    views.appendChild(view_3d(document, shown, foot))
     old = document.documentElement().firstChildElement("mapViewDocks3D")
     document.documentElement().removeChild(old)
     document.documentElement().appendChild(views)
+
+
+def view_3d(document: QDomDocument, shown: list, foot: float):
+    """A 3D view from the south-west; the camera turns about a point at the height `foot` (m)."""
+    layer = shown[-1]
+    extent = layer.extent()
+    scene = QDomDocument()
+    scene.setContent(SCENE.format(x=extent.center().x(), y=extent.center().y(), xmin=extent.xMinimum(),
+                                  ymin=extent.yMinimum(), xmax=extent.xMaximum(), ymax=extent.yMaximum()))
+    settings = engine.Qgs3DMapSettings()
+    settings.readXml(scene.documentElement(), QgsReadWriteContext())
+    settings.setCrs(layer.crs())
+    settings.setLayers(shown)
+    sun = engine.QgsDirectionalLightSettings()
+    sun.setDirection(QgsVector3D(0.5, -0.7, -0.6))
+    if hasattr(settings, "setLightSources"):  # QGIS 3.26 and later
+        settings.setLightSources([sun])
+    else:
+        settings.setPointLights([])
+        settings.setDirectionalLights([sun])
+    view = document.createElement("view")
+    for name, value in WINDOW.items():
+        view.setAttribute(name, str(value))
+    view.appendChild(settings.writeXml(document, QgsReadWriteContext()))
+    camera = document.createElement("camera")
+    distance = 1.25 * max(extent.width(), extent.height())
+    for name, value in (("x", 0), ("y", 0), ("elev", foot), ("dist", distance), ("pitch", 50), ("yaw", 30)):
+        camera.setAttribute(name, str(value))
+    view.appendChild(camera)
+    return view
 
 
 def main() -> None:
@@ -89,7 +133,8 @@ def main() -> None:
     project = QgsProject.instance()
     models = styled_layer(folder / "building_models.gpkg", "Building models", "building_models")
     surfaces = styled_layer(folder / "building_surfaces.gpkg", "Surfaces", "building_surfaces")
-    outlines = outline_layer(folder / "input" / OUTLINES)
+    foot = min(feature["base"] for feature in models.getFeatures() if feature.hasGeometry()) - 0.2
+    outlines = outline_layer(folder / "input" / OUTLINES, foot)
     for layer in (outlines, surfaces, models):
         project.addMapLayer(layer, False)
         node = project.layerTreeRoot().addLayer(layer)
@@ -98,8 +143,7 @@ def main() -> None:
     project.layerTreeRoot().findLayer(models.id()).setItemVisibilityChecked(False)
     project.setCrs(models.crs())
     project.setTitle("UrbanMap demo")
-    foot = min(feature["base"] for feature in models.getFeatures() if feature.hasGeometry())
-    project.writeProject.connect(lambda document: add_views(document, surfaces, foot - 0.2))
+    project.writeProject.connect(lambda document: add_views(document, [outlines, surfaces], foot))
     path = folder / "buildings.qgz"
     if not project.write(str(path)):
         sys.exit(f"{path} cannot be written: {project.error()}")

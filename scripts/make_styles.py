@@ -73,9 +73,9 @@ def fill(colour: str, outline: str = EDGE, width_mm: float = 0.2, pen: str = "so
 def solid_symbol(colour: str):
     """3D symbol for surfaces that have their heights in them: one colour, lit, with edges."""
     material = engine.QgsPhongMaterialSettings()
-    # Ambient and full light together give the colour itself; walls, which the light from above misses, stay bright.
-    material.setDiffuse(QColor(colour).darker(180))
-    material.setAmbient(QColor(colour).darker(200))
+    # Much ambient light, so that walls that the light from above misses stay bright; roofs are not dazzling then.
+    material.setDiffuse(QColor(colour).darker(125))
+    material.setAmbient(QColor(colour).darker(180))
     material.setSpecular(QColor("black"))
     symbol = engine.QgsPolygon3DSymbol()
     if hasattr(symbol, "setMaterialSettings"):  # QGIS 3.30 and later

@@ -1,12 +1,12 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis version="3.22.16-Białowieża" styleCategories="Symbology|Symbology3D|MapTips">
+<qgis styleCategories="Symbology|Symbology3D|MapTips" version="3.22.16-Białowieża">
   <renderer-3d layer="" type="rulebased">
-    <vector-layer-3d-tiling zoom-levels-count="3" show-bounding-boxes="0"/>
-    <rules key="{08004c5d-f9dc-4523-947e-e15aed297af7}">
-      <rule filter="&quot;status&quot; = 'ok'" key="{fe399d46-28f9-4213-91e7-2dee07edfb21}" description="ok">
+    <vector-layer-3d-tiling show-bounding-boxes="0" zoom-levels-count="3"/>
+    <rules key="{0ae6e56b-d682-42c4-98fe-04a1c1e51be6}">
+      <rule key="{2a5063eb-d87d-4433-8cd8-89b48b1afea6}" description="ok" filter="&quot;status&quot; = 'ok'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="116,110,99,255" shininess="0" diffuse="129,122,110,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="186,176,158,255" ambient="129,122,110,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -22,13 +22,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;status&quot; = 'ground unknown'" key="{e80ed7b0-081f-4f32-a8d7-1a2fc0d7b49d}" description="ground unknown">
+      <rule key="{0e57d165-f23a-4084-84ff-6c81f0a1d6d8}" description="ground unknown" filter="&quot;status&quot; = 'ground unknown'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="71,96,108,255" shininess="0" diffuse="79,107,121,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="114,154,174,255" ambient="79,107,121,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -44,13 +44,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;status&quot; = 'simplified'" key="{881e6f5b-d91a-4e89-9015-1a914162d0da}" description="simplified">
+      <rule key="{23c56582-07e7-49d2-80f8-0ecd3f64c101}" description="simplified" filter="&quot;status&quot; = 'simplified'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="121,96,39,255" shininess="0" diffuse="134,107,43,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="194,154,62,255" ambient="134,107,43,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -66,13 +66,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;status&quot; = 'plain block'" key="{40b937fe-32d1-47fe-a8cf-06753374e3e6}" description="plain block">
+      <rule key="{26af870b-1a2d-4b9b-85b7-cf604afe77ae}" description="plain block" filter="&quot;status&quot; = 'plain block'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="120,69,38,255" shininess="0" diffuse="133,77,42,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="192,110,60,255" ambient="133,77,42,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -88,13 +88,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;status&quot; IS NULL OR &quot;status&quot; NOT IN ('ok', 'ground unknown', 'simplified', 'plain block')" key="{ac6b4290-1906-4f14-8c14-f3a04baf7def}" description="other">
+      <rule key="{c6ffa3b3-28b8-4890-a69f-97357ccb23a5}" description="other" filter="&quot;status&quot; IS NULL OR &quot;status&quot; NOT IN ('ok', 'ground unknown', 'simplified', 'plain block')">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="116,110,99,255" shininess="0" diffuse="129,122,110,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="186,176,158,255" ambient="129,122,110,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -110,21 +110,21 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
     </rules>
   </renderer-3d>
-  <renderer-v2 forceraster="0" enableorderby="0" symbollevels="0" attr="status" type="categorizedSymbol" referencescale="-1">
+  <renderer-v2 referencescale="-1" attr="status" type="categorizedSymbol" enableorderby="0" forceraster="0" symbollevels="0">
     <categories>
-      <category value="ok" label="ok" symbol="0" render="true"/>
-      <category value="ground unknown" label="ground assumed" symbol="1" render="true"/>
-      <category value="simplified" label="simplified" symbol="2" render="true"/>
-      <category value="plain block" label="plain block" symbol="3" render="true"/>
-      <category value="not modelled" label="not modelled (see table)" symbol="4" render="true"/>
+      <category value="ok" symbol="0" render="true" label="ok"/>
+      <category value="ground unknown" symbol="1" render="true" label="ground assumed"/>
+      <category value="simplified" symbol="2" render="true" label="simplified"/>
+      <category value="plain block" symbol="3" render="true" label="plain block"/>
+      <category value="not modelled" symbol="4" render="true" label="not modelled (see table)"/>
     </categories>
     <symbols>
-      <symbol force_rhr="0" name="0" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="0" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -132,7 +132,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="233,220,198,255" name="color" type="QString"/>
@@ -146,17 +146,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="233,220,198,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="233,220,198,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -166,7 +166,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="1" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="1" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -174,7 +174,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="143,193,217,255" name="color" type="QString"/>
@@ -188,17 +188,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="143,193,217,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="143,193,217,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -208,7 +208,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="2" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="2" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -216,7 +216,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="242,193,78,255" name="color" type="QString"/>
@@ -230,17 +230,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="242,193,78,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="242,193,78,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -250,7 +250,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="3" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="3" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -258,7 +258,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="240,138,75,255" name="color" type="QString"/>
@@ -272,17 +272,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="240,138,75,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="240,138,75,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -292,7 +292,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="4" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="4" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -300,7 +300,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="215,38,61,255" name="color" type="QString"/>
@@ -314,17 +314,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="215,38,61,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="215,38,61,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>

@@ -1,12 +1,12 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis version="3.22.16-Białowieża" styleCategories="Symbology|Symbology3D|MapTips">
+<qgis styleCategories="Symbology|Symbology3D|MapTips" version="3.22.16-Białowieża">
   <renderer-3d layer="" type="rulebased">
-    <vector-layer-3d-tiling zoom-levels-count="3" show-bounding-boxes="0"/>
-    <rules key="{1f4b6be5-ffcb-453e-8275-3db8a1e2d908}">
-      <rule filter="&quot;surface_type&quot; = 'ground'" key="{27b76db3-2d47-4fe0-b4cc-d6692168f419}" description="ground">
+    <vector-layer-3d-tiling show-bounding-boxes="0" zoom-levels-count="3"/>
+    <rules key="{c009c50d-5a64-4056-be30-170e3dbdf3c7}">
+      <rule key="{df6ba06c-b5d5-4306-944b-9e08723cf440}" description="ground" filter="&quot;surface_type&quot; = 'ground'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="71,74,67,255" shininess="0" diffuse="78,82,74,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="113,118,107,255" ambient="78,82,74,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -22,13 +22,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;surface_type&quot; = 'roof'" key="{eceefa8e-3045-431b-a91a-63644b0ef77f}" description="roof">
+      <rule key="{5def83b5-e252-4cfa-bb6b-ba48369b317e}" description="roof" filter="&quot;surface_type&quot; = 'roof'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="90,41,30,255" shininess="0" diffuse="101,46,33,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="145,66,48,255" ambient="101,46,33,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -44,13 +44,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;surface_type&quot; = 'outer wall'" key="{c91728d9-6038-4e5f-a1bb-4b5d184357f4}" description="outer wall">
+      <rule key="{bd4882cd-3f99-4552-8023-3e88af2baa74}" description="outer wall" filter="&quot;surface_type&quot; = 'outer wall'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="113,112,110,255" shininess="0" diffuse="126,125,122,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="182,180,176,255" ambient="126,125,122,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -66,13 +66,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;surface_type&quot; = 'inner wall'" key="{7f3c3c54-dd7c-4fc7-a4b7-f3714c96d487}" description="inner wall">
+      <rule key="{037b7c90-39d9-46a3-a7f6-dfa724c46c69}" description="inner wall" filter="&quot;surface_type&quot; = 'inner wall'">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="84,82,77,255" shininess="0" diffuse="94,91,86,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="135,131,124,255" ambient="94,91,86,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -88,13 +88,13 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
-      <rule filter="&quot;surface_type&quot; IS NULL OR &quot;surface_type&quot; NOT IN ('ground', 'roof', 'outer wall', 'inner wall')" key="{ead8e54d-a78a-4efb-b381-5e4731b4a153}" description="other">
+      <rule key="{9f48e61b-2dee-4e82-a4d0-591377ba5400}" description="other" filter="&quot;surface_type&quot; IS NULL OR &quot;surface_type&quot; NOT IN ('ground', 'roof', 'outer wall', 'inner wall')">
         <symbol material_type="phong" type="polygon">
-          <data alt-clamping="absolute" rendered-facade="3" invert-normals="0" add-back-faces="0" alt-binding="centroid" height="0" culling-mode="no-culling" extrusion-height="0"/>
-          <material ambient="113,112,110,255" shininess="0" diffuse="126,125,122,255" specular="0,0,0,255">
+          <data height="0" invert-normals="0" extrusion-height="0" culling-mode="no-culling" rendered-facade="3" alt-binding="centroid" alt-clamping="absolute" add-back-faces="0"/>
+          <material specular="0,0,0,255" diffuse="182,180,176,255" ambient="126,125,122,255" shininess="0">
             <data-defined-properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -110,20 +110,20 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data-defined-properties>
-          <edges width="1" color="90,74,66,255" enabled="1"/>
+          <edges color="90,74,66,255" width="1" enabled="1"/>
         </symbol>
       </rule>
     </rules>
   </renderer-3d>
-  <renderer-v2 forceraster="0" enableorderby="0" symbollevels="1" attr="surface_type" type="categorizedSymbol" referencescale="-1">
+  <renderer-v2 referencescale="-1" attr="surface_type" type="categorizedSymbol" enableorderby="0" forceraster="0" symbollevels="1">
     <categories>
-      <category value="ground" label="ground" symbol="0" render="true"/>
-      <category value="roof" label="roof" symbol="1" render="true"/>
-      <category value="outer wall" label="outer wall" symbol="2" render="true"/>
-      <category value="inner wall" label="inner wall" symbol="3" render="true"/>
+      <category value="ground" symbol="0" render="true" label="ground"/>
+      <category value="roof" symbol="1" render="true" label="roof"/>
+      <category value="outer wall" symbol="2" render="true" label="outer wall"/>
+      <category value="inner wall" symbol="3" render="true" label="inner wall"/>
     </categories>
     <symbols>
-      <symbol force_rhr="0" name="0" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="0" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -131,7 +131,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="141,148,134,255" name="color" type="QString"/>
@@ -145,17 +145,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="141,148,134,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="141,148,134,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -165,7 +165,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="1" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="1" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -173,7 +173,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="1" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="1" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="181,83,60,255" name="color" type="QString"/>
@@ -187,17 +187,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="181,83,60,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="181,83,60,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -207,7 +207,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="2" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="2" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -215,7 +215,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="2" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="2" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="227,225,220,255" name="color" type="QString"/>
@@ -229,17 +229,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="227,225,220,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="90,74,66,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.4" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="227,225,220,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="90,74,66,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.4"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -249,7 +249,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="3" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="3" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -257,7 +257,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="3" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="3" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="169,164,155,255" name="color" type="QString"/>
@@ -271,17 +271,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="169,164,155,255" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="109,98,87,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.2" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="169,164,155,255"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="109,98,87,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.2"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>

@@ -1,15 +1,15 @@
 <!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>
-<qgis version="3.22.16-Białowieża" styleCategories="Symbology|Symbology3D|MapTips">
-  <renderer-v2 forceraster="0" enableorderby="0" symbollevels="0" type="RuleRenderer" referencescale="-1">
-    <rules key="{a07f63f2-4aa0-45f5-8fda-140171fc0a3e}">
-      <rule label="in its place" filter="&quot;status&quot; = 'ok' AND &quot;shift_status&quot; = 'kept'" key="{feb1a3e2-18f2-4d6a-95a0-5845c3abbe23}" symbol="0"/>
-      <rule label="moved to its points" filter="&quot;status&quot; = 'ok' AND &quot;shift_status&quot; = 'moved'" key="{bb2eb8a8-8af4-421d-ae4d-2e0455bc62d7}" symbol="1"/>
-      <rule label="place not observable" filter="&quot;status&quot; = 'ok' AND &quot;shift_status&quot; = 'not observable'" key="{a74d56cb-6c79-4e8f-a8d3-e64d1887a0e0}" symbol="2"/>
-      <rule label="too few points" filter="&quot;status&quot; = 'too few points'" key="{3c97fb68-dece-4834-b8aa-47878cb629ef}" symbol="3"/>
-      <rule label="no points" filter="ELSE" key="{47759007-033b-4c26-bcf2-7786cdd1a0d7}" symbol="4"/>
+<qgis styleCategories="Symbology|Symbology3D|MapTips" version="3.22.16-Białowieża">
+  <renderer-v2 referencescale="-1" type="RuleRenderer" enableorderby="0" forceraster="0" symbollevels="0">
+    <rules key="{4c986044-73e7-47b8-a4f2-ef834d2af18c}">
+      <rule symbol="0" key="{3e0f1bf8-88f2-457c-8355-ad6138cd41d9}" filter="&quot;status&quot; = 'ok' AND &quot;shift_status&quot; = 'kept'" label="in its place"/>
+      <rule symbol="1" key="{3149ee73-816b-4109-9dbc-c182d15b4481}" filter="&quot;status&quot; = 'ok' AND &quot;shift_status&quot; = 'moved'" label="moved to its points"/>
+      <rule symbol="2" key="{6e5b8e37-6ab3-4770-914a-f47f09a0758a}" filter="&quot;status&quot; = 'ok' AND &quot;shift_status&quot; = 'not observable'" label="place not observable"/>
+      <rule symbol="3" key="{2de6249e-cfa9-4a36-b407-913c911a4972}" filter="&quot;status&quot; = 'too few points'" label="too few points"/>
+      <rule symbol="4" key="{8d5f7d7f-426b-46e4-b820-71fbc4eb8e08}" filter="ELSE" label="no points"/>
     </rules>
     <symbols>
-      <symbol force_rhr="0" name="0" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="0" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -17,7 +17,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="39,174,96,50" name="color" type="QString"/>
@@ -31,17 +31,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="39,174,96,50" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="30,132,73,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.46" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="39,174,96,50"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="30,132,73,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.46"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -51,7 +51,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="1" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="1" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -59,15 +59,15 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="GeometryGenerator" enabled="1">
+        <layer class="GeometryGenerator" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="Fill" name="SymbolType" type="QString"/>
             <Option value="translate($geometry, -&quot;shift_x&quot;, -&quot;shift_y&quot;)" name="geometryModifier" type="QString"/>
             <Option value="MapUnit" name="units" type="QString"/>
           </Option>
-          <prop v="Fill" k="SymbolType"/>
-          <prop v="translate($geometry, -&quot;shift_x&quot;, -&quot;shift_y&quot;)" k="geometryModifier"/>
-          <prop v="MapUnit" k="units"/>
+          <prop k="SymbolType" v="Fill"/>
+          <prop k="geometryModifier" v="translate($geometry, -&quot;shift_x&quot;, -&quot;shift_y&quot;)"/>
+          <prop k="units" v="MapUnit"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -75,7 +75,7 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data_defined_properties>
-          <symbol force_rhr="0" name="@1@0" alpha="1" type="fill" clip_to_extent="1">
+          <symbol clip_to_extent="1" alpha="1" name="@1@0" type="fill" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -83,7 +83,7 @@
                 <Option value="collection" name="type" type="QString"/>
               </Option>
             </data_defined_properties>
-            <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+            <layer class="SimpleFill" locked="0" pass="0" enabled="1">
               <Option type="Map">
                 <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
                 <Option value="0,0,0,0" name="color" type="QString"/>
@@ -97,17 +97,17 @@
                 <Option value="MM" name="outline_width_unit" type="QString"/>
                 <Option value="no" name="style" type="QString"/>
               </Option>
-              <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-              <prop v="0,0,0,0" k="color"/>
-              <prop v="round" k="joinstyle"/>
-              <prop v="0,0" k="offset"/>
-              <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-              <prop v="MM" k="offset_unit"/>
-              <prop v="122,122,122,255" k="outline_color"/>
-              <prop v="dash" k="outline_style"/>
-              <prop v="0.26" k="outline_width"/>
-              <prop v="MM" k="outline_width_unit"/>
-              <prop v="no" k="style"/>
+              <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="color" v="0,0,0,0"/>
+              <prop k="joinstyle" v="round"/>
+              <prop k="offset" v="0,0"/>
+              <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="offset_unit" v="MM"/>
+              <prop k="outline_color" v="122,122,122,255"/>
+              <prop k="outline_style" v="dash"/>
+              <prop k="outline_width" v="0.26"/>
+              <prop k="outline_width_unit" v="MM"/>
+              <prop k="style" v="no"/>
               <data_defined_properties>
                 <Option type="Map">
                   <Option value="" name="name" type="QString"/>
@@ -118,7 +118,7 @@
             </layer>
           </symbol>
         </layer>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="243,156,18,60" name="color" type="QString"/>
@@ -132,17 +132,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="243,156,18,60" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="211,84,0,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.46" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="243,156,18,60"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="211,84,0,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.46"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -151,15 +151,15 @@
             </Option>
           </data_defined_properties>
         </layer>
-        <layer locked="0" pass="0" class="GeometryGenerator" enabled="1">
+        <layer class="GeometryGenerator" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="Line" name="SymbolType" type="QString"/>
             <Option value="make_line(translate(point_on_surface($geometry), -&quot;shift_x&quot;, -&quot;shift_y&quot;), point_on_surface($geometry))" name="geometryModifier" type="QString"/>
             <Option value="MapUnit" name="units" type="QString"/>
           </Option>
-          <prop v="Line" k="SymbolType"/>
-          <prop v="make_line(translate(point_on_surface($geometry), -&quot;shift_x&quot;, -&quot;shift_y&quot;), point_on_surface($geometry))" k="geometryModifier"/>
-          <prop v="MapUnit" k="units"/>
+          <prop k="SymbolType" v="Line"/>
+          <prop k="geometryModifier" v="make_line(translate(point_on_surface($geometry), -&quot;shift_x&quot;, -&quot;shift_y&quot;), point_on_surface($geometry))"/>
+          <prop k="units" v="MapUnit"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -167,7 +167,7 @@
               <Option value="collection" name="type" type="QString"/>
             </Option>
           </data_defined_properties>
-          <symbol force_rhr="0" name="@1@2" alpha="1" type="line" clip_to_extent="1">
+          <symbol clip_to_extent="1" alpha="1" name="@1@2" type="line" force_rhr="0">
             <data_defined_properties>
               <Option type="Map">
                 <Option value="" name="name" type="QString"/>
@@ -175,7 +175,7 @@
                 <Option value="collection" name="type" type="QString"/>
               </Option>
             </data_defined_properties>
-            <layer locked="0" pass="0" class="ArrowLine" enabled="1">
+            <layer class="ArrowLine" locked="0" pass="0" enabled="1">
               <Option type="Map">
                 <Option value="0.4" name="arrow_start_width" type="QString"/>
                 <Option value="MM" name="arrow_start_width_unit" type="QString"/>
@@ -198,26 +198,26 @@
                 <Option value="3x:0,0,0,0,0,0" name="offset_unit_scale" type="QString"/>
                 <Option value="0" name="ring_filter" type="QString"/>
               </Option>
-              <prop v="0.4" k="arrow_start_width"/>
-              <prop v="MM" k="arrow_start_width_unit"/>
-              <prop v="3x:0,0,0,0,0,0" k="arrow_start_width_unit_scale"/>
-              <prop v="0" k="arrow_type"/>
-              <prop v="0.4" k="arrow_width"/>
-              <prop v="MM" k="arrow_width_unit"/>
-              <prop v="3x:0,0,0,0,0,0" k="arrow_width_unit_scale"/>
-              <prop v="1.4" k="head_length"/>
-              <prop v="MM" k="head_length_unit"/>
-              <prop v="3x:0,0,0,0,0,0" k="head_length_unit_scale"/>
-              <prop v="0.9" k="head_thickness"/>
-              <prop v="MM" k="head_thickness_unit"/>
-              <prop v="3x:0,0,0,0,0,0" k="head_thickness_unit_scale"/>
-              <prop v="0" k="head_type"/>
-              <prop v="0" k="is_curved"/>
-              <prop v="1" k="is_repeated"/>
-              <prop v="0" k="offset"/>
-              <prop v="MM" k="offset_unit"/>
-              <prop v="3x:0,0,0,0,0,0" k="offset_unit_scale"/>
-              <prop v="0" k="ring_filter"/>
+              <prop k="arrow_start_width" v="0.4"/>
+              <prop k="arrow_start_width_unit" v="MM"/>
+              <prop k="arrow_start_width_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="arrow_type" v="0"/>
+              <prop k="arrow_width" v="0.4"/>
+              <prop k="arrow_width_unit" v="MM"/>
+              <prop k="arrow_width_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="head_length" v="1.4"/>
+              <prop k="head_length_unit" v="MM"/>
+              <prop k="head_length_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="head_thickness" v="0.9"/>
+              <prop k="head_thickness_unit" v="MM"/>
+              <prop k="head_thickness_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="head_type" v="0"/>
+              <prop k="is_curved" v="0"/>
+              <prop k="is_repeated" v="1"/>
+              <prop k="offset" v="0"/>
+              <prop k="offset_unit" v="MM"/>
+              <prop k="offset_unit_scale" v="3x:0,0,0,0,0,0"/>
+              <prop k="ring_filter" v="0"/>
               <data_defined_properties>
                 <Option type="Map">
                   <Option value="" name="name" type="QString"/>
@@ -225,7 +225,7 @@
                   <Option value="collection" name="type" type="QString"/>
                 </Option>
               </data_defined_properties>
-              <symbol force_rhr="0" name="@@1@2@0" alpha="1" type="fill" clip_to_extent="1">
+              <symbol clip_to_extent="1" alpha="1" name="@@1@2@0" type="fill" force_rhr="0">
                 <data_defined_properties>
                   <Option type="Map">
                     <Option value="" name="name" type="QString"/>
@@ -233,7 +233,7 @@
                     <Option value="collection" name="type" type="QString"/>
                   </Option>
                 </data_defined_properties>
-                <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+                <layer class="SimpleFill" locked="0" pass="0" enabled="1">
                   <Option type="Map">
                     <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
                     <Option value="211,84,0,255" name="color" type="QString"/>
@@ -247,17 +247,17 @@
                     <Option value="MM" name="outline_width_unit" type="QString"/>
                     <Option value="solid" name="style" type="QString"/>
                   </Option>
-                  <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-                  <prop v="211,84,0,255" k="color"/>
-                  <prop v="round" k="joinstyle"/>
-                  <prop v="0,0" k="offset"/>
-                  <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-                  <prop v="MM" k="offset_unit"/>
-                  <prop v="211,84,0,255" k="outline_color"/>
-                  <prop v="solid" k="outline_style"/>
-                  <prop v="0.1" k="outline_width"/>
-                  <prop v="MM" k="outline_width_unit"/>
-                  <prop v="solid" k="style"/>
+                  <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+                  <prop k="color" v="211,84,0,255"/>
+                  <prop k="joinstyle" v="round"/>
+                  <prop k="offset" v="0,0"/>
+                  <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+                  <prop k="offset_unit" v="MM"/>
+                  <prop k="outline_color" v="211,84,0,255"/>
+                  <prop k="outline_style" v="solid"/>
+                  <prop k="outline_width" v="0.1"/>
+                  <prop k="outline_width_unit" v="MM"/>
+                  <prop k="style" v="solid"/>
                   <data_defined_properties>
                     <Option type="Map">
                       <Option value="" name="name" type="QString"/>
@@ -271,7 +271,7 @@
           </symbol>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="2" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="2" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -279,7 +279,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="127,140,141,60" name="color" type="QString"/>
@@ -293,17 +293,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="127,140,141,60" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="97,106,107,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.46" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="127,140,141,60"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="97,106,107,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.46"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -313,7 +313,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="3" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="3" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -321,7 +321,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="155,89,182,60" name="color" type="QString"/>
@@ -335,17 +335,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="155,89,182,60" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="142,68,173,255" k="outline_color"/>
-          <prop v="solid" k="outline_style"/>
-          <prop v="0.46" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="155,89,182,60"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="142,68,173,255"/>
+          <prop k="outline_style" v="solid"/>
+          <prop k="outline_width" v="0.46"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
@@ -355,7 +355,7 @@
           </data_defined_properties>
         </layer>
       </symbol>
-      <symbol force_rhr="0" name="4" alpha="1" type="fill" clip_to_extent="1">
+      <symbol clip_to_extent="1" alpha="1" name="4" type="fill" force_rhr="0">
         <data_defined_properties>
           <Option type="Map">
             <Option value="" name="name" type="QString"/>
@@ -363,7 +363,7 @@
             <Option value="collection" name="type" type="QString"/>
           </Option>
         </data_defined_properties>
-        <layer locked="0" pass="0" class="SimpleFill" enabled="1">
+        <layer class="SimpleFill" locked="0" pass="0" enabled="1">
           <Option type="Map">
             <Option value="3x:0,0,0,0,0,0" name="border_width_map_unit_scale" type="QString"/>
             <Option value="215,38,61,40" name="color" type="QString"/>
@@ -377,17 +377,17 @@
             <Option value="MM" name="outline_width_unit" type="QString"/>
             <Option value="solid" name="style" type="QString"/>
           </Option>
-          <prop v="3x:0,0,0,0,0,0" k="border_width_map_unit_scale"/>
-          <prop v="215,38,61,40" k="color"/>
-          <prop v="round" k="joinstyle"/>
-          <prop v="0,0" k="offset"/>
-          <prop v="3x:0,0,0,0,0,0" k="offset_map_unit_scale"/>
-          <prop v="MM" k="offset_unit"/>
-          <prop v="215,38,61,255" k="outline_color"/>
-          <prop v="dash" k="outline_style"/>
-          <prop v="0.46" k="outline_width"/>
-          <prop v="MM" k="outline_width_unit"/>
-          <prop v="solid" k="style"/>
+          <prop k="border_width_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="color" v="215,38,61,40"/>
+          <prop k="joinstyle" v="round"/>
+          <prop k="offset" v="0,0"/>
+          <prop k="offset_map_unit_scale" v="3x:0,0,0,0,0,0"/>
+          <prop k="offset_unit" v="MM"/>
+          <prop k="outline_color" v="215,38,61,255"/>
+          <prop k="outline_style" v="dash"/>
+          <prop k="outline_width" v="0.46"/>
+          <prop k="outline_width_unit" v="MM"/>
+          <prop k="style" v="solid"/>
           <data_defined_properties>
             <Option type="Map">
               <Option value="" name="name" type="QString"/>
