@@ -65,7 +65,8 @@ def _rings(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def pieces_of(edges: Edges, longest: float = FINE_PIECE) -> Pieces:
     """The edges cut to pieces of at most `longest` m."""
     vector = edges.end - edges.start
-    count = np.maximum(np.ceil(np.hypot(*vector.T) / longest), 1).astype(np.int64)
+    # The hair keeps rounding in the last digit from cutting one piece more.
+    count = np.maximum(np.ceil(np.hypot(*vector.T) / longest - 1e-9), 1).astype(np.int64)
     of = np.repeat(np.arange(len(count)), count)
     position = (np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[of]
     middle = edges.start[of] + position[:, None] * vector[of]
