@@ -18,7 +18,7 @@ from .orthophoto import CELL, make_orthophoto
 from .scene import Scene
 from .sunlight import ShadowMap, Sun
 
-ORTHO_BORDER = 6.0
+ORTHO_BORDER = 3.0
 """The orthophoto reaches so far beyond the city, m."""
 
 

@@ -20,7 +20,9 @@ from .scene import Scene
 from .sunlight import AMBIENT, DIRECT, ShadowMap
 
 BUILDING, VEGETATION, VEHICLE = 255, 128, 64
-"""Values of the masks: buildings (with all on their roofs) and elevated roads, trees, vehicles; 0 is the ground."""
+"""Values of the masks: buildings (with all on their roofs) and elevated roads, trees, vehicles; 0 is the ground.
+
+A pixel has the value if half of it or more shows such things."""
 
 FINE = 2
 """What is nearest is found for so many places each way in a pixel."""

@@ -10,7 +10,7 @@ from .scene import AERIAL_TIME, Scene
 GSD, FLYING_HEIGHT = 0.12, 760.0
 """Ground sampling distance and height above ground, m."""
 
-MARGIN = 15.0
+MARGIN = 19.0
 """Ground that a frame may lose at each side by tilt, drift and relief, m."""
 
 WIDEST = (480.0, 400.0)

@@ -36,9 +36,10 @@ def make_orthophoto(scene: Scene, camera: Camera, exposures: Sequence[Exposure],
         points = np.stack([ground_x, ground_y, scene.ground_height(ground_x, ground_y)], axis=-1)
         nearest = np.argmin([(ground_x - e.x) ** 2 + (ground_y - e.y) ** 2 for e in exposures], axis=0)
         for number in np.unique(nearest):
-            pixels = project(camera, exposures[number], points).astype(np.float32)
             here = nearest == number
-            colour = cv2.remap(frames[number].image, pixels[..., 0], pixels[..., 1], cv2.INTER_CUBIC)
-            shown = cv2.remap(frames[number].mask, pixels[..., 0], pixels[..., 1], cv2.INTER_NEAREST)
-            image[rows][here], mask[rows][here] = colour[here], shown[here]
+            pixels = np.full((*here.shape, 2), -1.0, np.float32)
+            pixels[here] = project(camera, exposures[number], points[here])
+            for source, target, how in ((frames[number].image, image, cv2.INTER_CUBIC),
+                                        (frames[number].mask, mask, cv2.INTER_NEAREST)):
+                target[rows][here] = cv2.remap(source, pixels[..., 0], pixels[..., 1], how)[here]
     return image, mask
