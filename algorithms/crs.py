@@ -10,6 +10,7 @@ from ..urbanmap_qgis.errors import InputError
 from .parameters import tr
 
 _HORIZONTAL = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOGCS|GEOGCRS|GEODCRS)\[")
+_NONE = re.compile(r"^Undefined (geographic|[Cc]artesian) (SRS|coordinate reference system)")
 _COMPOUND = re.compile(r"^\s*(COMPD_CS|COMPOUNDCRS)\[")
 
 
@@ -19,9 +20,12 @@ def wkt_of(crs: QgsCoordinateReferenceSystem) -> str:
 
 
 def crs_from(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateReferenceSystem:
-    """A QGIS CRS from WKT (as core functions give it) or from a QGIS CRS; an invalid one from nothing."""
+    """A QGIS CRS from WKT (as core functions give it) or from a QGIS CRS; an invalid one from nothing.
+
+    A GeoPackage layer without a CRS has one by name; older releases of GDAL hand it on as if it were one.
+    """
     if isinstance(crs, QgsCoordinateReferenceSystem):
-        return crs
+        return QgsCoordinateReferenceSystem() if _NONE.match(crs.description()) else crs
     return QgsCoordinateReferenceSystem.fromWkt(crs) if crs else QgsCoordinateReferenceSystem()
 
 
