@@ -21,7 +21,8 @@ from urbanmap_qgis.samplecity.gnss import write_gnss
 from urbanmap_qgis.samplecity.gnss_atmosphere import klobuchar, saastamoinen
 from urbanmap_qgis.samplecity.gnss_frame import GEOID_SEPARATION, Frame
 from urbanmap_qgis.samplecity.gnss_passes import DAY_START, WEEK
-from urbanmap_qgis.samplecity.model import GROUND, FaceKind
+from urbanmap_qgis.samplecity.gnss_rays import WAVE_LENGTH, edge_excess, edge_loss, way_through_crowns
+from urbanmap_qgis.samplecity.model import GROUND, Crowns, FaceKind
 from urbanmap_qgis.samplecity.orbits import Orbits, eccentric_anomaly, make_constellation, satellite_states
 from urbanmap_qgis.samplecity.rinex_write import calendar
 from urbanmap_qgis.samplecity.scene import CRS, make_scene
@@ -470,6 +471,27 @@ def hit_distance(triangles: np.ndarray, start: np.ndarray, direction: np.ndarray
         v, t = q @ direction * scale, np.einsum("ij,ij->i", ac, q) * scale
         hit = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 1e-6) & np.isfinite(scale)
     return float(t[hit].min(initial=np.inf))
+
+
+def test_way_through_crowns():
+    """Through the middle of a crown, beside it, from within it, and with the crown behind."""
+    crowns = Crowns(np.array([[10.0, 0.0, 5.0]]), np.array([[2.0, 2.0, 3.0]]), np.array([1.6]))
+    start = np.array([[0.0, 0, 5], [0.0, 2.1, 5], [10.0, 0, 5], [20.0, 0, 5], [0.0, 1.2, 5]])
+    ahead = np.tile([1.0, 0, 0], (5, 1))
+    assert way_through_crowns(crowns, start, ahead) == pytest.approx([4.0, 0.0, 2.0, 0.0, 3.2])
+
+
+def test_edges_bend_signals():
+    """6 dB on the edge; about 17 dB where v = 1.6 (ITU-R P.526, figure 9); the longer way by Pythagoras."""
+    direction = np.array([[0.8, 0.0, 0.6]] * 3)
+    away = np.full(3, 16.0)
+    v_one_six = 1.6 / (0.8 * np.sqrt(2 / (WAVE_LENGTH * 20.0)))
+    above = np.array([0.0, v_one_six, np.inf])
+    loss = edge_loss(above, away, direction)
+    assert loss[:2] == pytest.approx([6.0, 17.0], abs=0.6) and np.isinf(loss[2])
+    excess = edge_excess(np.array([5.0, 0.0, np.inf]), away, direction)
+    # The edge is 17 m up and 16 m away; seen along the ray it lies at 20 + 5 * 0.6 m.
+    assert excess[:2] == pytest.approx([np.hypot(16.0, 17.0) - 23.0, 0.0]) and np.isinf(excess[2])
 
 
 def test_strengths_and_errors(signals, city):
