@@ -515,7 +515,8 @@ def test_strengths_and_errors(signals, city):
 
 
 @pytest.mark.parametrize("size, name, seed",
-                         [(100.0, "canyon", 2), (140.0, "elevated road", 7), (60.0, "repainted", 1)])
+                         [(100.0, "canyon", 2), (200.0, "canyon", 2), (140.0, "elevated road", 7),
+                          (60.0, "repainted", 1)])
 def test_delivered_models_are_valid_and_apart(size, name, seed):
     scene = make_scene(size, name, seed)
     faces = scene.static_faces(GROUND)

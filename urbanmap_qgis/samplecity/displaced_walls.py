@@ -25,6 +25,9 @@ CLOSE = 3.0
 """A wall with a neighbour in front of it within this distance is moved inwards, m."""
 
 TOUCHING = 0.05
+LEAST_EDGE = 0.1
+"""Length that is left at least of a wall whose neighbours are moved, m."""
+
 SMOOTH = np.radians(30.0)
 """Walls that meet at a flatter angle are facets of one curved wall."""
 
@@ -105,7 +108,9 @@ class _Lines:
         self._outline = shapely.union_all([part.plan for part in building.parts])
         for ring in self.rings:
             self.line.append(np.array([self._number(ring[i], ring[(i + 1) % len(ring)]) for i in range(len(ring))]))
+        self._facing = self._facings()
         self.shift = self._shifts(near, rng)
+        self._settle()
 
     def edges(self, part: int) -> tuple[np.ndarray, np.ndarray]:
         """Ends (n, 2, 2) and outward normals (n, 2) of the true edges of a part."""
@@ -143,29 +148,52 @@ class _Lines:
             return corner + self.shift[before] * self.normal[before]
         return np.linalg.solve(matrix, at)
 
+    def _facings(self) -> np.ndarray:
+        """(k,) length of each line's edges on the building's outline: positive where the line's normal points
+        outwards there, negative where it points inwards, 0 for a line within the building."""
+        facing = np.zeros(len(self.at))
+        for part in range(len(self.rings)):
+            ends, normal = self.edges(part)
+            sense = np.sign(np.einsum("ij,ij->i", normal, self.normal[self.line[part]]))
+            length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+            np.add.at(facing, self.line[part], sense * length * self._on_outline(ends, normal))
+        return facing
+
     def _shifts(self, near: shapely.Geometry, rng: np.random.Generator) -> np.ndarray:
         count = len(self.at)
         size = rng.uniform(*OFFSET, count)
         moved, outwards = rng.random(count) >= UNMOVED, rng.random(count) < OUTWARDS
         stays, inwards = np.zeros(count, bool), np.zeros(count, bool)
         surface = np.arange(count)
-        turned = np.zeros(count)
         for part in range(len(self.rings)):
             ends, normal = self.edges(part)
             line = self.line[part]
             room = self._room(ends, normal, near)
             stays[line[room < TOUCHING]] = True
             inwards[line[room < CLOSE]] = True
-            # The sense of a line's normal: outwards for those of its edges that belong to the outline.
-            sense = np.sign(np.einsum("ij,ij->i", normal, self.normal[line]))
-            outer = self._on_outline(ends, normal)
-            np.add.at(turned, line[outer], sense[outer] * np.linalg.norm(np.diff(ends, axis=1)[:, 0], axis=1)[outer])
             bend = np.einsum("ij,ij->i", normal, np.roll(normal, 1, axis=0))
             for i in np.flatnonzero(bend > np.cos(SMOOTH)):
                 surface[surface == surface[line[i]]] = surface[line[i - 1]]
-        signed = size * moved * np.where(outwards & ~inwards, 1.0, -1.0) * np.where(turned < 0, -1.0, 1.0)
+        signed = size * moved * np.where(outwards & ~inwards, 1.0, -1.0) * np.where(self._facing < 0, -1.0, 1.0)
         signed = np.where(stays, 0.0, signed)
         return signed[surface]
+
+    def _settle(self) -> None:
+        """Leave walls of thin parts where they are if moving them would turn the part over: inner walls first."""
+        for stay in (self._facing == 0, np.ones(len(self.at), bool)):
+            for _ in self.rings:
+                for part in range(len(self.rings)):
+                    if not self._is_sound(part):
+                        line = self.line[part]
+                        self.shift[line[stay[line]]] = 0.0
+
+    def _is_sound(self, part: int) -> bool:
+        """Whether a moved part is valid, each of its edges still runs its way and half of its area is left."""
+        moved, ring = self.delivered(part), self.rings[part]
+        way, true_way = np.roll(moved, -1, axis=0) - moved, np.roll(ring, -1, axis=0) - ring
+        along = np.einsum("ij,ij->i", way, true_way) / np.linalg.norm(true_way, axis=1)
+        plan = shapely.Polygon(moved)
+        return bool(along.min() > LEAST_EDGE and plan.is_valid and plan.area > 0.5 * shapely.Polygon(ring).area)
 
     def _room(self, ends: np.ndarray, normal: np.ndarray, near: shapely.Geometry) -> np.ndarray:
         """(n,) distance from each edge to the neighbours in front of it, without what is just beside its ends."""
