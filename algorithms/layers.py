@@ -309,9 +309,13 @@ def _values(column: Sequence) -> list:
 
 
 def _fill(sink: QgsFeatureSink, features: Iterable[list[QgsFeature]], label: str) -> None:
-    for batch in features:
-        if not sink.addFeatures(batch, QgsFeatureSink.Flag.FastInsert):
-            raise OutputError(tr("{0} cannot be written: {1}").format(label, sink.lastError()))
+    try:
+        for batch in features:
+            if not sink.addFeatures(batch, QgsFeatureSink.Flag.FastInsert):
+                raise OutputError(tr("{0} cannot be written: {1}").format(label, sink.lastError()))
+    finally:
+        # An error's traceback would keep the sink open, and with it the file that is to be removed.
+        del sink
 
 
 def _definition(parameters: Mapping, name: str) -> QgsProcessingOutputLayerDefinition | None:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import multiprocessing
+import os
+import signal
+import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor
+from concurrent.futures import Executor, Future, wait
 from typing import TypeVar
 
 Piece = TypeVar("Piece")
@@ -14,12 +18,36 @@ IN_FLIGHT = 4
 """Pieces handed to an executor before the first result is waited for: bounds the memory."""
 
 
+def _result(future: Future, check: Callable[[], None]) -> Result:
+    """Result of a piece, waited for with an ear for `check`."""
+    while not future.done():
+        check()
+        wait([future], timeout=0.2)
+    return future.result()
+
+
+def start_worker() -> None:
+    """Called in a worker process when it starts: it leaves Ctrl-C to the process that started it, and ends with it."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    """Wait until the parent process is gone; without this, workers of a killed run would wait for work forever."""
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
+
+
 def in_order(work: Callable[[Piece], Result], pieces: Iterable[Piece],
-             executor: Executor | None = None) -> Iterator[Result]:
+             executor: Executor | None = None, check: Callable[[], None] = lambda: None) -> Iterator[Result]:
     """Results of `work` on each piece, in the order of the pieces.
 
     Without an executor the pieces are worked on here. The results do not depend on the executor or its
-    number of workers. With processes, `work` and the pieces must be picklable.
+    number of workers. With processes, `work` and the pieces must be picklable. While results are waited for, `check`
+    is called several times a second; what it raises ends the work.
     """
     if executor is None:
         yield from map(work, pieces)
@@ -29,9 +57,9 @@ def in_order(work: Callable[[Piece], Result], pieces: Iterable[Piece],
         for piece in pieces:
             waiting.append(executor.submit(work, piece))
             if len(waiting) >= IN_FLIGHT:
-                yield waiting.popleft().result()
+                yield _result(waiting.popleft(), check)
         while waiting:
-            yield waiting.popleft().result()
+            yield _result(waiting.popleft(), check)
     finally:
         for future in waiting:
             future.cancel()

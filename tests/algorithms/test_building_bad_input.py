@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 import shapely
+import shapely.affinity
 
 EAST, NORTH = -7000.0, -35000.0
 HOUSE = shapely.box(EAST, NORTH, EAST + 12, NORTH + 15)
@@ -325,7 +328,7 @@ def test_output_of_another_kind(refuse, tmp_path, algorithm):
 
 @pytest.mark.parametrize("algorithm", OUTPUTS)
 @pytest.mark.parametrize("at", [0, 40, 90])
-def test_cancel_leaves_earlier_results(run, good, tmp_path, algorithm, at):
+def test_cancel_leaves_earlier_results(run, good, tmp_path, capfd, algorithm, at):
     for file in OUTPUTS[algorithm].values():
         (tmp_path / file).write_bytes(b"an earlier result")
     run.feedback.cancel_at = at
@@ -335,3 +338,30 @@ def test_cancel_leaves_earlier_results(run, good, tmp_path, algorithm, at):
     assert run.feedback.isCanceled()
     assert {path.name for path in tmp_path.iterdir()} == set(OUTPUTS[algorithm].values())
     assert {path.read_bytes() for path in tmp_path.iterdir()} == {b"an earlier result"}
+    assert "readonly database" not in capfd.readouterr().err
+
+
+def test_files_of_different_precision_go_together(run, good, points, make_cloud, tmp_path):
+    """A coarse file without offsets beside a fine one: coordinates of both fit into one file of 32 bit numbers."""
+    import laspy
+
+    from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+
+    half = len(points) // 2
+    far = points + np.array([0.0, 6_800_000.0 - NORTH, 0.0])
+    coarse = laspy.LasData(laspy.LasHeader(point_format=6, version="1.4"))
+    coarse.header.scales, coarse.header.offsets = [0.01] * 3, [0.0] * 3
+    coarse.x, coarse.y, coarse.z = far[:half].T
+    coarse.write(tmp_path / "coarse.laz")
+    fine = make_cloud(tmp_path / "fine.laz", *far[half:].T, epsg=None)
+    layer_file = tmp_path / "o.geojson"
+    layer_file.write_text(json.dumps({
+        "type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::2154"}},
+        "features": [{"type": "Feature", "properties": {}, "geometry": shapely.geometry.mapping(
+            shapely.affinity.translate(HOUSE, 0.0, 6_800_000.0 - NORTH))}]}))
+    result = run("urbanmap:segmentbuildings", {
+        **parameters_of("segmentbuildings", good, tmp_path), "FOOTPRINTS": str(layer_file),
+        "POINTS": [str(tmp_path / "coarse.laz"), str(fine)]})
+    z = read_all(open_cloud([result["OUTPUT"]]), ["z"])["z"]
+    assert len(z) == result["POINT_COUNT"] > 400
+    assert np.allclose(z, 12.3, atol=0.006)

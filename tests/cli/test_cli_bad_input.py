@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import subprocess
 import time
 
 import numpy as np
@@ -101,3 +102,47 @@ def test_interrupted_chain_leaves_earlier_results(linked_profile, make_cloud, tm
     assert "Traceback" not in out + err
     assert time.monotonic() - sent < 30
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == dict.fromkeys(FILES.values(), EARLIER)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no process groups with signals")
+def test_ctrl_c_with_workers_ends_all_processes(linked_profile, make_cloud, tmp_path):
+    """A terminal sends Ctrl-C to the workers too: they leave the answer to the main process and end with it."""
+    random = np.random.default_rng(1)
+    count = 2_000_000
+    cloud = make_cloud(tmp_path / "cloud.las", EAST + random.uniform(0, 400, count),
+                       NORTH + random.uniform(0, 400, count), random.uniform(0, 30, count))
+    folder = tmp_path / "results"
+    folder.mkdir()
+    outlines = write_outlines(tmp_path / "o.geojson", (EAST + 10, NORTH + 10), (12.0, 300.0), count=1)
+    process = linked_profile().start(
+        "run", "urbanmap:segmentbuildings", "--", f"POINTS={cloud}", f"FOOTPRINTS={outlines}", "WORKERS=2",
+        f"OUTPUT={folder / 'points.laz'}", f"OUTPUT_BUILDINGS={folder / 'buildings.gpkg'}", start_new_session=True)
+    end = time.monotonic() + 60
+    while not worker_runs(process.pid) and process.poll() is None and time.monotonic() < end:
+        time.sleep(0.02)
+    assert process.poll() is None, "the run ended before it could be interrupted"
+    os.killpg(process.pid, signal.SIGINT)
+    out, err = process.communicate(timeout=60)
+    assert process.returncode == 1, out + err
+    assert "The run was cancelled." in err
+    assert "Traceback" not in out + err
+    assert list(folder.iterdir()) == []
+    end = time.monotonic() + 20
+    while group_runs(process.pid) and time.monotonic() < end:
+        time.sleep(0.05)
+    assert not group_runs(process.pid)
+
+
+def worker_runs(group):
+    """Whether a worker of a process group is at work on a piece: two processes spawned, and started."""
+    done = subprocess.run(["ps", "-o", "args=", "-g", str(group)], capture_output=True, text=True, check=False)
+    return done.stdout.count("multiprocessing.spawn") >= 2 or done.stdout.count("spawn_main") >= 2
+
+
+def group_runs(group):
+    """Whether a process of a group is there."""
+    try:
+        os.killpg(group, 0)
+    except ProcessLookupError:
+        return False
+    return True

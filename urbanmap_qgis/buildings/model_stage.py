@@ -97,7 +97,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
         raise InputError("No roof has a building_id that the outlines have: give the outlines that the roofs "
                          "were made with.")
     models: list[BuildingModel | None] = [None] * len(footprints)
-    for rows, made in in_order(_model_piece, _pieces(footprints, roofs, base, cloud, progress), executor):
+    pieces = _pieces(footprints, roofs, base, cloud, progress)
+    for rows, made in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, made):
             models[row] = model
         progress.check()
@@ -114,10 +115,12 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: P
         rows = order[np.searchsorted(sorted_ids, number):np.searchsorted(sorted_ids, number, "right")]
         return RoofInput(*(getattr(roofs, name)[rows] for name in RoofInput.__dataclass_fields__))
 
-    for done, (rows, points) in enumerate(_blocks(footprints, cloud, progress.part(0.0, 0.3))):
+    done = 0
+    for rows, points in _blocks(footprints, cloud, progress.part(0.0, 0.3)):
         yield rows, ModelPiece(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows], base[rows],
                                [roofs_of(int(number)) for number in footprints.ids[rows]], points)
-        progress.part(0.3, 1.0).step((done + 1) * len(rows) / len(footprints))
+        done += len(rows)
+        progress.part(0.3, 1.0).step(done / len(footprints))
 
 
 def _blocks(footprints: Footprints, cloud: PointCloud | None, progress: Progress):

@@ -107,7 +107,7 @@ def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: P
                            [beside[row] for row in rows] if beside else [[]] * len(rows), parameters)
               for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.0, 0.2)))
     done = 0
-    for count, part in in_order(_block_polygons, blocks, executor):
+    for count, part in in_order(_block_polygons, blocks, executor, progress.check):
         table.extend(part)
         done += count
         progress.part(0.2, 1.0).step(done / len(footprints))

@@ -72,7 +72,7 @@ def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str |
               for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.2, 0.4)))
     done = 0
     with cloud_writer(output, layout) as writer:
-        for rows, records, roofs in in_order(_segment_block, blocks, executor):
+        for rows, records, roofs in in_order(_segment_block, blocks, executor, progress.check):
             for row, result in zip(rows, roofs):
                 if result is not None:
                     rows_of_roofs.extend(_table_rows(int(footprints.ids[row]), result))

@@ -12,6 +12,7 @@ import os
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 import shapely
@@ -153,7 +154,9 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
             raise InputError("No sound point lies near any outline: check that points and outlines are of the same "
                              "place, and that coordinates and heights are in metres.")
         pieces = _tiles(tiles, buckets, layout, footprints, parameters, ground)
-        for done, (rows, part, records) in enumerate(in_order(_segment_tile, pieces, executor)):
+        # Without an executor nobody else looks whether the user cancels while a tile is worked on.
+        work = _segment_tile if executor else partial(_segment_tile, progress=Progress(cancelled=progress.cancelled))
+        for done, (rows, part, records) in enumerate(in_order(work, pieces, executor, progress.check)):
             table.put(rows, part)
             writer.write(records)
             progress.part(0.4, 1.0).step((done + 1) / len(tiles.names))
@@ -232,13 +235,14 @@ def _ground_part(ground: tuple[Grid, np.ndarray] | None,
     return (part, heights[rows, columns]) if part.rows and part.columns else None
 
 
-def _segment_tile(tile: Tile) -> tuple[np.ndarray, SegmentedBuildings, np.ndarray]:
+def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, SegmentedBuildings, np.ndarray]:
     """Rows, table and sorted records of the buildings that a tile owns."""
     points = tile.layout.view(tile.records)
     x, y, z = coordinates(tile.layout, tile.records)
     classes = np.asarray(points.classification)
-    ground = tile.ground or _made_ground(x, y, z, classes, tile.footprints.polygons)
-    outlines, table = _placed_outlines(tile, x, y, z, classes, points, ground)
+    ground = tile.ground or _made_ground(x, y, z, classes, tile.footprints.polygons, progress)
+    outlines, table = _placed_outlines(tile, x, y, z, classes, points, ground, progress)
+    progress.check()
     above = z - sample(*ground, x, y) if ground else np.full(len(z), np.inf)
     assignment = _assign_candidates(x, y, z, classes, above, outlines, tile.parameters)
     records = tile.records.copy()
@@ -251,7 +255,7 @@ def _segment_tile(tile: Tile) -> tuple[np.ndarray, SegmentedBuildings, np.ndarra
 
 
 def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
-                 polygons: np.ndarray) -> tuple[Grid, np.ndarray] | None:
+                 polygons: np.ndarray, progress: Progress) -> tuple[Grid, np.ndarray] | None:
     """Ground heights of a tile from its own points, None where they hold no ground."""
     if not len(x):
         return None
@@ -259,13 +263,13 @@ def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarra
     grid = Grid.covering(max(x.min(), x_min - BUFFER), max(y.min(), y_min - BUFFER),
                          min(x.max(), x_max + BUFFER), min(y.max(), y_max + BUFFER), GROUND_CELL)
     try:
-        return grid, ground_raster(x, y, z, classes if classes.any() else None, grid)
+        return grid, ground_raster(x, y, z, classes if classes.any() else None, grid, progress=progress)
     except InsufficientDataError:
         return None
 
 
 def _placed_outlines(tile: Tile, x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
-                     points: object, ground: tuple[Grid, np.ndarray] | None
+                     points: object, ground: tuple[Grid, np.ndarray] | None, progress: Progress
                      ) -> tuple[np.ndarray, SegmentedBuildings]:
     """Outlines of a tile moved to their points, and the table's first columns."""
     table = SegmentedBuildings.empty(tile.footprints)
@@ -282,7 +286,7 @@ def _placed_outlines(tile: Tile, x: np.ndarray, y: np.ndarray, z: np.ndarray, cl
     heights = (sample(*ground, centre_x.ravel(), centre_y.ravel()).reshape(grid.shape) if ground
                else np.full(grid.shape, np.nan))
     shifts = estimate_displacements(tile.footprints.polygons, evidence.evidence(heights), grid,
-                                    evidence.surface, reach)
+                                    evidence.surface, reach, progress)
     table.outlines[:] = moved(tile.footprints.polygons, shifts)
     table.shift_x[:], table.shift_y[:], table.shift_sigma[:] = shifts.dx, shifts.dy, shifts.sigma
     table.shift_status[:] = shifts.status
