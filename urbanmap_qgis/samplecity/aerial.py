@@ -51,6 +51,7 @@ def write_aerial(scene: Scene, folder: Path, seed: np.random.SeedSequence, progr
     frames = []
     for number, exposure in enumerate(exposures):
         part = progress.part(0.2 + 0.7 * number / len(exposures), 0.2 + 0.7 * (number + 1) / len(exposures))
+        part.message(f"Frame {number + 1} of {len(exposures)}")
         noise = np.random.default_rng(_children(noise_seed, len(exposures))[number])
         frame = render_frame(stage, camera, exposure, gains[number], noise, part)
         write_image(aerial / exposure.image, frame.image)

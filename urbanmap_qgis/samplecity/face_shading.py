@@ -21,6 +21,9 @@ STOREY, SILL, HEAD = 3.5, 0.95, 2.6
 GABLE_COURSE = 0.3
 """Of roof tiles, m."""
 
+DECK = (8.0, 20.0)
+"""Level tops of the elevated road between these widths (m) carry lanes."""
+
 
 @dataclass(frozen=True)
 class Surfaces:
@@ -35,12 +38,19 @@ class Surfaces:
     style: np.ndarray
     direct: np.ndarray
     ambient: np.ndarray
+    axes: np.ndarray
+    width: np.ndarray
 
     @staticmethod
     def of(faces: Faces, scene: Scene, shadows: ShadowMap) -> Surfaces:
-        """Prepare faces; `base` is the foot of a face's building, `style` a fixed random number of it in 0 to 1."""
+        """Prepare faces.
+
+        `base` is the foot of a face's building, `style` a fixed random number of it in 0 to 1; `axes` (n, 2, 2)
+        point along the longer and the shorter side in plan, `width` is the length of the shorter.
+        """
         foot = np.array([0.0, *(building.z_base for building in scene.buildings)])
         level = faces.normal[:, 2:]
+        axes, width = _axes(faces)
         sky = np.where(level < -0.5, 0.45, 0.72 + 0.28 * np.maximum(level, 0.0))
         return Surfaces(
             faces.colour.astype(np.float32), faces.normal.astype(np.float32),
@@ -48,7 +58,7 @@ class Surfaces:
             foot[np.maximum(faces.building, 0)].astype(np.float32), faces.kind, faces.material,
             (faces.building * 0.6180339887 % 1.0).astype(np.float32),
             (shadows.sun.strength(faces.normal)[:, None] * DIRECT).astype(np.float32),
-            (sky * AMBIENT).astype(np.float32))
+            (sky * AMBIENT).astype(np.float32), axes.astype(np.float32), width.astype(np.float32))
 
 
 class Shading:
@@ -81,6 +91,10 @@ class Shading:
         if len(tiles):
             course = points[tiles, 2] / np.sqrt(1 - surfaces.normal[label[tiles], 2] ** 2) / GABLE_COURSE
             colour[tiles] *= (0.93 + 0.14 * (course % 1.0))[:, None]
+        deck = np.flatnonzero((kind == FaceKind.BRIDGE) & (surfaces.normal[label, 2] > 0.9)
+                              & (surfaces.width[label] > DECK[0]) & (surfaces.width[label] < DECK[1]))
+        if len(deck):
+            colour[deck] = self._deck(label[deck], points[deck], stain[deck])
         return colour * (surfaces.ambient[label] + surfaces.direct[label] * self._lit(label, points)[:, None])
 
     def _walls(self, label: np.ndarray, points: np.ndarray, colour: np.ndarray) -> np.ndarray:
@@ -96,6 +110,16 @@ class Shading:
         tone = np.abs(np.sin(storey * 12.9898 + column * 78.233) * 43758.5453) % 1.0
         glass = COLOUR[Material.GLASS].astype(np.float32) * (0.75 + 0.7 * tone * tone)[:, None]
         return np.where(window[:, None], glass, colour)
+
+    def _deck(self, label: np.ndarray, points: np.ndarray, stain: np.ndarray) -> np.ndarray:
+        """Asphalt with edge lines and a dashed line in the middle."""
+        surfaces = self._surfaces
+        offset = points[:, :2] - surfaces.corner[label, :2]
+        along, across = (np.abs((offset * surfaces.axes[label, axis]).sum(axis=1)) for axis in (0, 1))
+        edge = np.minimum(across, surfaces.width[label] - across)
+        line = (np.abs(edge - 0.9) < 0.1) | ((np.abs(across - surfaces.width[label] / 2) < 0.08) & (along % 20.0 < 8.0))
+        asphalt = COLOUR[Material.ASPHALT] * (1.05 + 0.07 * stain)[:, None]
+        return np.where(line[:, None], COLOUR[Material.PAINT_WHITE] * 0.93, asphalt).astype(np.float32)
 
     def _crowns(self, label: np.ndarray, points: np.ndarray) -> np.ndarray:
         crown = label - CROWN
@@ -121,6 +145,15 @@ class Shading:
         column = (points[:, 0] * np.float32(1 / TEXTURE_CELL)).astype(np.int32) & (TEXTURE - 1)
         row = (points[:, 1] * np.float32(1 / TEXTURE_CELL)).astype(np.int32) & (TEXTURE - 1)
         return self._stains[row, column]
+
+
+def _axes(faces: Faces) -> tuple[np.ndarray, np.ndarray]:
+    """Unit vectors in plan along the longer and the shorter of two neighbouring sides, and the shorter's length."""
+    sides = np.stack([faces.corners[:, 1] - faces.corners[:, 0], faces.corners[:, 3] - faces.corners[:, 0]], 1)[..., :2]
+    length = np.linalg.norm(sides, axis=2)
+    order = np.argsort(-length, axis=1, kind="stable")
+    axes = np.take_along_axis(sides / np.maximum(length, 1e-6)[..., None], order[..., None], axis=1)
+    return axes, length.min(axis=1)
 
 
 _ROUGH = np.zeros(256, np.float32)

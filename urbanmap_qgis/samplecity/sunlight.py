@@ -13,8 +13,8 @@ from .model import Crowns, Faces
 CELL = 0.10
 """Of the shadow map, m."""
 
-DIRECT = np.array([0.78, 0.75, 0.69], np.float32)
-AMBIENT = np.array([0.36, 0.39, 0.45], np.float32)
+DIRECT = np.array([0.68, 0.66, 0.62], np.float32)
+AMBIENT = np.array([0.46, 0.48, 0.52], np.float32)
 """Shares of the sun and of the sky in the light on a level surface (red, green, blue)."""
 
 
