@@ -1,0 +1,174 @@
+"""Line scanners and line camera of the sample city against formulas written here anew."""
+
+import gzip
+import hashlib
+import json
+
+import cv2
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from urbanmap_qgis.progress import SILENT
+from urbanmap_qgis.samplecity import lines
+from urbanmap_qgis.samplecity.drive import drive
+from urbanmap_qgis.samplecity.model import FaceKind, Material
+from urbanmap_qgis.samplecity.scene import make_scene
+from urbanmap_qgis.samplecity.trajectory import Trajectory
+
+TO_EAST_NORTH_UP = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return make_scene(60.0, "canyon", 3)
+
+
+def write_short(scene, folder, seed):
+    """Four seconds of the drive over a zebra crossing."""
+    def four_seconds(*arguments):
+        true = drive(*arguments)
+        keep = slice(600, 1001)
+        return Trajectory(true.time[keep], true.place[keep], true.angles[keep])
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(lines, "drive", four_seconds)
+        return lines.write_lines(scene, folder, np.random.SeedSequence(seed), SILENT)
+
+
+@pytest.fixture(scope="module")
+def files(scene, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("city")
+    return folder, write_short(scene, folder, 7)
+
+
+def read(path):
+    return np.genfromtxt(path, delimiter=",", names=True)
+
+
+def pose(table, time):
+    """Place and rotation from a trajectory's table, headings unwrapped, linear between epochs."""
+    place = np.column_stack([np.interp(time, table["time"], table[c]) for c in "xyz"])
+    angles = [np.interp(time, table["time"], np.unwrap(table[c], period=360.0)) for c in ("heading", "pitch", "roll")]
+    turn = Rotation.from_euler("ZYX", np.column_stack(angles), degrees=True).as_matrix()
+    return place, TO_EAST_NORTH_UP @ turn
+
+
+def mount(sensor):
+    return Rotation.from_euler("ZYX", [sensor["heading"], sensor["pitch"], sensor["roll"]], degrees=True).as_matrix()
+
+
+def test_raw_scans_lie_on_the_true_surfaces(scene, files):
+    folder, summary = files
+    with gzip.open(folder / "lines" / "scans.csv.gz", "rt") as file:
+        scans = np.genfromtxt(file, delimiter=",", names=True)
+    assert scans.dtype.names == ("time", "angle", "range", "intensity", "scanner")
+    assert len(scans) == summary["ranges"] > 20000
+    calibration = json.loads((folder / "lines" / "calibration.json").read_text())
+    truth = read(folder / "truth" / "lines_trajectory.csv")
+    faces = scene.static_faces("ground")
+    walls = np.flatnonzero(faces.kind == FaceKind.WALL)
+    for scanner in calibration["scanners"]:
+        own = scans[scans["scanner"] == scanner["id"]]
+        place, rotation = pose(truth, own["time"])
+        origin = place + rotation @ np.array(scanner["lever_arm_m"])
+        angle = np.radians(own["angle"])
+        beam = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(len(own))]) @ mount(scanner).T
+        direction = np.einsum("nij,nj->ni", rotation, beam)
+        point = origin + own["range"][:, None] * direction
+        height = point[:, 2] - scene.ground_height(point[:, 0], point[:, 1])
+        # Steep beams near the vehicle meet the road; the noise lies along them.
+        down = (np.abs(own["angle"]) < 40) & (np.abs(scene.ground.kerb_distance(point[:, 0], point[:, 1])) > 0.2)
+        down &= np.abs(height) < 0.15
+        assert down.sum() > 3000
+        assert np.std(height[down] / direction[down, 2]) == pytest.approx(0.03, rel=0.1)
+        aside = (np.abs(own["angle"]) > 60) & (height > 1.0)
+        with np.errstate(divide="ignore"):
+            exact = ((faces.offset[walls] - origin[aside] @ faces.normal[walls].T)
+                     / (direction[aside] @ faces.normal[walls].T))
+        error = np.abs(own["range"][aside][:, None] - exact).min(axis=1)
+        assert np.median(error) < 0.03
+
+
+def test_angle_nought_looks_down_and_ninety_to_the_right():
+    for scanner in lines.SCANNERS:
+        assert scanner.angles[0] == -150 and scanner.angles[-1] == 150 and len(scanner.angles) == 480
+        beams = scanner.directions()
+        assert beams[np.abs(scanner.angles).argmin()][2] > 0.9999
+        assert beams[np.abs(scanner.angles - 90).argmin()][1] > 0.7
+
+
+def test_strip_shows_each_place_where_the_formula_says(scene, files):
+    """A place of the road is found in the strip by its own time and angle (Z eq. 2), and has its paint's colour."""
+    folder, _ = files
+    camera = json.loads((folder / "lines" / "calibration.json").read_text())["cameras"][0]
+    strip = cv2.imread(str(folder / "lines" / camera["image"]))[:, :, ::-1].astype(float)
+    times = read(folder / "lines" / camera["times"])
+    assert strip.shape[:2] == (camera["rows"], len(times))
+    np.testing.assert_array_equal(times["column"], np.arange(len(times)))
+    truth = read(folder / "truth" / "lines_trajectory.csv")
+    place, rotation = pose(truth, times["time"])
+    origin = place + rotation @ np.array(camera["lever_arm_m"])
+    axes = rotation @ mount(camera)
+    seen = []
+    for along in np.arange(0.0, 1.0, 0.02):
+        middle = origin[int(along * (len(times) - 1))]
+        left = axes[int(along * (len(times) - 1)), :, 0]
+        for reach in np.arange(0.9, 3.2, 0.05):
+            x, y = middle[:2] + reach * left[:2]
+            point = np.array([x, y, float(scene.ground_height(x, y))])
+            local = np.einsum("nji,nj->ni", axes, point - origin)
+            crossing = np.flatnonzero(local[:-1, 1] * local[1:, 1] <= 0)
+            if not len(crossing):
+                continue
+            column = crossing[np.abs(local[crossing, 1]).argmin()]
+            column += np.abs(local[column + 1, 1]) < np.abs(local[column, 1])
+            angle = np.arctan2(local[column, 2], local[column, 0])
+            row = camera["centre_px"] + 2 * camera["focal_length_px"] * np.sin(angle / 2)
+            dx, dy = np.meshgrid([-0.08, 0, 0.08], [-0.08, 0, 0.08])
+            kinds = scene.ground_material(x + dx.ravel(), y + dy.ravel(), "ground")
+            if 0 <= row <= camera["rows"] - 1:
+                share = np.mean(kinds == Material.PAINT_WHITE)
+                seen.append((share, np.all(kinds == Material.ASPHALT), strip[round(row), column].mean()))
+    share, asphalt, brightness = np.array(seen).T
+    painted, bare = brightness[share > 0.85], brightness[asphalt == 1]
+    assert len(painted) > 5 and len(bare) > 100
+    assert np.median(painted) > 160 and np.median(bare) < 100
+    assert np.mean(painted > 130) > 0.9 and np.mean(bare < 120) > 0.95
+
+
+def test_strip_shows_sky_above_and_road_below(files):
+    strip = cv2.imread(str(files[0] / "lines" / "camera_1.png"))
+    assert strip[-20:].mean() < 110
+    assert (strip[:5].min(axis=2) > 150).mean() > 0.05 or strip[:5].std() > 5
+
+
+def test_tie_points_are_corners_moved_by_the_drift(scene, tmp_path):
+    path = lines.corner_path(*lines.survey_legs(scene)[0], scene.size / 2 + lines.RUN_IN)
+    rng = np.random.default_rng(5)
+    true = drive(scene, path, lines.way_over_time(path, lines.CRUISE, ()), lines.LINES_TIME, rng)
+    reported = lines.reported_trajectory(true, rng, lines.MEAN_ERROR, lines.HEADING_ERROR)
+    rows = lines.tie_points(scene, lines.RayCaster(scene, "ground"), true, reported)
+    number, time = rows[:, 0], rows[:, 1]
+    assert len(rows) >= 4 and np.array_equal(number, np.repeat(np.arange(1, len(rows) // 2 + 1), 2))
+    assert (time[1::2] - time[::2]).max() <= lines.TIE_SECONDS
+    assert np.hypot(*(rows[1::2, 4:] - rows[::2, 4:]).T).min() >= lines.TIE_SPACING
+    vertices = np.concatenate([np.array(part.plan.exterior.coords) for b in scene.buildings for part in b.parts])
+    assert np.hypot(*(rows[:, None, 4:] - vertices[None]).transpose(2, 0, 1)).min(axis=1).max() < 0.01
+    tables = []
+    for trajectory in (true, reported):
+        trajectory.write(tmp_path / "trajectory.csv")
+        tables.append(read(tmp_path / "trajectory.csv"))
+    (p, r), (q, s) = (pose(table, time) for table in tables)
+    corner = np.column_stack([rows[:, 4:], scene.ground_height(rows[:, 4], rows[:, 5]) + lines.TIE_HEIGHT])
+    body = np.einsum("nji,nj->ni", r, corner - p)
+    np.testing.assert_allclose(rows[:, 2:4], (q + np.einsum("nij,nj->ni", s, body))[:, :2], atol=1e-3)
+
+
+def test_same_seed_gives_the_same_bytes(scene, files, tmp_path):
+    def digest(folder):
+        return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+                for path in sorted(folder.rglob("*")) if path.is_file()}
+
+    write_short(scene, tmp_path, 7)
+    assert digest(tmp_path) == digest(files[0])
