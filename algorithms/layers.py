@@ -388,12 +388,22 @@ def _save_style(path: Path, style: str, progress: Progress) -> None:
     """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result."""
     error = tr("no such style")
     if style_path(style).is_file():
+        _know_3d_renderers()
         layer = QgsVectorLayer(str(path), path.stem, "ogr")
         error, loaded = layer.loadNamedStyle(str(style_path(style)))
         if loaded:
             error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "")
     if error:
         progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error))
+
+
+def _know_3d_renderers() -> None:
+    """`qgis_process` drops 3D renderers from a style without a word until it is told of them."""
+    try:
+        from qgis import _3d
+    except ImportError:  # a build without 3D has no 3D renderers to lose
+        return
+    _3d.Qgs3D.initialize()
 
 
 def _move_into_place(scratch: Path, folder: Path) -> None:

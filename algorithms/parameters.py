@@ -213,7 +213,7 @@ def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:
 
 
 def _with_unit(label: str, unit: str) -> str:
-    return f"{tr(label)} ({unit})" if unit else tr(label)
+    return f"{tr(label)} ({unit.replace('m2', 'm²')})" if unit else tr(label)
 
 
 def _limit(definition, minimum: float | None, maximum: float | None) -> None:

@@ -9,6 +9,7 @@ from pathlib import Path
 from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
+from .base import GROUPS
 from .parameters import tr
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -16,6 +17,7 @@ MODELS = ROOT / "resources" / "models"
 
 # Module and class of every algorithm. A module that cannot be imported is named in the log; the others go on.
 ALGORITHMS = (
+    ("samplecity", "SampleCity"),
     ("surfacefromals", "SurfaceFromAls"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
@@ -72,6 +74,7 @@ class UrbanMapProvider(QgsProcessingProvider):
         for path in sorted(MODELS.glob("*.model3")):
             model = QgsProcessingModelAlgorithm()
             if model.fromFile(str(path)):
+                model.setGroup(tr(GROUPS.get(model.groupId(), model.group())))
                 self.addAlgorithm(model)
             else:
                 self._warn(tr("The model {0} cannot be loaded.").format(path.name))

@@ -66,9 +66,11 @@ def rows_of(path):
 
 
 def styles_of(path):
-    """Number of default styles in a GeoPackage."""
+    """Number of default styles in a GeoPackage; each must bring its 3D symbols."""
     with sqlite3.connect(path) as connection:
-        return connection.execute("SELECT count(*) FROM layer_styles WHERE useAsDefault").fetchone()[0]
+        styles = connection.execute("SELECT styleQML FROM layer_styles WHERE useAsDefault").fetchall()
+    assert all("<renderer-3d" in style for (style,) in styles)
+    return len(styles)
 
 
 def test_from_points_to_models_in_one_command(run_algorithm, survey, tmp_path):
