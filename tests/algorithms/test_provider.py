@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-CONTRACT = ("surfacefromals", "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
+CONTRACT = ("samplecity", "surfacefromals", "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "buildingsfromals")
 
 LIST_WITHOUT_PACKAGES = """

@@ -99,13 +99,13 @@ def scan(scene: Scene, seed: np.random.SeedSequence, progress: Progress = SILENT
          executor: Executor | None = None) -> tuple[AlsPoints, np.ndarray]:
     """All points, and the shift (2, 3) of each strip in m."""
     caster = RayCaster(scene, AERIAL)
-    seeds = seed.spawn(3)
-    shifts = np.random.default_rng(seeds[2]).normal(size=(2, 3)) * (STRIP_PLAN, STRIP_PLAN, STRIP_HEIGHT)
+    randoms = [np.random.default_rng(np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, use)))
+               for use in range(3)]
+    shifts = randoms[2].normal(size=(2, 3)) * (STRIP_PLAN, STRIP_PLAN, STRIP_HEIGHT)
     strips = []
     for number in (0, 1):
-        rng = np.random.default_rng(seeds[number])
         pulses = strip_pulses(scene, number)
-        strips.append(_measure(scene, caster, pulses, number, shifts[number], rng, executor))
+        strips.append(_measure(scene, caster, pulses, number, shifts[number], randoms[number], executor))
         progress.step((number + 1) / 2)
     return AlsPoints(*(np.concatenate([getattr(strip, name) for strip in strips])
                        for name in AlsPoints.__dataclass_fields__)), shifts

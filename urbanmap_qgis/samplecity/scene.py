@@ -152,8 +152,7 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     ------
     InputError : the size or the scene is not one of those.
     """
-    if not MIN_SIZE <= size <= MAX_SIZE:
-        raise InputError(f"The size of the city must be {MIN_SIZE:g} to {MAX_SIZE:g} m, not {size:g}.")
+    check_size(size)
     if scene not in SCENES:
         raise InputError(f"There is no scene {scene!r}: choose one of {', '.join(SCENES)}.")
     sequence = seed if isinstance(seed, np.random.SeedSequence) else np.random.SeedSequence(seed)
@@ -168,3 +167,9 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
         scene, float(size), ground, buildings, make_markings(ground, size, scene, painted), trees,
         make_furniture(ground, size, scene, trees, furnished), lanes,
         (*make_parked(ground, size, parked), *make_traffic(lanes, driven)))
+
+
+def check_size(size: float) -> None:
+    """Raise `InputError` unless a city of that size (m) can be made."""
+    if not MIN_SIZE <= size <= MAX_SIZE:
+        raise InputError(f"The size of the city must be {MIN_SIZE:g} to {MAX_SIZE:g} m, not {size:g}.")
