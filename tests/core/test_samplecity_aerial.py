@@ -19,9 +19,11 @@ from urbanmap_qgis.samplecity.camera import Camera, Exposure, ray_matrix
 from urbanmap_qgis.samplecity.depth_image import DepthImage
 from urbanmap_qgis.samplecity.flight import plan_flight
 from urbanmap_qgis.samplecity.model import AERIAL, Building, FaceKind, Marking, RoofPart
-from urbanmap_qgis.samplecity.orthophoto import make_orthophoto
+from urbanmap_qgis.samplecity.orthophoto import Orthophoto
 from urbanmap_qgis.samplecity.scene import make_scene
 from urbanmap_qgis.samplecity.sunlight import Sun
+
+pytestmark = pytest.mark.filterwarnings("ignore::rasterio.errors.NotGeoreferencedWarning")
 
 SUN = Sun(180.0, 60.0)
 
@@ -183,17 +185,31 @@ def test_markings_lie_where_collinearity_puts_them(tilt):
     assert abs(errors.mean()) < 0.05
 
 
+def test_paint_of_other_epochs_and_worn_off_paint_is_not_seen():
+    scene = bare_scene()
+    camera, exposure = small_flight(scene, size=(400, 300))
+    gone = tuple(replace(m, aerial=False) for m in squares(scene)[:4]) + tuple(
+        replace(m, wear=1.0) for m in squares(scene)[4:6])
+    half = (replace(squares(scene)[6], wear=0.5),)
+    bare, unseen, worn = (render(replace(scene, markings=markings), camera, exposure).image.astype(float)
+                          for markings in ((), gone, half))
+    assert np.abs(unseen - bare).mean() < 0.02 and np.abs(unseen - bare).max() < 60
+    full = render(replace(scene, markings=squares(scene)[6:7]), camera, exposure).image.astype(float)
+    assert 0.35 < (worn - bare).sum() / (full - bare).sum() < 0.65
+
+
 def test_markings_lie_at_their_true_place_in_the_orthophoto():
     scene = bare_scene()
     scene = replace(scene, markings=squares(scene))
     camera, exposure = small_flight(scene, (0.4, -0.5, 0.7))
     frame = render(scene, camera, exposure)
     west, north = np.floor(scene.ground.origin[0] - 30), np.ceil(scene.ground.origin[1] + 26)
-    image, mask = make_orthophoto(scene, camera, [exposure], [frame], (west, north), (430, 500), SILENT)
+    orthophoto = Orthophoto(scene, camera, [exposure], (west, north), (430, 500))
+    orthophoto.add(0, frame)
     corners = corners_of(scene.markings, scene)[..., :2]
     rings = np.stack([(corners[..., 0] - west) / 0.12 - 0.5, (north - corners[..., 1]) / 0.12 - 0.5], axis=2)
-    assert np.abs(edge_errors(image.astype(np.float32).mean(axis=2), rings)).max() < 0.3
-    assert not mask.any()
+    assert np.abs(edge_errors(orthophoto.image.astype(np.float32).mean(axis=2), rings)).max() < 0.3
+    assert not orthophoto.mask.any()
 
 
 def tower(scene, height):

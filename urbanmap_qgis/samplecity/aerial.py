@@ -7,14 +7,14 @@ from pathlib import Path
 import numpy as np
 
 from ..progress import Progress
-from .aerial_render import Frame, Stage, render_frame, still_faces
+from .aerial_render import Stage, render_frame, still_faces
 from .camera import Camera, Exposure, exterior_csv
 from .crowns import Leaves
 from .face_shading import make_stains
 from .flight import footprint, plan_flight
 from .geotiff import write_image, write_mask
 from .ground_image import make_ground_image
-from .orthophoto import CELL, make_orthophoto
+from .orthophoto import CELL, Orthophoto
 from .scene import Scene
 from .sunlight import ShadowMap, Sun
 
@@ -48,17 +48,19 @@ def write_aerial(scene: Scene, folder: Path, seed: np.random.SeedSequence, progr
     (aerial / "exterior.csv").write_text(exterior_csv(exposures), encoding="utf-8")
 
     stage = make_stage(scene, camera, exposures, sun, stage_seed, progress.part(0.0, 0.2))
-    frames = []
+    orthophoto = _orthophoto(scene, camera, exposures)
     for number, exposure in enumerate(exposures):
-        part = progress.part(0.2 + 0.7 * number / len(exposures), 0.2 + 0.7 * (number + 1) / len(exposures))
+        part = progress.part(0.2 + 0.78 * number / len(exposures), 0.2 + 0.78 * (number + 1) / len(exposures))
         part.message(f"Frame {number + 1} of {len(exposures)}")
         noise = np.random.default_rng(_children(noise_seed, len(exposures))[number])
         frame = render_frame(stage, camera, exposure, gains[number], noise, part)
         write_image(aerial / exposure.image, frame.image)
         write_mask(truth / exposure.image, frame.mask)
-        frames.append(frame)
-    _write_orthophoto(scene, camera, exposures, frames, aerial, truth, progress.part(0.9, 1.0))
-    return {"frames": len(frames), "width": camera.width, "height": camera.height,
+        orthophoto.add(number, frame)
+    write_image(aerial / "ortho.tif", orthophoto.image, (*orthophoto.corner, CELL))
+    write_mask(truth / "ortho.tif", orthophoto.mask, (*orthophoto.corner, CELL))
+    progress.step(1.0)
+    return {"frames": len(exposures), "width": camera.width, "height": camera.height,
             "sun": [round(sun.azimuth, 2), round(sun.elevation, 2)], "times": [e.time for e in exposures]}
 
 
@@ -77,14 +79,12 @@ def make_stage(scene: Scene, camera: Camera, exposures: list[Exposure], sun: Sun
     return Stage(scene, ground, shadows, leaves, faces, make_stains(rng))
 
 
-def _write_orthophoto(scene: Scene, camera: Camera, exposures: list[Exposure], frames: list[Frame],
-                      aerial: Path, truth: Path, progress: Progress) -> None:
+def _orthophoto(scene: Scene, camera: Camera, exposures: list[Exposure]) -> Orthophoto:
+    """An empty orthophoto of the city, its corner on whole metres."""
     x_min, y_min, x_max, y_max = scene.extent.buffer(ORTHO_BORDER).bounds
     corner = float(np.floor(x_min)), float(np.ceil(y_max))
     shape = tuple(int(np.ceil(side / CELL)) for side in (corner[1] - y_min, x_max - corner[0]))
-    image, mask = make_orthophoto(scene, camera, exposures, frames, corner, shape, progress)
-    write_image(aerial / "ortho.tif", image, (*corner, CELL))
-    write_mask(truth / "ortho.tif", mask, (*corner, CELL))
+    return Orthophoto(scene, camera, exposures, corner, shape)
 
 
 def _children(seed: np.random.SeedSequence, count: int) -> list[np.random.SeedSequence]:

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import cv2
 import numpy as np
 
-from ..progress import Progress
 from .aerial_render import Frame
 from .camera import Camera, Exposure, project
 from .scene import Scene
@@ -18,28 +17,33 @@ CELL = 0.12
 ROWS_AT_ONCE = 512
 
 
-def make_orthophoto(scene: Scene, camera: Camera, exposures: Sequence[Exposure], frames: Sequence[Frame],
-                    corner: tuple[float, float], shape: tuple[int, int],
-                    progress: Progress) -> tuple[np.ndarray, np.ndarray]:
-    """Image (rows, columns, 3) and mask (rows, columns) of the orthophoto; buildings lean as in the frames.
+class Orthophoto:
+    """The orthophoto while frame after frame is laid on it; buildings lean as in the frames.
 
-    Parameters
+    Attributes
     ----------
-    corner : x, y of its north-west corner.  shape : rows, columns of `CELL`.
+    corner : x, y of its north-west corner.
+    image : (rows, columns, 3) uint8.  mask : (rows, columns) uint8, as those of the frames.
     """
-    image, mask = np.zeros((*shape, 3), np.uint8), np.zeros(shape, np.uint8)
-    x = corner[0] + (np.arange(shape[1]) + 0.5) * CELL
-    for top in range(0, shape[0], ROWS_AT_ONCE):
-        progress.step(top / shape[0])
-        rows = slice(top, min(top + ROWS_AT_ONCE, shape[0]))
-        ground_x, ground_y = np.meshgrid(x, corner[1] - (np.arange(rows.start, rows.stop) + 0.5) * CELL)
-        points = np.stack([ground_x, ground_y, scene.ground_height(ground_x, ground_y)], axis=-1)
-        nearest = np.argmin([(ground_x - e.x) ** 2 + (ground_y - e.y) ** 2 for e in exposures], axis=0)
-        for number in np.unique(nearest):
-            here = nearest == number
+
+    def __init__(self, scene: Scene, camera: Camera, exposures: Sequence[Exposure], corner: tuple[float, float],
+                 shape: tuple[int, int]):
+        self.corner = corner
+        self.image, self.mask = np.zeros((*shape, 3), np.uint8), np.zeros(shape, np.uint8)
+        self._scene, self._camera, self._exposures = scene, camera, exposures
+
+    def add(self, number: int, frame: Frame) -> None:
+        """Lay frame `number` where its nadir is the nearest of all exposures'."""
+        for top in range(0, len(self.mask), ROWS_AT_ONCE):
+            rows = slice(top, min(top + ROWS_AT_ONCE, len(self.mask)))
+            x, y = np.meshgrid(self.corner[0] + (np.arange(self.mask.shape[1]) + 0.5) * CELL,
+                               self.corner[1] - (np.arange(rows.start, rows.stop) + 0.5) * CELL)
+            here = np.argmin([(x - e.x) ** 2 + (y - e.y) ** 2 for e in self._exposures], axis=0) == number
+            if not here.any():
+                continue
+            points = np.column_stack([x[here], y[here], self._scene.ground_height(x[here], y[here])])
             pixels = np.full((*here.shape, 2), -1.0, np.float32)
-            pixels[here] = project(camera, exposures[number], points[here])
-            for source, target, how in ((frames[number].image, image, cv2.INTER_CUBIC),
-                                        (frames[number].mask, mask, cv2.INTER_NEAREST)):
+            pixels[here] = project(self._camera, self._exposures[number], points)
+            for source, target, how in ((frame.image, self.image, cv2.INTER_CUBIC),
+                                        (frame.mask, self.mask, cv2.INTER_NEAREST)):
                 target[rows][here] = cv2.remap(source, pixels[..., 0], pixels[..., 1], how)[here]
-    return image, mask
