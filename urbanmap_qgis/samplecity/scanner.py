@@ -19,6 +19,9 @@ GRAIN, GRAIN_SIZE = 0.2, 0.35
 SPECKLE, NOISE = 0.09, 20.0
 """Of the intensity: share of the signal, and counts of the receiver (standard deviations)."""
 
+APERTURE, DIVERGENCE = 0.014, 0.005
+"""A beam lights a spot of this width (m) at the scanner, and wider by this for each metre of range."""
+
 LOST = 0.004
 """Share of beams whose return is lost for no reason seen."""
 
@@ -98,21 +101,15 @@ class Scanner:
         origin, direction = self.rays(trajectory, time, beam)
         return origin + distance[:, None] * direction
 
-    def received(self, material: np.ndarray, ground: np.ndarray, point: np.ndarray, distance: np.ndarray,
-                 cos_incidence: np.ndarray, rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+    def received(self, reflectance: np.ndarray, glass: np.ndarray, distance: np.ndarray, cos_incidence: np.ndarray,
+                 rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
         """Intensity (uint16) of the returns and whether each is measured at all (bool), both (n,).
 
-        Parameters
-        ----------
-        material : (n,) `Material`.  ground : (n,) bool.  point : (n, 3) true place, whose grain it has.
-        distance, cos_incidence : (n,) true.
+        `reflectance`, `distance` (m) and `cos_incidence` (n,) are the true ones; `glass` (n,) whether it is a window.
         """
-        reflectance = REFLECTANCE[material]
-        spots = value_noise(point[ground, 0], point[ground, 1], GRAIN_SIZE) - 0.5
-        reflectance[ground] *= 1.0 + GRAIN * spots
         signal = self.response.signal(reflectance, distance, np.maximum(cos_incidence, 0.01))
         weak = np.exp(np.clip(4.0 * (1.0 - signal / self.response.threshold), -30.0, 30.0))
-        chance = (1.0 - LOST) * np.where(material == Material.GLASS, 1.0 - GLASS_LOST, 1.0) / (1.0 + weak)
+        chance = (1.0 - LOST) * np.where(glass, 1.0 - GLASS_LOST, 1.0) / (1.0 + weak)
         measured = (rng.random(len(distance)) < chance) & (distance >= self.min_range)
         shine = 1.0 + SPECKLE * rng.standard_normal(len(distance))
         counts = signal * np.maximum(shine, 0.1) + self.response.floor + NOISE * rng.standard_normal(len(distance))
@@ -156,6 +153,33 @@ def scan(scene: Scene, caster: RayCaster, scanner: Scanner, scans: np.ndarray, t
     hits = Hits(*(getattr(hits, item.name)[met] for item in fields(Hits)))
     point = origin[met] + hits.distance[:, None] * direction[met]
     material, ground = hit_material(scene, GROUND, point, hits), hits.source == Hit.GROUND
-    intensity, kept = scanner.received(material, ground, point, hits.distance, hits.cosine, rng)
+    reflectance = REFLECTANCE[material]
+    spot = (point[ground], direction[met][ground], hits.distance[ground], hits.cosine[ground])
+    reflectance[ground] = spot_reflectance(scene, material[ground], *spot)
+    intensity, kept = scanner.received(reflectance, material == Material.GLASS, hits.distance, hits.cosine, rng)
     columns = (time[met], beam[met], scanner.measured_range(hits.distance, rng), intensity, material, ground)
     return Returns(*(column[kept] for column in columns))
+
+
+def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, direction: np.ndarray,
+                     distance: np.ndarray, cosine: np.ndarray) -> np.ndarray:
+    """Mean reflectance (n,) of the spots that beams light on the ground, where they may lie half on paint.
+
+    A spot is an ellipse, drawn out along the beam by 1 / cos(incidence); five places in it stand for it.
+    """
+    paint = scene.paint(GROUND)
+    base = material.copy()
+    painted = (base == Material.PAINT_WHITE) | (base == Material.PAINT_YELLOW)
+    street = scene.ground.kerb_distance(point[painted, 0], point[painted, 1]) <= 0
+    base[painted] = np.where(street, Material.ASPHALT, Material.PAVEMENT)
+    along = direction[:, :2] / np.hypot(direction[:, 0], direction[:, 1])[:, None]
+    across = np.column_stack([-along[:, 1], along[:, 0]])
+    half = 0.5 * (APERTURE + DIVERGENCE * distance)
+    length = half / np.maximum(cosine, 0.05)
+    total = REFLECTANCE[material].copy()
+    for forward, sideways in ((0.7, 0.0), (-0.7, 0.0), (0.0, 0.7), (0.0, -0.7)):
+        x, y = (point[:, :2] + (forward * length)[:, None] * along + (sideways * half)[:, None] * across).T
+        here = paint.at(x, y)
+        total += REFLECTANCE[np.where(here > 0, here, base)]
+    spots = value_noise(point[:, 0], point[:, 1], GRAIN_SIZE) - 0.5
+    return total / 5 * (1.0 + GRAIN * spots)
