@@ -235,7 +235,7 @@ def _structures(plan: shapely.Polygon, parapet: float, penthouse: bool,
         return ()
     west, south, east, north = room.bounds
     sizes = [(rng.uniform(4.5, 8.0), rng.uniform(4.0, 6.5), rng.uniform(2.8, 4.2))] if penthouse else []
-    sizes += [(rng.uniform(1.2, 2.6), rng.uniform(1.0, 2.0), rng.uniform(0.9, 1.8)) for _ in range(rng.integers(1, 5))]
+    sizes += [(rng.uniform(1.2, 2.6), rng.uniform(1.0, 2.0), rng.uniform(0.9, 1.8)) for _ in range(rng.integers(2, 10))]
     placed: list[Structure] = []
     for width, depth, height in sizes:
         x, y = rng.uniform(west, east), rng.uniform(south, north)

@@ -19,7 +19,7 @@ _PAINTS = ((232, 232, 230), (235, 235, 235), (28, 28, 30), (52, 54, 58), (150, 1
 def make_trees(ground: Ground, size: float, rng: np.random.Generator) -> tuple[Tree, ...]:
     """Trees along the avenue's pavements, some along the street, in uneven rows."""
     trees = []
-    for street, spacing in (("A", 11.0), ("B", 17.0)):
+    for street, spacing in (("A", 8.0), ("B", 11.0)):
         street = next(s for s in ground.streets if s.name == street)
         for side in (1, -1):
             for u in np.arange(-size / 2 + 4.0, size / 2 - 4.0, spacing):
@@ -27,7 +27,7 @@ def make_trees(ground: Ground, size: float, rng: np.random.Generator) -> tuple[T
                 across = street.at + side * (street.half_width + 0.8)
                 radius, radius_z = rng.uniform(1.4, 2.4), rng.uniform(1.6, 2.8)
                 height, keep = rng.uniform(2.4, 3.4), rng.random() < 0.8
-                if not keep or not _clear(ground, street, along):
+                if not keep or not _clear(ground, street, along, 12.0):
                     continue
                 x, y = _place(ground, street, along, across)
                 z = float(ground.height(x, y))

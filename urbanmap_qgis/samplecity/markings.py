@@ -1,6 +1,6 @@
 """Paints the streets: lines, crossings, stop lines, arrows; and repaints or thins them for some scenes.
 
-Measures follow the usual Japanese ones: lines 15 cm wide, dashes of 5 m with gaps of 5 m, zebra bars and stop lines
+Measures follow the usual Japanese ones: lines 15 cm wide, dashes of 3 m with gaps of 4.5 m, zebra bars and stop lines
 45 cm wide. Everything is laid out in the local frame of the streets (u, v).
 """
 
@@ -18,7 +18,10 @@ from .model import Marking
 from .streets import BEYOND
 
 LINE = 0.15
-DASH, GAP = 5.0, 5.0
+DASH, GAP = 3.0, 4.5
+SOLID = 9.0
+"""Before stop lines lane lines are solid for so long, m."""
+
 BAR = 0.45
 ZEBRA_NEAR, ZEBRA_FAR = 3.0, 7.0
 """Reach of a zebra crossing from the kerb line of the street crossed, m."""
@@ -26,11 +29,21 @@ ZEBRA_NEAR, ZEBRA_FAR = 3.0, 7.0
 STOP = 9.0
 """Place of the stop line from the same kerb line, m."""
 
+# Shapes in metres: right, forward. Those of one thing are strokes that do not overlap.
 _ARROWS = {
     "ahead": [(-0.075, 0), (0.075, 0), (0.075, 3.2), (0.35, 3.2), (0, 5), (-0.35, 3.2), (-0.075, 3.2)],
     "left": [(0.375, 0), (0.525, 0), (0.525, 3.6), (-0.1, 3.6), (-0.1, 4.1), (-0.75, 3.4), (-0.1, 2.7), (-0.1, 3.2),
              (0.375, 3.2)],
 }
+_CHEVRON = [(-0.3, 0), (-0.14, 0), (0, 0.45), (0.14, 0), (0.3, 0), (0.08, 0.75), (-0.08, 0.75)]
+_FORTY = (
+    [(-0.75, 1.4), (-0.1, 1.4), (-0.1, 0), (0.07, 0), (0.07, 5), (-0.1, 5), (-0.1, 1.7), (-0.58, 1.7), (-0.35, 5),
+     (-0.52, 5), (-0.75, 1.9)],
+    [(0.22, 2.5), (0.22, 0.4), (0.32, 0), (0.65, 0), (0.75, 0.4), (0.75, 2.5), (0.58, 2.5), (0.58, 0.35), (0.39, 0.35),
+     (0.39, 2.5)],
+    [(0.22, 2.5), (0.39, 2.5), (0.39, 4.65), (0.58, 4.65), (0.58, 2.5), (0.75, 2.5), (0.75, 4.6), (0.65, 5), (0.32, 5),
+     (0.22, 4.6)],
+)
 
 
 def make_markings(ground: Ground, size: float, scene: str, rng: np.random.Generator) -> tuple[Marking, ...]:
@@ -86,16 +99,28 @@ def _lines(street: Street, start: float, end: float) -> list[Marking]:
         for number in range(1, street.lanes):
             across = at + side * number * street.lane_width
             markings += [Marking(shapely.box(u, across - LINE / 2, u + DASH, across + LINE / 2), "lane")
-                         for u in np.arange(first + 12.0, last - DASH - 12.0, DASH + GAP)]
-            markings += [Marking(shapely.box(a, across - LINE / 2, b, across + LINE / 2), "lane", "yellow")
-                         for a, b in ((first, first + 10.0), (last - 10.0, last)) if last - first > 24.0]
+                         for u in np.arange(first + SOLID + GAP, last - DASH - SOLID - GAP + 0.01, DASH + GAP)]
+            markings += [Marking(shapely.box(a, across - LINE / 2, b, across + LINE / 2), "lane")
+                         for a, b in ((first, first + SOLID), (last - SOLID, last)) if last - first > 2.5 * SOLID]
         across = at + side * (street.lanes * street.lane_width + (0.25 if street.half_width > 4 else 0.0))
         markings.append(Marking(shapely.box(first - 1.0, across - LINE / 2, last + 1.0, across + LINE / 2), "edge"))
+        if street.name in ("A", "B"):
+            # Traffic on the side of +v goes along +u; cyclists keep to the edge of the lane.
+            markings += [_placed(_CHEVRON, u, across - side * 0.8, -side, "chevron")
+                         for u in np.arange(first + 6.0, last - 4.0, 9.0)]
     return markings
 
 
+def _placed(shape: list[tuple[float, float]], u: float, v: float, sign: float, kind: str,
+            colour: str = "white") -> Marking:
+    """A shape with its tail at u, v, for traffic that drives against `sign` of u."""
+    right, forward = np.array(shape, float).T
+    # Forward is -sign of u; right is then +sign of v.
+    return Marking(shapely.Polygon(np.column_stack([u - sign * forward, v + sign * right])), kind, colour)
+
+
 def _approach(street: Street, kerb: float, sign: float, rng: np.random.Generator) -> list[Marking]:
-    """Zebra crossing, stop line, arrows and diamond before the crossing whose kerb line lies at `kerb`.
+    """Zebra crossing, stop line, arrows, diamond and speed limit at the crossing whose kerb line lies at `kerb`.
 
     `sign` is the direction away from the crossing along u.
     """
@@ -106,20 +131,18 @@ def _approach(street: Street, kerb: float, sign: float, rng: np.random.Generator
     # Coming towards the crossing one drives in -sign of u, on the side of v = -sign.
     side, edge = -sign, street.lanes * street.lane_width
     stop = sorted((kerb + sign * STOP, kerb + sign * (STOP - BAR)))
-    across = sorted((at + side * LINE, at + side * edge))
+    across = sorted((at + side * LINE, at + side * (edge - LINE)))
     markings.append(Marking(shapely.box(stop[0], across[0], stop[1], across[1]), "stop"))
     if street.name not in ("A", "B"):
         return markings
     for number in range(street.lanes):
         lane = at + side * (number + 0.5) * street.lane_width
         shape = "left" if number == street.lanes - 1 and rng.random() < 0.5 else "ahead"
-        for back in (STOP + 4.0, STOP + 24.0):
-            arrow = np.array(_ARROWS[shape]) - (0, 5.0)
-            # Forward (second axis) is -sign of u; right (first axis) is then +sign of v.
-            plan = shapely.Polygon(np.column_stack([kerb + sign * back - sign * arrow[:, 1],
-                                                    lane + sign * arrow[:, 0]]))
-            markings.append(Marking(plan, "arrow"))
-        markings += list(_diamond(kerb + sign * (STOP + 36.0), lane)) if number == 0 else []
+        for back in (STOP + 4.0, STOP + 18.0):
+            markings.append(_placed(_ARROWS[shape], kerb + sign * (back + 5.0), lane, sign, "arrow"))
+        leaving = at - side * (number + 0.5) * street.lane_width
+        markings += [_placed(stroke, kerb + sign * (STOP + 3.0), leaving, -sign, "text", "yellow") for stroke in _FORTY]
+        markings += list(_diamond(kerb + sign * (STOP + 30.0), lane)) if number == 0 else []
     return markings
 
 
@@ -164,7 +187,7 @@ def _repainted(markings: list[Marking], rng: np.random.Generator) -> list[Markin
             continue
         shift = {"lane": (2.0, 0.3), "zebra": (0.8, 0.25), "arrow": (3.0, 0.0)}.get(marking.kind, (0.5, 0.2))
         changed.append(replace(marking, ground=False))
-        if marking.kind != "diamond":
+        if marking.kind not in ("diamond", "text"):
             plan = affinity.translate(marking.plan, *shift)
             changed.append(replace(marking, plan=plan, wear=0.03, aerial=False))
     return changed

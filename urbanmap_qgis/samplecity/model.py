@@ -142,7 +142,8 @@ class Marking:
 
     Attributes
     ----------
-    plan : its polygon.  kind : "lane", "centre", "edge", "zebra", "stop", "arrow", "diamond", "tactile", "bay".
+    plan : its polygon.  kind : "lane", "centre", "edge", "zebra", "stop", "arrow", "diamond", "chevron",
+        "text", "tactile", "bay".
     colour : "white" or "yellow".
     wear : share of the paint that is gone, 0 to 1.
     aerial, ground : whether it is there at the flights and at the drives.
