@@ -167,6 +167,8 @@ def install_command(missing: Sequence[Missing], folder: str | os.PathLike) -> li
     of it into the folder; `install` removes it, and a copy is never imported because the folder is searched last.
     """
     pin = [] if any(item.package.import_name == "numpy" for item in missing) else numpy_pin()
+    # rasterio's affine 3 does not work beside the attrs of older systems, which is found first.
+    pin += ["affine<3"] if any(item.package.import_name == "rasterio" for item in missing) else []
     return [python_executable(), "-m", "pip", "install", "--upgrade", "--target", str(folder),
             *pin, *(item.package.requirement for item in missing)]
 

@@ -208,3 +208,13 @@ def test_bad_input_is_refused():
         estimate_displacements(terrace(), np.zeros((3, 3)), GRID)
     with pytest.raises(InputError, match="longest shift"):
         estimate_displacements(terrace(), np.zeros(GRID.shape), GRID, max_shift=0)
+
+
+def test_an_outline_on_bare_ground_stays():
+    bare = np.full(GRID.shape, -1.0, np.float32)
+    bare[:, GRID.columns // 2:] = 0.0  # the survey ends here
+    x = GRID.x_min + GRID.columns / 2 * GRID.cell
+    y = GRID.y_max - GRID.rows / 2 * GRID.cell
+    alone = np.array([shapely.box(x - 5, y - 5, x + 5, y + 5)], dtype=object)
+    result = estimate_displacements(alone, bare, GRID)
+    assert found(result).tolist() == [[0.0, 0.0]] and result.status.tolist() == ["not observable"]

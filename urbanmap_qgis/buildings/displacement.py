@@ -163,6 +163,7 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     measured_share = np.ones(len(area)) if measured is None else jigsaw.of(measured, still)[:, 0] / area
     jigsaw, cover = _with_common_shift(jigsaw, measured_share >= HALF_MEASURED, max_shift)
     seen = cover.max(axis=1) >= LEAST_SEEN * area
+    jigsaw = replace(jigsaw, common=np.where(_with_company(jigsaw, seen)[:, None], jigsaw.common, 0.0))
     if measured is not None:
         seen &= jigsaw.of(measured, jigsaw.common[:, None])[:, 0] >= LEAST_MEASURED * area
     jigsaw = replace(jigsaw, hold=np.where(seen, 1.0, UNSEEN_HOLD))
@@ -230,6 +231,13 @@ def _with_common_shift(jigsaw: Jigsaw, voice: np.ndarray, max_shift: float) -> t
     clear = (gain >= price) & (np.hypot(*shift.T) >= LEAST_COMMON)
     shift = np.where(clear[:, None], shift, 0)
     return replace(jigsaw, common=shift[label]), cover
+
+
+def _with_company(jigsaw: Jigsaw, seen: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the outlines whose connected set holds one that was seen: ground alone tells of no shift."""
+    n = len(seen)
+    _, label = connected_components(coo_matrix((np.ones(len(jigsaw.pairs)), jigsaw.pairs.T), (n, n)), directed=False)
+    return np.bincount(label, seen)[label] > 0
 
 
 def _sum_by(label: np.ndarray, values: np.ndarray, groups: int) -> np.ndarray:
