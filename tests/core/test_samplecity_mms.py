@@ -39,9 +39,10 @@ def pose(trajectory, time):
     return at[:, :3], rotations(at[:, 3:])
 
 
-def cut(trajectory, first, last):
-    """The epochs from `first` to `last` s after the start."""
-    keep = (trajectory.time >= trajectory.time[0] + first) & (trajectory.time <= trajectory.time[0] + last)
+def cut(trajectory, way, seconds):
+    """The epochs of some seconds after the vehicle has driven `way` m."""
+    start = trajectory.time[np.searchsorted(trajectory.driven(), way)]
+    keep = (trajectory.time >= start) & (trajectory.time <= start + seconds)
     return Trajectory(trajectory.time[keep], trajectory.place[keep], trajectory.angles[keep])
 
 
@@ -58,7 +59,7 @@ def true(scene):
 @pytest.fixture(scope="module")
 def stretch(scene, true):
     """Two seconds of the drive through the crossing: true and reported trajectory, what each scanner measured."""
-    part = cut(true, 20.0, 22.0)
+    part = cut(true, 22.0, 2.0)
     reported = reported_trajectory(part, np.random.default_rng(2))
     caster = RayCaster(scene, "ground")
     returns = [scan(scene, caster, scanner, mms.recorded_scans(part, scanner), part, np.random.default_rng(4))
@@ -142,9 +143,10 @@ def test_intensity_follows_the_stated_law(scene, stretch, material):
     cosine = (direction[:, 0] * east + direction[:, 1] * north - direction[:, 2]) / np.sqrt(1 + east**2 + north**2)
     law = scanner.response
     stated = law.gain * REFLECTANCE[material] * cosine**law.tilt / distance**law.fall + law.floor
-    for low, high in ((5, 7), (7, 10), (10, 15)):
-        ring = (distance >= low) & (distance < high)
-        assert ring.sum() > 100
+    rings = [(distance >= low) & (distance < high) for low, high in ((5, 7), (7, 10), (10, 13), (13, 17), (17, 22))]
+    rings = [ring for ring in rings if ring.sum() > 100]
+    assert len(rings) >= 3
+    for ring in rings:
         # A few spots lie half on paint: the median does not mind.
         assert np.median(found.intensity[same][ring] / stated[ring]) == pytest.approx(1.0, abs=0.03)
 
@@ -207,9 +209,9 @@ def test_drive_is_smooth_and_keeps_to_the_road(scene):
         x, y, z = true.place.T
         assert scene.ground.kerb_distance(x, y).max() < -0.9
         speed = np.gradient(true.driven(), true.time)
-        assert speed[0] < 0.01 and speed[-1] < 0.05 and speed.max() < 8.7
-        assert (speed < 0.05).sum() > 700
-        assert np.abs(np.gradient(speed, true.time)).max() < 2.2
+        assert speed[0] > 2.0 and speed[-1] > 2.0 and speed.max() < 8.7
+        assert (speed < 0.05).sum() > 600
+        assert np.abs(np.gradient(speed, true.time)).max() < 2.5
         assert np.abs(z - scene.ground_height(x, y) - 1.95).max() < 0.06
         np.testing.assert_allclose(np.diff(true.time), 0.01, atol=1e-6)
         moving = speed[:-1] > 2.0
@@ -223,7 +225,7 @@ def test_drive_is_smooth_and_keeps_to_the_road(scene):
 @pytest.fixture
 def short(monkeypatch):
     """Surveys of less than a second each."""
-    monkeypatch.setattr(mms, "survey_drive", lambda *arguments: cut(survey_drive(*arguments), 20.0, 20.8))
+    monkeypatch.setattr(mms, "survey_drive", lambda *arguments: cut(survey_drive(*arguments), 22.0, 0.8))
 
 
 def test_files_keep_the_formats(scene, short, tmp_path):
@@ -247,7 +249,7 @@ def test_files_keep_the_formats(scene, short, tmp_path):
 
 
 def test_control_points_fit_both_trajectories(scene, true, tmp_path):
-    part = cut(true, 18.0, 26.0)
+    part = cut(true, 16.0, 8.0)
     reported = reported_trajectory(part, np.random.default_rng(2))
     corners = mms.marking_corners(scene)
     sightings = mms.visible_corners(RayCaster(scene, "ground"), corners, part)

@@ -22,7 +22,7 @@ BODY_HEIGHT = 1.95
 WHEELBASE, TRACK = 2.7, 1.55
 """Distances of the wheels along and across, m."""
 
-ACCELERATION, TURN_SPEED = 1.5, 4.2
+ACCELERATION, TURN_SPEED = 1.8, 4.4
 """Greatest acceleration and braking, m/s2; speed in a turn, m/s."""
 
 TURN_REACH, TURN_WIDENING = 14.0, 2.0
@@ -123,13 +123,13 @@ def stop_at_line(path: Path, markings: Sequence[Marking], default: float) -> flo
 
 
 def way_over_time(path: Path, cruise: float, stops: Sequence[Stop]) -> np.ndarray:
-    """Way driven (n,) at epochs of `RATE`: from standing, smoothly up to `cruise` m/s, slow in turns, to standing."""
+    """Way driven (n,) at epochs of `RATE`: smoothly at `cruise` m/s, slower in turns; on the move at both ends."""
     speed = np.full(len(path.s), cruise)
     widening = int(TURN_WIDENING / _STEP)
     turning = np.convolve(np.abs(path.turn) > 0.02, np.ones(2 * widening + 1), "same") > 0
     speed[turning] = np.minimum(cruise, TURN_SPEED)
     number = [round(stop.s / _STEP) for stop in stops]
-    speed[[0, -1, *number]] = 0.0
+    speed[number] = 0.0
     square = speed**2
     for order in (slice(None), slice(None, None, -1)):
         ramp = 2 * ACCELERATION * path.s
@@ -140,9 +140,11 @@ def way_over_time(path: Path, cruise: float, stops: Sequence[Stop]) -> np.ndarra
     for stop, index in sorted(zip(stops, number), key=lambda pair: -pair[1]):
         ticks = np.concatenate([ticks[:index + 1], ticks[index:] + stop.seconds])
         ways = np.concatenate([ways[:index + 1], ways[index:]])
-    pause = 1.0
-    epochs = np.arange(int((ticks[-1] + 2 * pause) * RATE) + 1) / RATE
-    return gaussian_filter1d(np.interp(epochs - pause, ticks, ways), 0.35 * RATE, mode="nearest")
+    smoothing = 0.35 * RATE
+    ends = int(4 * smoothing)
+    way = np.interp(np.arange(int(ticks[-1] * RATE) + 1) / RATE, ticks, ways)
+    # Near its ends the smoothing knows one side only.
+    return gaussian_filter1d(way, smoothing, mode="nearest")[ends:-ends]
 
 
 def drive(scene: Scene, path: Path, way: np.ndarray, start: float, rng: np.random.Generator) -> Trajectory:

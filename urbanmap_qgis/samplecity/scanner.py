@@ -165,7 +165,7 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
                      distance: np.ndarray, cosine: np.ndarray) -> np.ndarray:
     """Mean reflectance (n,) of the spots that beams light on the ground, where they may lie half on paint.
 
-    A spot is an ellipse, drawn out along the beam by 1 / cos(incidence); five places in it stand for it.
+    A spot is a long ellipse, drawn out along the beam by 1 / cos(incidence); three places along it stand for it.
     """
     paint = scene.paint(GROUND)
     base = material.copy()
@@ -173,13 +173,11 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
     street = scene.ground.kerb_distance(point[painted, 0], point[painted, 1]) <= 0
     base[painted] = np.where(street, Material.ASPHALT, Material.PAVEMENT)
     along = direction[:, :2] / np.hypot(direction[:, 0], direction[:, 1])[:, None]
-    across = np.column_stack([-along[:, 1], along[:, 0]])
-    half = 0.5 * (APERTURE + DIVERGENCE * distance)
-    length = half / np.maximum(cosine, 0.05)
+    reach = 0.5 * (APERTURE + DIVERGENCE * distance) / np.maximum(cosine, 0.05)
     total = REFLECTANCE[material].copy()
-    for forward, sideways in ((0.7, 0.0), (-0.7, 0.0), (0.0, 0.7), (0.0, -0.7)):
-        x, y = (point[:, :2] + (forward * length)[:, None] * along + (sideways * half)[:, None] * across).T
+    for share in (0.7, -0.7):
+        x, y = (point[:, :2] + (share * reach)[:, None] * along).T
         here = paint.at(x, y)
         total += REFLECTANCE[np.where(here > 0, here, base)]
     spots = value_noise(point[:, 0], point[:, 1], GRAIN_SIZE) - 0.5
-    return total / 5 * (1.0 + GRAIN * spots)
+    return total / 3 * (1.0 + GRAIN * spots)
