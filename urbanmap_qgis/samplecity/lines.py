@@ -55,7 +55,8 @@ PICKING = 0.03
 CAMERA_REACH = 100.0
 """What the camera sees farther away is sky, m."""
 
-SCANS_AT_ONCE, LINES_AT_ONCE = 100, 200
+SCANS_AT_ONCE, LINES_AT_ONCE = 68, 204
+"""As many as make whole portions of rays for the ray caster; bounds the memory."""
 
 
 def write_lines(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress: Progress) -> dict:
