@@ -7,7 +7,7 @@ plus walls that meet their neighbours', less what it costs to depart from the co
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -72,6 +72,13 @@ class Jigsaw:
     def relative(self, shifts: np.ndarray) -> np.ndarray:
         """Shift (p, 2) of the second outline of each pair against the first."""
         return shifts[self.pairs[:, 1]] - shifts[self.pairs[:, 0]]
+
+    def only(self, keep: np.ndarray) -> Jigsaw:
+        """The same outlines with those pairs alone that `keep` (p,) marks."""
+        own = keep[self.walls.pair]
+        number = np.cumsum(keep) - 1
+        walls = Walls(number[self.walls.pair[own]], self.walls.length[own], self.walls.meeting[own])
+        return replace(self, pairs=self.pairs[keep], walls=walls, overlaps=self.overlaps[keep])
 
     def together(self, relative: np.ndarray, width: float) -> np.ndarray:
         """Worth (m2) of each pair at its relative shifts (p, k, 2): (p, k)."""
@@ -198,21 +205,22 @@ def parted(jigsaw: Jigsaw, shifts: np.ndarray, area: np.ndarray, cover: np.ndarr
     n = len(shifts)
     steps = lattice(COARSE_STEP, max_shift) * COARSE_STEP
     alone = jigsaw.single(np.broadcast_to(steps, (n, *steps.shape)), cover)
-    for _ in range(2 * n):
-        stuck = np.flatnonzero(covered_by_others(jigsaw, shifts, area))
-        if not len(stuck):
-            break
-        first, second = shifts[jigsaw.pairs[:, 0]][:, None], shifts[jigsaw.pairs[:, 1]][:, None]
-        worth = alone + _of_both(jigsaw, jigsaw.together(second - steps, COARSE_WIDTH),
-                                 jigsaw.together(steps - first, COARSE_WIDTH))
-        now = jigsaw.single(shifts[:, None]) + _of_both(
-            jigsaw, *2 * [jigsaw.together(jigsaw.relative(shifts)[:, None], COARSE_WIDTH)])
-        gain = (worth.max(axis=1) - now[:, 0])[stuck]
-        if gain.max() <= 0:
-            break
-        mover = stuck[gain.argmax()]
+    settled = np.zeros(n, bool)
+    while True:
+        stuck = covered_by_others(jigsaw, shifts, area) & ~settled
+        if not stuck.any():
+            return shifts
+        part = jigsaw.only(stuck[jigsaw.pairs].any(axis=1))
+        first, second = shifts[part.pairs[:, 0]][:, None], shifts[part.pairs[:, 1]][:, None]
+        worth = alone + _of_both(part, part.together(second - steps, COARSE_WIDTH),
+                                 part.together(steps - first, COARSE_WIDTH))
+        here = part.together(part.relative(shifts)[:, None], COARSE_WIDTH)
+        gain = worth.max(axis=1) - (jigsaw.single(shifts[:, None]) + _of_both(part, here, here))[:, 0]
+        mover = np.where(stuck, gain, -np.inf).argmax()
+        if gain[mover] <= 0:
+            return shifts
         shifts[mover] = steps[worth[mover].argmax()]
-    return shifts
+        settled[mover] = True
 
 
 def covered_by_others(jigsaw: Jigsaw, shifts: np.ndarray, area: np.ndarray) -> np.ndarray:

@@ -27,6 +27,7 @@ from ..progress import SILENT, Progress
 from ..terrain.surface import ground_raster
 from .base_height import outline_ground
 from .building_points import coordinates
+from .courtyards import with_courtyards
 from .displacement import estimate_displacements, moved
 from .evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
 from .footprint import Footprints
@@ -51,6 +52,9 @@ MIN_CLASSED_SHARE = 0.2
 """Class 6 is trusted for a building where it holds at least this share of its high points."""
 
 MIN_ROOF_POINTS = 3
+
+ON_GROUND = 1.0
+"""Height (m) above the ground up to which a point shows that a place is open."""
 
 
 @dataclass(frozen=True)
@@ -244,6 +248,8 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
     outlines, table = _placed_outlines(tile, x, y, z, classes, points, ground, progress)
     progress.check()
     above = z - sample(*ground, x, y) if ground else np.full(len(z), np.inf)
+    if ground and len(x):
+        outlines[:] = with_courtyards(outlines, x, y, above < ON_GROUND, tile.density)
     assignment = _assign_candidates(x, y, z, classes, above, outlines, tile.parameters)
     records = tile.records.copy()
     own = np.isin(assignment.owner, np.flatnonzero(tile.own))
