@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 
 import numpy as np
 import shapely
@@ -96,11 +97,14 @@ class Ground:
     def height(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Height of the ground (m), with kerbs as steps."""
         u, v = self.to_local(x, y)
-        across_u, across_v, kerb, _ = self._profile(u, v)
-        shape_u, shape_v = np.minimum(across_u**2, 1.0), np.minimum(across_v**2, 1.0)
-        rise_u, rise_v, rise_both = self._rises(u, v)
+        along_u, along_v = self._tables["u"], self._tables["v"]
+        near_u, near_v = along_u.nearest(v), along_v.nearest(u)
+        shape_u = np.minimum(((v - along_u.at[near_u]) / along_u.half_width[near_u])**2, 1.0)
+        shape_v = np.minimum(((u - along_v.at[near_v]) / along_v.half_width[near_v])**2, 1.0)
+        rise_u, rise_v = along_u.rise[near_u], along_v.rise[near_v]
         camber = (rise_u * (1 - shape_u) * shape_v + rise_v * (1 - shape_v) * shape_u
-                  + rise_both * (1 - shape_u) * (1 - shape_v))
+                  + np.maximum(rise_u, rise_v) * (1 - shape_u) * (1 - shape_v))
+        kerb = _kerb_distance(*self._beyond(u, v, near_u, near_v))
         step = np.where(kerb > 0, KERB_HEIGHT + PAVEMENT_FALL * np.minimum(kerb, PAVEMENT_REACH), 0.0)
         return self._general(u, v) + camber + step
 
@@ -118,7 +122,12 @@ class Ground:
     def kind(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """`Surface` at the places, uint8."""
         x, y = np.asarray(x, float), np.asarray(y, float)
-        _, _, kerb, pavement = self._profile(*self.to_local(x, y))
+        u, v = self.to_local(x, y)
+        along_u, along_v = self._tables["u"], self._tables["v"]
+        near_u, near_v = along_u.nearest(v), along_v.nearest(u)
+        beyond_u, beyond_v = self._beyond(u, v, near_u, near_v)
+        kerb = _kerb_distance(beyond_u, beyond_v)
+        pavement = np.where(beyond_u < beyond_v, along_u.pavement[near_u], along_v.pavement[near_v])
         kind = np.where(kerb <= 0, Surface.CARRIAGEWAY,
                         np.where(kerb <= pavement, Surface.PAVEMENT, Surface.PLOT)).astype(np.uint8)
         for lot in self.parking:
@@ -128,38 +137,42 @@ class Ground:
 
     def kerb_distance(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Distance from the nearest kerb into pavement or plot, m; 0 or less on the carriageway."""
-        return self._profile(*self.to_local(x, y))[2]
+        u, v = self.to_local(x, y)
+        return _kerb_distance(*self._beyond(u, v, self._tables["u"].nearest(v), self._tables["v"].nearest(u)))
 
     def _general(self, u: np.ndarray, v: np.ndarray) -> np.ndarray:
         return (self.z0 + self.slope[0] * u + self.slope[1] * v
                 + self.wave * np.sin(2 * np.pi * (u + 0.4 * v) / WAVE_LENGTH))
 
-    def _nearest(self, along: str, across: np.ndarray) -> tuple[np.ndarray, list[Street]]:
-        """For each place the number of the nearest street of that direction, by its kerb."""
-        streets = [street for street in self.streets if street.along == along]
-        if len(streets) == 1:
-            return np.zeros(np.shape(across), np.intp), streets
-        reach = np.stack([np.abs(across - street.at) - street.half_width for street in streets])
-        return reach.argmin(axis=0), streets
+    @cached_property
+    def _tables(self) -> dict[str, _Streets]:
+        return {along: _Streets(along, self.streets) for along in ("u", "v")}
 
-    def _profile(self, u: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, ...]:
-        """Place across the street along u and along v (1 at the kerb), kerb distance, pavement width."""
-        near_u, streets_u = self._nearest("u", v)
-        near_v, streets_v = self._nearest("v", u)
-        at_u, half_u, walk_u = (_table(streets_u, name)[near_u] for name in ("at", "half_width", "pavement"))
-        at_v, half_v, walk_v = (_table(streets_v, name)[near_v] for name in ("at", "half_width", "pavement"))
-        beyond_u, beyond_v = np.abs(v - at_u) - half_u, np.abs(u - at_v) - half_v
-        corner = (beyond_u > 0) & (beyond_v > 0) & (beyond_u < KERB_RADIUS) & (beyond_v < KERB_RADIUS)
-        kerb = np.where(corner, KERB_RADIUS - np.hypot(KERB_RADIUS - beyond_u, KERB_RADIUS - beyond_v),
-                        np.minimum(beyond_u, beyond_v))
-        return (v - at_u) / half_u, (u - at_v) / half_v, kerb, np.where(beyond_u < beyond_v, walk_u, walk_v)
-
-    def _rises(self, u: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        near_u, streets_u = self._nearest("u", v)
-        near_v, streets_v = self._nearest("v", u)
-        rise_u, rise_v = _table(streets_u, "rise")[near_u], _table(streets_v, "rise")[near_v]
-        return rise_u, rise_v, np.maximum(rise_u, rise_v)
+    def _beyond(self, u, v, near_u, near_v) -> tuple[np.ndarray, np.ndarray]:
+        """Distances beyond the kerb lines of the nearest streets along u and along v, negative between them."""
+        along_u, along_v = self._tables["u"], self._tables["v"]
+        return (np.abs(v - along_u.at[near_u]) - along_u.half_width[near_u],
+                np.abs(u - along_v.at[near_v]) - along_v.half_width[near_v])
 
 
-def _table(streets: list[Street], name: str) -> np.ndarray:
-    return np.array([getattr(street, name) for street in streets])
+class _Streets:
+    """The streets of one direction as arrays, in the order of their places."""
+
+    def __init__(self, along: str, streets: tuple[Street, ...]):
+        streets = sorted((street for street in streets if street.along == along), key=lambda street: street.at)
+        self.at, self.half_width, self.pavement, self.rise = (
+            np.array([getattr(street, name) for street in streets])
+            for name in ("at", "half_width", "pavement", "rise"))
+        kerbs_low, kerbs_high = self.at - self.half_width, self.at + self.half_width
+        self._borders = (kerbs_high[:-1] + kerbs_low[1:]) / 2
+
+    def nearest(self, across: np.ndarray) -> np.ndarray:
+        """For each place across the streets the number of the street whose kerb is nearest."""
+        return np.searchsorted(self._borders, across)
+
+
+def _kerb_distance(beyond_u: np.ndarray, beyond_v: np.ndarray) -> np.ndarray:
+    """Distance from the kerb, which is rounded at the corners; 0 or less on the carriageway."""
+    kerb = np.minimum(beyond_u, beyond_v)
+    corner = (kerb > 0) & (np.maximum(beyond_u, beyond_v) < KERB_RADIUS)
+    return np.where(corner, KERB_RADIUS - np.hypot(KERB_RADIUS - beyond_u, KERB_RADIUS - beyond_v), kerb)

@@ -136,6 +136,7 @@ class FaceGrid:
     def __init__(self, faces: Faces, cell: float = CELL):
         self.faces, self.cell = faces, cell
         self.z_low, self.z_high = faces.corners[..., 2].min(axis=1), faces.corners[..., 2].max(axis=1)
+        self.plane = np.column_stack([faces.normal, faces.offset])
         self.inward = _edge_planes(faces)
         low, high = faces.corners[..., :2].min(axis=1), faces.corners[..., :2].max(axis=1)
         self.corner = low.min(axis=0) - cell / 2
@@ -147,27 +148,28 @@ class FaceGrid:
         self.count = np.bincount(cells, minlength=count)
         self.first = np.concatenate([[0], np.cumsum(self.count)[:-1]])
         self.cell_low, self.cell_high = np.full(count, np.inf), np.full(count, -np.inf)
-        np.minimum.at(self.cell_low, cells, self.z_low[face])
-        np.maximum.at(self.cell_high, cells, self.z_high[face])
+        np.minimum.at(self.cell_low, cells, self.z_low[face] - _HAIR)
+        np.maximum.at(self.cell_high, cells, self.z_high[face] + _HAIR)
 
     def walk(self, origin: np.ndarray, direction: np.ndarray, best: np.ndarray) -> np.ndarray:
         """Number of the nearest face within `best` (n,) of each ray, -1 for none; `best` becomes its distance."""
         found = np.full(len(direction), -1, np.int32)
         start, end = self._span(origin, direction, best)
         rays = np.flatnonzero(start < end)
-        walk = _Walk(self, origin[rays], direction[rays], start[rays])
+        walk = _Walk(self, origin[rays], direction[rays], start[rays], end[rays])
+        beams = np.concatenate([origin, direction], axis=1)
         while len(rays):
-            leave = np.minimum(walk.next.min(axis=1), end[rays])
-            z_in, z_out = (origin[rays, 2] + t * direction[rays, 2] for t in (walk.at, leave))
-            low, high = np.minimum(z_in, z_out), np.maximum(z_in, z_out)
-            number = walk.number
-            busy = np.flatnonzero((low <= self.cell_high[number] + _HAIR) & (high >= self.cell_low[number] - _HAIR))
+            leave = np.minimum(np.minimum(walk.next_x, walk.next_y), walk.end)
+            z_in, z_out = walk.z + walk.at * walk.rise, walk.z + leave * walk.rise
+            number = walk.column * self.shape[1] + walk.row
+            busy = np.flatnonzero((np.minimum(z_in, z_out) <= self.cell_high[number])
+                                  & (np.maximum(z_in, z_out) >= self.cell_low[number]))
             if len(busy):
-                self._meet(number[busy], rays[busy], walk.at[busy], leave[busy], origin, direction, best, found)
-            go = (leave < end[rays]) & (best[rays] > leave) & walk.step()
-            if not go.all():
-                rays = rays[go]
-                walk.keep(go)
+                self._meet(number[busy], rays[busy], walk.at[busy], leave[busy], beams, best, found)
+            go = np.flatnonzero((leave < walk.end) & (best[rays] > leave))
+            rays = rays[go]
+            walk.keep(go)
+            walk.step()
         return found
 
     def _span(self, origin, direction, best) -> tuple[np.ndarray, np.ndarray]:
@@ -178,20 +180,21 @@ class FaceGrid:
         start, end = np.maximum(a.max(axis=1), 0.0), np.minimum(b.min(axis=1), best)
         return start, end
 
-    def _meet(self, cells, rays, t_in, t_out, origin, direction, best, found) -> None:
+    def _meet(self, cells, rays, t_in, t_out, beams, best, found) -> None:
         """Meet the faces of one cell for each ray."""
         count = self.count[cells]
         pair = np.repeat(np.arange(len(cells)), count)
-        place = np.arange(len(pair)) - np.repeat(np.cumsum(count) - count, count)
-        face, ray = self.face[self.first[cells][pair] + place], rays[pair]
-        normal, aim, foot = self.faces.normal[face], direction[ray], origin[ray]
-        slant = np.einsum("ij,ij->i", normal, aim)
+        place = np.arange(len(pair)) + np.repeat(self.first[cells] - np.cumsum(count) + count, count)
+        face, ray = self.face[place], rays[pair]
+        plane, beam = np.take(self.plane, face, axis=0), np.take(beams, ray, axis=0)
+        slant = plane[:, 0] * beam[:, 3] + plane[:, 1] * beam[:, 4] + plane[:, 2] * beam[:, 5]
+        gap = plane[:, 3] - plane[:, 0] * beam[:, 0] - plane[:, 1] * beam[:, 1] - plane[:, 2] * beam[:, 2]
         with np.errstate(divide="ignore", invalid="ignore"):
-            distance = (self.faces.offset[face] - np.einsum("ij,ij->i", normal, foot)) / slant
+            distance = gap / slant
         near = np.flatnonzero((distance >= t_in[pair] - _HAIR) & (distance <= t_out[pair] + _HAIR)
                               & (distance < best[ray]) & (distance > _HAIR))
         face, ray, distance = face[near], ray[near], distance[near]
-        point = origin[ray] + distance[:, None] * direction[ray]
+        point = beam[near, :3] + distance[:, None] * beam[near, 3:]
         inward = self.inward[face]
         inside = (np.einsum("nij,nj->ni", inward[..., :3], point) >= inward[..., 3] - _HAIR).all(axis=1)
         face, ray, distance = face[inside], ray[inside], distance[inside]
@@ -201,37 +204,44 @@ class FaceGrid:
 
 
 class _Walk:
-    """Rays on their way from cell to cell of a grid: where each is, and how far the borders ahead are."""
+    """Rays on their way from cell to cell of a grid: where each is, and how far the borders ahead are.
 
-    def __init__(self, grid: FaceGrid, origin: np.ndarray, direction: np.ndarray, start: np.ndarray):
-        place = (origin[:, :2] + start[:, None] * direction[:, :2] - grid.corner) / grid.cell
-        self.shape = grid.shape
-        self.cells = np.clip(np.floor(place).astype(np.intp), 0, self.shape - 1)
-        self.sign = np.where(direction[:, :2] > 0, 1, -1)
-        with np.errstate(divide="ignore"):
-            self.each = np.abs(grid.cell / direction[:, :2])
-        border = np.where(self.sign > 0, self.cells + 1 - place, place - self.cells)
-        self.next = np.where(np.isfinite(self.each), start[:, None] + np.where(border > 0, border, 0.0) * np.where(
-            np.isfinite(self.each), self.each, 0.0), np.inf)
-        self.at = start.copy()
+    The grid is wider than the stretches (`start` to `end`) of the rays, so that no ray leaves it.
+    """
 
-    @property
-    def number(self) -> np.ndarray:
-        """Number of the cell that each ray is in."""
-        return self.cells[:, 0] * self.shape[1] + self.cells[:, 1]
+    def __init__(self, grid: FaceGrid, origin: np.ndarray, direction: np.ndarray, start: np.ndarray, end: np.ndarray):
+        self.at, self.end = start.copy(), end
+        self.z, self.rise = origin[:, 2].copy(), direction[:, 2].copy()
+        self.column, self.sign_x, self.each_x, self.next_x = self._axis(grid, origin, direction, start, 0)
+        self.row, self.sign_y, self.each_y, self.next_y = self._axis(grid, origin, direction, start, 1)
 
-    def step(self) -> np.ndarray:
-        """Go into the next cell; False where that is off the grid."""
-        rows, axis = np.arange(len(self.at)), (self.next[:, 1] < self.next[:, 0]).astype(np.intp)
-        self.at = self.next[rows, axis]
-        self.cells[rows, axis] += self.sign[rows, axis]
-        self.next[rows, axis] += self.each[rows, axis]
-        return ((self.cells >= 0) & (self.cells < self.shape)).all(axis=1)
+    @staticmethod
+    def _axis(grid: FaceGrid, origin, direction, start, axis: int) -> tuple[np.ndarray, ...]:
+        """Cell, direction, distance between borders and distance of the next border along one axis."""
+        aim = direction[:, axis]
+        place = (origin[:, axis] + start * aim - grid.corner[axis]) / grid.cell
+        cell = np.clip(np.floor(place).astype(np.intp), 0, grid.shape[axis] - 1)
+        ahead = np.maximum(np.where(aim > 0, cell + 1 - place, place - cell), 0.0)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            each = grid.cell / np.abs(aim)
+            border = np.where(aim == 0, np.inf, start + ahead * each)
+        return cell, np.where(aim > 0, 1, -1), each, border
+
+    def step(self) -> None:
+        """Go into the next cell."""
+        along_x = self.next_x <= self.next_y
+        along_y = ~along_x
+        self.at = np.where(along_x, self.next_x, self.next_y)
+        self.column += self.sign_x * along_x
+        self.row += self.sign_y * along_y
+        np.add(self.next_x, self.each_x, out=self.next_x, where=along_x)
+        np.add(self.next_y, self.each_y, out=self.next_y, where=along_y)
 
     def keep(self, rays: np.ndarray) -> None:
         """Go on with some of the rays."""
-        for name in ("cells", "sign", "each", "next", "at"):
-            setattr(self, name, getattr(self, name)[rays])
+        if len(rays) < len(self.at):
+            for name, column in vars(self).items():
+                setattr(self, name, column[rays])
 
 
 def _edge_planes(faces: Faces) -> np.ndarray:
@@ -308,15 +318,19 @@ def _meet_vehicle(vehicle: Vehicle, ground, origin, direction, time, best) -> tu
 def _meet_crowns(crowns: Crowns, origin, direction, leaf, best) -> Iterator[tuple]:
     """(number, (rays, distance)) of crowns that are met nearer than `best`, one after another."""
     reach = _plan_reach(origin, direction, best)
+    (east, north), (east_aim, north_aim) = origin.T[:2].copy(), direction.T[:2].copy()
+    level = np.hypot(east_aim, north_aim) + _HAIR
     for number, (centre, radii, path) in enumerate(zip(crowns.centre, crowns.radii, crowns.free_path)):
         if ((centre[:2] + radii[:2] < reach[0]) | (centre[:2] - radii[:2] > reach[1])).any():
             continue
-        foot, aim = (origin - centre) / radii, direction / radii
+        across = (centre[0] - east) * north_aim - (centre[1] - north) * east_aim
+        rays = np.flatnonzero(np.abs(across) <= radii[0] * level)
+        foot, aim = (origin[rays] - centre) / radii, direction[rays] / radii
         a, b = np.einsum("ij,ij->i", aim, aim), np.einsum("ij,ij->i", foot, aim)
         root = b * b - a * (np.einsum("ij,ij->i", foot, foot) - 1.0)
-        rays = np.flatnonzero(root > 0)
-        half = np.sqrt(root[rays])
-        enter, leave = (-b[rays] - half) / a[rays], (-b[rays] + half) / a[rays]
+        through = root > 0
+        rays, a, b, half = rays[through], a[through], b[through], np.sqrt(root[through])
+        enter, leave = (-b - half) / a, (-b + half) / a
         distance = np.maximum(enter, 0.0) + leaf[rays] * path
         hit = (distance < leave) & (distance < best[rays])
         yield number, (rays[hit], distance[hit])
