@@ -102,7 +102,7 @@ def footprints_of(table: VectorTable, progress: Progress = SILENT):
     """
     import numpy as np
 
-    from ..urbanmap_qgis.buildings.footprint import Footprints, clean_footprints
+    from ..urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
 
     ids = column(table, BUILDING_ID)
     footprints = clean_footprints(table.geometries, None if ids is None else np.array(ids, dtype=object))

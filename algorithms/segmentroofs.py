@@ -67,8 +67,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ..urbanmap_qgis.buildings.roof_levels import RoofParameters
         from ..urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
+        from ..urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 
         progress = self.progress(feedback)
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)

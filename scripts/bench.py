@@ -24,11 +24,11 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
-from urbanmap_qgis.buildings.footprint import Footprints, clean_footprints  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models, roof_cells, wall_rectangles  # noqa: E402
+from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints  # noqa: E402
 from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons  # noqa: E402
-from urbanmap_qgis.buildings.roof_levels import RoofParameters  # noqa: E402
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
+from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters  # noqa: E402
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings  # noqa: E402
 from urbanmap_qgis.io.pointcloud import open_cloud, read_all  # noqa: E402
 from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402

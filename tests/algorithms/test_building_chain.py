@@ -11,7 +11,7 @@ import pytest
 import shapely
 import shapely.affinity
 
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.io.cityjson import read_cityjson
 
 EAST, NORTH = -7000.0, -35000.0

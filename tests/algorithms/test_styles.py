@@ -7,7 +7,9 @@ from xml.etree import ElementTree
 
 import pytest
 
-from urbanmap_qgis.buildings import displacement, model_stage, solid
+from urbanmap_qgis.buildings import model_stage
+from urbanmap_qgis.buildings.outlines import displacement
+from urbanmap_qgis.geometry import solid
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 STATUS = [model_stage.OK, model_stage.GROUND_UNKNOWN, model_stage.SIMPLIFIED, model_stage.BLOCK]

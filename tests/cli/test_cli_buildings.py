@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.io.cityjson import read_cityjson
 from urbanmap_qgis.io.pointcloud import open_cloud, read_all
 

@@ -6,7 +6,7 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from urbanmap_qgis.buildings.alpha_shape import alpha_shape, default_alpha, signed_area
+from urbanmap_qgis.buildings.polygons.alpha_shape import alpha_shape, default_alpha, signed_area
 from urbanmap_qgis.errors import InputError
 
 

@@ -17,7 +17,7 @@ RUN = """
 import json, re, sys
 import numpy as np, shapely
 from urbanmap_qgis.buildings import segmentation
-from urbanmap_qgis.buildings.footprint import clean_footprints
+from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.io import pointcloud
 from urbanmap_qgis.io.point_buckets import PointBuckets

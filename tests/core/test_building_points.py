@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.building_points import iter_building_blocks, require_dimension
-from urbanmap_qgis.buildings.footprint import clean_footprints
+from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.point_assignment import PlanIndex, assign_points
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.execution import in_order

@@ -8,7 +8,6 @@ import shapely
 
 from urbanmap_qgis.buildings import segmentation
 from urbanmap_qgis.buildings.base_height import outline_ground
-from urbanmap_qgis.buildings.footprint import Footprints, clean_footprints
 from urbanmap_qgis.buildings.model_stage import (
     BLOCK,
     GROUND_UNKNOWN,
@@ -20,10 +19,11 @@ from urbanmap_qgis.buildings.model_stage import (
     roof_cells,
 )
 from urbanmap_qgis.buildings.model_table import COLUMNS, model_columns, write_model_report
+from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
 from urbanmap_qgis.buildings.polygon_stage import BLOCK_STATUS, PolygonParameters, cloud_roof_polygons
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.pointcloud import open_cloud, read_all

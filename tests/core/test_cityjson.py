@@ -7,9 +7,9 @@ import pytest
 import shapely
 from shapely import box
 
-from urbanmap_qgis.buildings.plan_partition import partition_plan
-from urbanmap_qgis.buildings.solid import building_solids
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
+from urbanmap_qgis.buildings.solids.solid import building_solids
+from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError, OutputError
 from urbanmap_qgis.io import cityjson
 from urbanmap_qgis.io.cityjson import CityBuilding, read_cityjson, write_cityjson

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.courtyards import with_courtyards
+from urbanmap_qgis.buildings.outlines.courtyards import with_courtyards
 
 BLOCK = shapely.box(0, 0, 24, 24)
 COURT = shapely.box(8, 6, 17, 16)

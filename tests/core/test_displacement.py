@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.displacement import estimate_displacements, moved
-from urbanmap_qgis.buildings.displacement_boundary import edges_of, pieces_of, row_sums, sums_inside
-from urbanmap_qgis.buildings.displacement_pairs import MASK_CELL, fit_tables, overlap_tables, walls_between
+from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, moved
+from urbanmap_qgis.buildings.outlines.displacement_boundary import edges_of, pieces_of, row_sums, sums_inside
+from urbanmap_qgis.buildings.outlines.displacement_pairs import MASK_CELL, fit_tables, overlap_tables, walls_between
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -126,10 +126,10 @@ def test_pieces_of_work_do_not_matter(monkeypatch):
     truth = terrace()
     polygons, evidence = shifted(truth, random_shifts(len(truth), 1.5, seed=8)), evidence_of(truth)
     whole = found(estimate_displacements(polygons, evidence, GRID))
-    monkeypatch.setattr("urbanmap_qgis.buildings.displacement_search.PAIRS_AT_ONCE", 3)
-    monkeypatch.setattr("urbanmap_qgis.buildings.displacement_pairs.PAIRS_AT_ONCE", 2)
-    monkeypatch.setattr("urbanmap_qgis.buildings.displacement_boundary.LOOKUPS", 1000)
-    monkeypatch.setattr("urbanmap_qgis.buildings.displacement.OUTLINES_AT_ONCE", 1)
+    monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_search.PAIRS_AT_ONCE", 3)
+    monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_pairs.PAIRS_AT_ONCE", 2)
+    monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement_boundary.LOOKUPS", 1000)
+    monkeypatch.setattr("urbanmap_qgis.buildings.outlines.displacement.OUTLINES_AT_ONCE", 1)
     assert np.array_equal(found(estimate_displacements(polygons, evidence, GRID)), whole)
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from urbanmap_qgis.buildings.evidence import EvidenceAccumulator, evidence_cell
+from urbanmap_qgis.buildings.outlines.evidence import EvidenceAccumulator, evidence_cell
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from urbanmap_qgis.buildings.height_histogram import (
+from urbanmap_qgis.buildings.roofs.height_histogram import (
     height_histogram,
     height_peaks,
     minimum_points,

@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.geometry.polygon import orient
 
-from urbanmap_qgis.buildings.hough_lines import fit_line, hough_lines
+from urbanmap_qgis.buildings.polygons.hough_lines import fit_line, hough_lines
 from urbanmap_qgis.errors import InputError
 
 

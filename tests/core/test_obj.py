@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from shapely import box
 
-from urbanmap_qgis.buildings.plan_partition import partition_plan
-from urbanmap_qgis.buildings.solid import building_solids
+from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
+from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import volume
 from urbanmap_qgis.io.cityjson import CityBuilding

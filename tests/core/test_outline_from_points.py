@@ -5,7 +5,7 @@ import pytest
 import shapely
 from shapely.affinity import rotate
 
-from urbanmap_qgis.buildings.outline_from_points import OutlineParameters, outline_from_points
+from urbanmap_qgis.buildings.polygons.outline_from_points import OutlineParameters, outline_from_points
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 
 

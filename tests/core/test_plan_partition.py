@@ -5,8 +5,8 @@ import pytest
 import shapely
 from shapely import affinity, box
 
-from urbanmap_qgis.buildings.half_edges import half_edges
-from urbanmap_qgis.buildings.plan_partition import partition_plan
+from urbanmap_qgis.buildings.solids.half_edges import half_edges
+from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from urbanmap_qgis.buildings.radius_outliers import EXPECTED_NEIGHBOURS, default_radius, remove_radius_outliers
+from urbanmap_qgis.buildings.polygons.radius_outliers import EXPECTED_NEIGHBOURS, default_radius, remove_radius_outliers
 from urbanmap_qgis.errors import InputError
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from shapely.affinity import rotate
 from shapely.geometry.polygon import orient
 
-from urbanmap_qgis.buildings.regularisation import main_directions, regularise_ring
+from urbanmap_qgis.buildings.polygons.regularisation import main_directions, regularise_ring
 from urbanmap_qgis.errors import InputError
 
 FAR = np.array([3e5, 4e6])

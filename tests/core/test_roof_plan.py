@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.affinity import rotate, translate
 
-from urbanmap_qgis.buildings.roof_plan import PartitionParameters, partition_roofs
+from urbanmap_qgis.buildings.polygons.roof_plan import PartitionParameters, partition_roofs
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 

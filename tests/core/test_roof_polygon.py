@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from shapely.affinity import rotate
 
-from urbanmap_qgis.buildings.hough_lines import BoundaryLine
-from urbanmap_qgis.buildings.roof_polygon import paper_roof_polygons, roof_polygon
+from urbanmap_qgis.buildings.polygons.hough_lines import BoundaryLine
+from urbanmap_qgis.buildings.polygons.roof_polygon import paper_roof_polygons, roof_polygon
 from urbanmap_qgis.errors import InputError
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.roof_segmentation import (
+from urbanmap_qgis.buildings.roofs.roof_segmentation import (
     DEFAULTS,
     FEW_POINTS,
     NO_POINTS,

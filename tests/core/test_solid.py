@@ -5,9 +5,9 @@ import pytest
 import shapely
 from shapely import affinity, box
 
-from urbanmap_qgis.buildings.plan_partition import Cell, partition_plan
-from urbanmap_qgis.buildings.solid import building_solids
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.plan_partition import Cell, partition_plan
+from urbanmap_qgis.buildings.solids.solid import building_solids
+from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import multipolygon, surfaces, volume
 

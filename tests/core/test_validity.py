@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from urbanmap_qgis.buildings.validity import NAMES, check_solid
+from urbanmap_qgis.buildings.solids.validity import NAMES, check_solid
 from urbanmap_qgis.errors import InputError
 
 

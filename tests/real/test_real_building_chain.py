@@ -9,7 +9,7 @@ pytest.importorskip("osgeo.ogr", reason="GDAL's Python module, which reads the o
 
 from scripts.bench import DATA, DELFT, Delft, chain, outlines_of
 from urbanmap_qgis.buildings.model_stage import NOT_MODELLED
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.validity import check_solid
 
 pytestmark = pytest.mark.skipif(not DATA.is_dir(), reason="the real test data are not beside the checkout")
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from urbanmap_qgis.buildings.validity import check_solid
+from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.io.cityjson import read_cityjson
 
 MODELS = (Path(__file__).resolve().parents[2].parent / "shared" / "data" / "als" / "delft_west"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.displacement import estimate_displacements, moved
-from urbanmap_qgis.buildings.evidence import EvidenceAccumulator, evidence_cell
+from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, moved
+from urbanmap_qgis.buildings.outlines.evidence import EvidenceAccumulator, evidence_cell
 from urbanmap_qgis.geometry.grid import Grid
 
 laspy = pytest.importorskip("laspy")

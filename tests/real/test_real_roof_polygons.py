@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.outline_from_points import outline_from_points
-from urbanmap_qgis.buildings.roof_plan import partition_roofs
-from urbanmap_qgis.buildings.roof_polygon import paper_roof_polygons
+from urbanmap_qgis.buildings.polygons.outline_from_points import outline_from_points
+from urbanmap_qgis.buildings.polygons.roof_plan import partition_roofs
+from urbanmap_qgis.buildings.polygons.roof_polygon import paper_roof_polygons
 from urbanmap_qgis.geometry.grid import Grid
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.roof_segmentation import NO_POINTS, segment_roofs
+from urbanmap_qgis.buildings.roofs.roof_segmentation import NO_POINTS, segment_roofs
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data" / "als" / "delft_west"
 

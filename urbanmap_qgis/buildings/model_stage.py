@@ -16,11 +16,11 @@ from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid, surfac
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
-from .footprint import Footprints
-from .plan_partition import partition_plan
+from .outlines.footprint import Footprints
 from .quality import ModelFit, RoofCell, model_fit
-from .solid import building_solids
-from .validity import check_solid
+from .solids.plan_partition import partition_plan
+from .solids.solid import building_solids
+from .solids.validity import check_solid
 
 STOREY = 2.5
 """Height (m) given to a building whose ground is not known, below its lowest roof."""

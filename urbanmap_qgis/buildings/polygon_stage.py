@@ -15,10 +15,10 @@ from ..geometry.grid import Grid
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
-from .footprint import Footprints
-from .outline_from_points import outline_from_points
-from .roof_plan import partition_roofs
-from .roof_polygon import paper_roof_polygons
+from .outlines.footprint import Footprints
+from .polygons.outline_from_points import outline_from_points
+from .polygons.roof_plan import partition_roofs
+from .polygons.roof_polygon import paper_roof_polygons
 
 SEGMENT_ROOFS = "Segment roofs"
 

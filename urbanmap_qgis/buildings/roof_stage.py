@@ -14,9 +14,9 @@ from ..execution import in_order
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
-from .footprint import Footprints
-from .roof_levels import RoofParameters
-from .roof_segmentation import RoofSegmentation, segment_roofs
+from .outlines.footprint import Footprints
+from .roofs.roof_levels import RoofParameters
+from .roofs.roof_segmentation import RoofSegmentation, segment_roofs
 
 SEGMENT_BUILDINGS = "Segment buildings"
 

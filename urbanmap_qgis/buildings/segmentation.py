@@ -27,10 +27,10 @@ from ..progress import SILENT, Progress
 from ..terrain.surface import ground_raster
 from .base_height import outline_ground
 from .building_points import coordinates
-from .courtyards import with_courtyards
-from .displacement import estimate_displacements, moved
-from .evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
-from .footprint import Footprints
+from .outlines.courtyards import with_courtyards
+from .outlines.displacement import estimate_displacements, moved
+from .outlines.evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
+from .outlines.footprint import Footprints
 from .point_assignment import Assignment, assign_points
 
 TILE_POINTS = 3_000_000

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
-from ..errors import InputError, InsufficientDataError
+from ...errors import InputError, InsufficientDataError
 from .alpha_shape import alpha_shape, default_alpha
 from .radius_outliers import default_radius, remove_radius_outliers
 from .regularisation import RegularisationParameters, regularise_ring

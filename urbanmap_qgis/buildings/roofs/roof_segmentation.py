@@ -10,8 +10,8 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from ..errors import InputError
-from ..geometry.grid import Grid
+from ...errors import InputError
+from ...geometry.grid import Grid
 from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
 from .roof_surface import RoofSurface, roof_surface
 

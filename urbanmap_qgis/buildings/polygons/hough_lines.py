@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..errors import InputError
+from ...errors import InputError
 
 ANGLE_STEP = 1.0
 """Degrees between the directions of the accumulator; the line found is then fitted to its points."""

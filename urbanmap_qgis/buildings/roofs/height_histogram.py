@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..errors import InputError
+from ...errors import InputError
 
 BIN_WIDTH = 0.5
 """Width of a histogram bin, m (J 5.3.2)."""

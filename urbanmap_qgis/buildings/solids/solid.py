@@ -7,8 +7,8 @@ from collections.abc import Hashable, Iterable, Sequence
 import numpy as np
 import shapely
 
-from ..errors import InputError
-from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Face, Solid
+from ...errors import InputError
+from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Face, Solid
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from .manifold import Mending, mend_plan
 from .plan_partition import Cell

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..geometry.grid import Grid
+from ...geometry.grid import Grid
 
 FINE_PIECE, COARSE_PIECE = 0.1, 0.25  # m, longest piece of boundary taken as lying in one row of cells
 LOOKUPS = 2_000_000  # raster lookups at a time: bounds the memory

@@ -10,8 +10,8 @@ from scipy import ndimage
 from shapely.affinity import translate
 from skimage import measure
 
-from ..errors import InputError
-from ..geometry.grid import Grid
+from ...errors import InputError
+from ...geometry.grid import Grid
 from .partition_lines import MAX_WALL_LINES, Cracks, RoofPoints, candidate_lines, find_cracks, with_enclosing_lines
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve

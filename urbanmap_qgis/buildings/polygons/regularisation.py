@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from shapely.geometry.polygon import orient
 
-from ..errors import InputError
+from ...errors import InputError
 from .hough_lines import fit_line
 
 PARALLEL = np.sin(np.radians(3.0))

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from ..geometry.grid import Grid
+from ...geometry.grid import Grid
 from .displacement_boundary import Edges, Pieces, sums_inside
 from .displacement_pairs import MASK_CELL, Walls, fit_tables
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..errors import InputError
+from ...errors import InputError
 
 GRID_SIZE = 0.001
 """Outlines are snapped to this grid (m), so that all later steps see the same coordinates."""

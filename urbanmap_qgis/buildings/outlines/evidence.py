@@ -11,8 +11,8 @@ import math
 import numpy as np
 from scipy.ndimage import minimum_filter, uniform_filter
 
-from ..errors import InputError
-from ..geometry.grid import Grid
+from ...errors import InputError
+from ...geometry.grid import Grid
 
 BUILDING_CLASS = 6
 GROUND_CLASSES = (2, 9, 11)  # ground, water, road surface (ASPRS)

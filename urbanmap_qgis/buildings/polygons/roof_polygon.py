@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from shapely.geometry import Polygon
 
-from ..errors import InputError
+from ...errors import InputError
 from .alpha_shape import alpha_shape, default_alpha
 from .hough_lines import BoundaryLine, hough_lines
 from .radius_outliers import MIN_NEIGHBOURS, default_radius, remove_radius_outliers

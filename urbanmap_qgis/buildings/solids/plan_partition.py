@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..errors import InputError, InsufficientDataError
+from ...errors import InputError, InsufficientDataError
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 
 _GAP = -1

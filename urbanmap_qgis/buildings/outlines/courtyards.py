@@ -12,10 +12,10 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from ..errors import InsufficientDataError
-from ..geometry.grid import Grid
-from .outline_from_points import outline_from_points
-from .point_assignment import PlanIndex
+from ...errors import InsufficientDataError
+from ...geometry.grid import Grid
+from ..point_assignment import PlanIndex
+from ..polygons.outline_from_points import outline_from_points
 
 LEAST_AREA = 16.0
 """Area (m2) of the smallest courtyard."""

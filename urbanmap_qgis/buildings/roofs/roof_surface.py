@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 import shapely
 
-from ..geometry.grid import Grid
+from ...geometry.grid import Grid
 
 POINTS_PER_CELL = 1.0
 """Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring cells."""

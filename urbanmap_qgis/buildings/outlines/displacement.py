@@ -14,9 +14,9 @@ import shapely
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from ..errors import InputError
-from ..geometry.grid import Grid
-from ..progress import SILENT, Progress
+from ...errors import InputError
+from ...geometry.grid import Grid
+from ...progress import SILENT, Progress
 from .displacement_adjust import adjusted, snapped
 from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums
 from .displacement_pairs import neighbours, overlap_tables, walls_between

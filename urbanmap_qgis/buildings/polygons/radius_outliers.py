@@ -7,7 +7,7 @@ import math
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ..errors import InputError
+from ...errors import InputError
 
 EXPECTED_NEIGHBOURS = 16
 """Neighbours that the default radius holds on average inside a roof."""

@@ -1,0 +1,1 @@
+"""Official outlines: made usable, moved to their points, courtyards cut out (J 5.3.1)."""

@@ -1,0 +1,1 @@
+"""Closed solids from roof polygons, and their checks (J 5.3.4)."""
