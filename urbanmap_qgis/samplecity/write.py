@@ -45,11 +45,11 @@ class Sensor:
 
 # The longest first, so that two workers end at about the same time.
 SENSORS = {
-    "mms": Sensor(write_mms, 102, 0.50, "Mobile surveys"),
-    "aerial": Sensor(write_aerial, 101, 0.18, "Aerial frames and orthophoto"),
-    "lines": Sensor(write_lines, 103, 0.20, "Line scanners and line cameras"),
-    "gnss": Sensor(write_gnss, 104, 0.08, "GNSS observations"),
-    "als": Sensor(write_als, 105, 0.03, "Airborne laser scanning"),
+    "aerial": Sensor(write_aerial, 101, 0.45, "Aerial frames and orthophoto"),
+    "mms": Sensor(write_mms, 102, 0.30, "Mobile surveys"),
+    "lines": Sensor(write_lines, 103, 0.13, "Line scanners and line cameras"),
+    "gnss": Sensor(write_gnss, 104, 0.07, "GNSS observations"),
+    "als": Sensor(write_als, 105, 0.04, "Airborne laser scanning"),
     "footprints": Sensor(write_outlines, 106, 0.01, "Official outlines"),
 }
 
@@ -164,7 +164,7 @@ def _measure_together(work: Path, world: tuple, progress: Progress, executor: Ex
 def _write_summary(work: Path, summary: dict, size: float, scene: str, seed: int) -> None:
     text = CONTENTS.format(scene=scene, seed=seed, size=size, crs=CRS)
     (work / "README.txt").write_bytes(text.encode("utf-8"))
-    facts = {"size": size, "scene": scene, "seed": seed, "crs": CRS, **summary}
+    facts = {"size": float(size), "scene": scene, "seed": seed, "crs": CRS, **summary}
     (work / "truth" / "summary.json").write_bytes(json.dumps(facts, indent=1, ensure_ascii=False).encode("utf-8"))
     of = summary["footprints"]["building_of"]
     (work / "truth" / "gsi_to_building.json").write_bytes(json.dumps(of, indent=1).encode("utf-8"))
