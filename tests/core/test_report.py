@@ -1,5 +1,6 @@
 """HTML reports and their drawings."""
 
+import base64
 import re
 import xml.etree.ElementTree as ElementTree
 
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.errors import OutputError
+from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.io.report import Report
 from urbanmap_qgis.io.svg import RAMP, UNKNOWN, bars, plan_map
 
@@ -24,6 +25,20 @@ def test_page_escapes_text_and_formats_numbers(tmp_path):
     assert "lengths (1 without a value)" in page
     with pytest.raises(OutputError):
         report.write(tmp_path / "no" / "r.html")
+
+
+def test_page_holds_its_pictures(tmp_path):
+    data = b"\x89PNG\r\n\x1a\n" + bytes(range(256))
+    (tmp_path / "p.png").write_bytes(data)
+    (tmp_path / "p.txt").write_text("no picture")
+    report = Report("pictures")
+    report.picture(tmp_path / "p.png", "a < b")
+    with pytest.raises(InputError, match="PNG or JPEG"):
+        report.picture(tmp_path / "p.txt", "text")
+    report.write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    (kept,) = re.findall(r'src="data:image/png;base64,([^"]+)"', page)
+    assert base64.b64decode(kept) == data and "<figcaption>a &lt; b</figcaption>" in page
 
 
 def test_bars_are_as_tall_as_their_counts():

@@ -1,14 +1,17 @@
-"""Self-contained HTML reports: text, tables and simple charts in one file."""
+"""Self-contained HTML reports: text, tables, simple charts and pictures in one file."""
 
 from __future__ import annotations
 
+import base64
 import html
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 
+from ..errors import InputError
 from .atomic import written_beside
 from .svg import bars
 
@@ -23,8 +26,12 @@ th { background: #eef4f7; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 p.warning { background: #fff4e0; border-left: 4px solid #e09a2b; padding: .6em 1em; }
 figure { margin: 1em 0; display: inline-block; }
+figure img { max-width: 100%; }
 figcaption { font-size: .9em; color: #555; }
 """.strip()
+
+_PICTURES = ((b"\x89PNG\r\n\x1a\n", "image/png"), (b"\xff\xd8\xff", "image/jpeg"))
+"""How picture files begin, and their media types."""
 
 Cell = object
 
@@ -89,6 +96,21 @@ class Report:
     def figure(self, svg: str, caption: str) -> None:
         """Add a picture given as SVG."""
         self._parts.append(f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>")
+
+    def picture(self, path: str | os.PathLike, caption: str) -> None:
+        """Add a picture from a PNG or JPEG file; the page holds the picture itself.
+
+        Raises
+        ------
+        InputError : the file is no PNG or JPEG.
+        """
+        data = Path(path).read_bytes()
+        media = next((media for start, media in _PICTURES if data.startswith(start)), None)
+        if media is None:
+            raise InputError(f"{path} is no PNG or JPEG picture: a report can hold only these.")
+        text = html.escape(caption)
+        self._parts.append(f'<figure><img src="data:{media};base64,{base64.b64encode(data).decode("ascii")}" '
+                           f'alt="{text}"><figcaption>{text}</figcaption></figure>')
 
     def write(self, path: str | os.PathLike) -> None:
         """Write the page; it appears at `path` when it is whole.

@@ -1,0 +1,73 @@
+"""The demo's stages on the smallest sample city, through `qgis_process`, checked against the truth as the demo does."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from scripts import demo_checks
+from scripts.demo_stages import stages
+
+# Stage: what may be (figure begins with, lowest, greatest). Each bound is some times what is reached.
+SANE = {
+    "Sample city": [("mobile surveys as delivered, mean", 0.3, 2.0), ("the same, greatest", 0.5, 3.0)],
+    "Load GSI buildings": [("outlines loaded", 1, 1), ("greatest distance", 0, 0.002)],
+    "Surface and ground from ALS": [("ground outside", 0.001, 0.06), ("ground: share", 0.99, 1),
+                                    ("surface on", 0.005, 0.5)],
+    "Buildings from unclassified ALS": [("buildings modelled", 1, 1), ("true roofs", 0.97, 1),
+                                        ("height of flat", 0.0001, 0.1), ("height of gabled", 0.05, 0.8),
+                                        ("overlap", 0.88, 1)],
+}
+SANE["Buildings from classified ALS"] = SANE["Buildings from unclassified ALS"]
+
+
+@pytest.fixture(scope="module")
+def ran(run_algorithm, tmp_path_factory):
+    """Folder with the results of all stages, and the figures of each."""
+    folder = tmp_path_factory.mktemp("demo")
+    figures = {}
+    for stage in stages(60.0, 1):
+        done = run_algorithm(stage.algorithm, **stage.parameters_in(folder))
+        assert done.code == 0, done.err
+        figures[stage.title] = stage.check(folder)
+    return folder, figures
+
+
+def test_every_stage_is_close_to_the_truth(ran):
+    _, figures = ran
+    assert set(figures) == set(SANE), "give every stage of the demo its bounds here"
+    for title, found in figures.items():
+        for figure in found:
+            low, high = next((low, high) for start, low, high in SANE[title] if figure.what.startswith(start))
+            assert low <= figure.value <= high, f"{title}: {figure.what} is {figure.text}"
+
+
+def test_checks_find_what_is_wrong(ran, tmp_path):
+    """A surface lifted by 0.3 m and models of other buildings do not pass for right."""
+    from osgeo import gdal
+
+    folder, _ = ran
+    places = demo_checks.roof_places(folder / "city")
+    raster = demo_checks.read_raster(folder / "dsm.tif")
+    error = demo_checks.height_at(raster, places.x, places.y) - places.z
+    lifted = tmp_path / "lifted.tif"
+    gdal.GetDriverByName("GTiff").CreateCopy(str(lifted), gdal.Open(str(folder / "dsm.tif")))
+    source = gdal.Open(str(lifted), gdal.GA_Update)
+    source.GetRasterBand(1).WriteArray(source.GetRasterBand(1).ReadAsArray() + 0.3)
+    del source
+    other = demo_checks.height_at(demo_checks.read_raster(lifted), places.x, places.y) - places.z
+    assert np.nanmedian(other - error) == pytest.approx(0.3, abs=1e-4)
+    numbers = np.unique(places.building)
+    roof = {number: [shapely.force_3d(plan, 10.0)] for number, plan in
+            demo_checks.true_outlines(folder / "city").items() if number != numbers[0]}
+    heights = demo_checks.model_heights(roof, places)
+    own = places.building == numbers[0]
+    assert np.isnan(heights[own]).all() and (heights[~own] == 10.0).all()
+
+
+def test_gables_fall_from_the_ridge_to_the_eaves():
+    plan = shapely.transform(shapely.box(0, 0, 10, 6), lambda p: p @ np.array([[0.8, 0.6], [-0.6, 0.8]]) + [100, 200])
+    ridge, eaves = ([[2.0, 3.0], [9.0, 3.0]], [[5.0, 0.0], [5.0, 6.0], [5.0, 1.5]])
+    x, y = (np.array(ridge + eaves) @ np.array([[0.8, 0.6], [-0.6, 0.8]]) + [100, 200]).T
+    assert demo_checks.gable_height(plan, 5.0, 8.0, x, y) == pytest.approx([8, 8, 5, 5, 6.5])
