@@ -1,0 +1,73 @@
+"""Vehicles taken out by comparing views of the same ground."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from urbanmap_qgis.aerial.vehicles import darkest, nearest_nadir, pick, vote
+
+ROAD, PAINT, WHITE_CAR, BLACK_CAR = 80.0, 200.0, 250.0, 20.0
+
+
+@pytest.fixture
+def crossing():
+    """Four views of a road with a strip of paint; all see everything."""
+    road = np.full((4, 20, 30, 3), ROAD, np.float32)
+    road[:, :, 10:20] = PAINT
+    return road, np.ones((4, 20, 30), bool)
+
+
+def test_darkest_drops_a_light_vehicle_and_lets_a_dark_one_win(crossing):
+    views, seen = crossing
+    views[0, 5:9, 2:6], views[1, 5:9, 12:16] = WHITE_CAR, BLACK_CAR
+    image = pick(views, darkest(views, seen))
+    assert (image[5:9, 2:6] == ROAD).all()
+    assert (image[5:9, 12:16] == BLACK_CAR).all()
+
+
+def test_vote_drops_both(crossing):
+    views, seen = crossing
+    views[0, 5:9, 2:6], views[1, 5:9, 12:16] = WHITE_CAR, BLACK_CAR
+    image = pick(views, vote(views, seen, 255))
+    assert (image[5:9, 2:6] == ROAD).all()
+    assert (image[5:9, 12:16] == PAINT).all()
+
+
+def test_vote_of_two_views_is_the_darkest(crossing):
+    views, seen = crossing
+    views, seen = views[:2], seen[:2]
+    views[0, 5:9, 2:6], views[1, 5:9, 12:16] = WHITE_CAR, BLACK_CAR
+    np.testing.assert_array_equal(pick(views, vote(views, seen, 255)), pick(views, darkest(views, seen)))
+
+
+def test_vote_drops_vehicles_in_most_of_the_views(crossing):
+    views, seen = crossing
+    views[0, 8, 4], views[1, 8, 4] = 130.0, WHITE_CAR
+    assert (pick(views, vote(views, seen, 255, box=1))[8, 4] == ROAD).all()
+
+
+def test_what_is_not_seen_has_no_say(crossing):
+    views, seen = crossing
+    views[2], seen[2] = 0.0, False
+    seen[:, 0, 0] = False
+    for number in (darkest(views, seen), vote(views, seen, 255), nearest_nadir(views[..., 0], seen)):
+        assert number[0, 0] == -1 and not (number == 2).any()
+        assert (number[1:] >= 0).all()
+        assert (pick(views, number)[0, 0] == 0).all()
+
+
+@pytest.mark.parametrize("order", [(1, 0, 2, 3), (3, 2, 1, 0)])
+def test_the_order_of_views_does_not_matter(crossing, order):
+    views, seen = crossing
+    views += np.random.default_rng(1).normal(0, 3, views.shape).astype(np.float32)
+    seen &= np.random.default_rng(2).random(seen.shape) < 0.7
+    for choose in (darkest, lambda v, s: vote(v, s, 255)):
+        first = pick(views, choose(views, seen))
+        again = pick(views[list(order)], choose(views[list(order)], seen[list(order)]))
+        np.testing.assert_array_equal(first, again)
+
+
+def test_nearest_nadir():
+    tangents = np.array([[[0.1, 0.3]], [[0.2, 0.2]]], np.float32)
+    assert nearest_nadir(tangents, np.ones((2, 1, 2), bool)).tolist() == [[0, 1]]
