@@ -58,24 +58,27 @@ def test_the_model_has_the_chains_outputs(pair):
     assert have == wanted, REMEDY
 
 
-def test_every_parameter_is_used_by_a_step(pair):
-    from qgis.core import QgsProcessingModelChildParameterSource as Source
+def kinds_of_source():
+    """The enum of where a step's parameter comes from; it moved to `Qgis` in 3.34."""
+    from qgis.core import Qgis, QgsProcessingModelChildParameterSource
 
+    return getattr(Qgis, "ProcessingModelChildParameterSource", QgsProcessingModelChildParameterSource)
+
+
+def test_every_parameter_is_used_by_a_step(pair):
     model, _ = pair
     used = {source.parameterName() for child in model.childAlgorithms().values()
             for sources in child.parameterSources().values() for source in sources
-            if source.source() == Source.ModelParameter}
+            if source.source() == kinds_of_source().ModelParameter}
     assert used == {item.name() for item in model.parameterDefinitions() if not item.isDestination()}
 
 
 def test_fixed_values_are_the_steps_own_defaults(pair):
-    from qgis.core import QgsProcessingModelChildParameterSource as Source
-
     model, _ = pair
     for child in model.childAlgorithms().values():
         for name, sources in child.parameterSources().items():
             for source in sources:
-                if source.source() == Source.StaticValue:
+                if source.source() == kinds_of_source().StaticValue:
                     default = child.algorithm().parameterDefinition(name).defaultValue()
                     assert source.staticValue() == default, f"{child.childId()} {name}: {REMEDY}"
 
