@@ -229,10 +229,12 @@ def project(camera: Camera, pose: Pose, points: np.ndarray) -> tuple[np.ndarray,
 def _to_image(pose: Pose, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """dx / dz, dy / dz (NaN behind the camera) and whether the points lie in front."""
     points = np.asarray(points, dtype=np.float64)
-    d = (points - pose.centre) @ pose.rotation.T
-    in_front = d[..., 2] < -1e-6
-    depth = np.where(in_front, d[..., 2], np.nan)
-    return d[..., 0] / depth, d[..., 1] / depth, in_front
+    x, y, z = points[..., 0] - pose.x, points[..., 1] - pose.y, points[..., 2] - pose.z
+    # Not a matrix product, whose last digits depend on how many points come at once.
+    right, up, back = (axis[0] * x + axis[1] * y + axis[2] * z for axis in pose.rotation)
+    in_front = back < -1e-6
+    depth = np.where(in_front, back, np.nan)
+    return right / depth, up / depth, in_front
 
 
 def rays(camera: Camera, pose: Pose, column: np.ndarray, row: np.ndarray) -> np.ndarray:

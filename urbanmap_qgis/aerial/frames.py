@@ -1,0 +1,132 @@
+"""Aerial frames: image files with their poses, read by windows."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import rasterio
+from rasterio.errors import NotGeoreferencedWarning, RasterioError
+from rasterio.windows import Window
+
+from ..errors import InputError
+from ..io.raster import own_gdal
+from .camera import Camera, Pose
+
+_NAMED = 5
+
+
+@dataclass(frozen=True)
+class Frame:
+    """An image file and its exterior orientation."""
+
+    path: Path
+    pose: Pose
+
+
+def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[Pose]) -> list[Frame]:
+    """Frames in the order given, with their poses found by the file's name.
+
+    Names are compared without regard to case; a pose without a suffix (`0018`) stands for any image of that stem.
+
+    Parameters
+    ----------
+    images : image files, or folders, which stand for all images of `poses` and must hold each.
+
+    Raises
+    ------
+    InputError : an image has no pose, a folder lacks an image, or a file comes twice.
+    """
+    by_name = {Path(pose.image.replace("\\", "/")).name.casefold(): pose for pose in poses}
+    frames: list[Frame] = []
+    for given in map(Path, images):
+        if given.is_dir():
+            frames += _frames_of_folder(given, poses)
+            continue
+        pose = by_name.get(given.name.casefold()) or by_name.get(given.stem.casefold())
+        if pose is None:
+            raise InputError(f"The exterior orientation has no line for {given.name}: add it, or leave the frame out.")
+        frames.append(Frame(given, pose))
+    names = [frame.path.resolve() for frame in frames]
+    twice = next((path for k, path in enumerate(names) if path in names[:k]), None)
+    if twice:
+        raise InputError(f"The frame {twice.name} is given twice: name each once.")
+    return frames
+
+
+def _frames_of_folder(folder: Path, poses: Sequence[Pose]) -> list[Frame]:
+    """Frames of all poses, whose images must lie in the folder."""
+    files = [path for path in sorted(folder.iterdir()) if path.is_file()]
+    by_stem = {path.stem.casefold(): path for path in reversed(files)
+               if path.suffix.casefold() in (".tif", ".tiff", ".jpg", ".jpeg")}
+    by_name = {path.name.casefold(): path for path in files}
+    frames, missing = [], []
+    for pose in poses:
+        name = Path(pose.image.replace("\\", "/")).name.casefold()
+        path = by_name.get(name) or (None if Path(name).suffix else by_stem.get(name))
+        if path is None:
+            missing.append(pose.image)
+        else:
+            frames.append(Frame(path, pose))
+    if missing:
+        more = f" and {len(missing) - _NAMED} more" if len(missing) > _NAMED else ""
+        raise InputError(f"Images of the exterior orientation are not in {folder.name}: {', '.join(missing[:_NAMED])}"
+                         f"{more}; copy them there, or choose the frames one by one.")
+    return frames
+
+
+class FrameImage:
+    """The pixels of a frame, read by windows. Use as a context manager.
+
+    Attributes
+    ----------
+    bands : 1 (grey) or 3 and more (red, green, blue first).  width, height : pixels.
+    dtype : uint8 or uint16.
+
+    Raises
+    ------
+    InputError : the file is no image, its size is not the camera's, or it is neither 8 nor 16 bit.
+    """
+
+    def __init__(self, path: str | os.PathLike, camera: Camera):
+        self.path = Path(path)
+        try:
+            with own_gdal(), warnings.catch_warnings():
+                warnings.simplefilter("ignore", NotGeoreferencedWarning)
+                self._source = rasterio.open(self.path)
+        except (RasterioError, OSError) as error:
+            raise InputError(f"{self.path.name} cannot be read as an image: check the file.") from error
+        self.bands, self.width, self.height = self._source.count, self._source.width, self._source.height
+        self.dtype = np.dtype(self._source.dtypes[0])
+        problem = self._problem(camera)
+        if problem:
+            self._source.close()
+            raise InputError(problem)
+
+    def _problem(self, camera: Camera) -> str:
+        if (self.width, self.height) != (camera.width, camera.height):
+            return (f"{self.path.name} has {self.width} x {self.height} pixels but the camera {camera.width} x "
+                    f"{camera.height}: choose the camera file of these frames.")
+        if self.dtype not in (np.uint8, np.uint16):
+            return f"{self.path.name} holds {self.dtype.name} values: convert it to 8 or 16 bit."
+        return ""
+
+    def __enter__(self) -> FrameImage:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        self._source.close()
+
+    def read(self, rows: slice | None = None, columns: slice | None = None) -> np.ndarray:
+        """Values of a window, by default all: (bands, rows, columns)."""
+        rows, columns = rows or slice(0, self.height), columns or slice(0, self.width)
+        window = Window(columns.start, rows.start, columns.stop - columns.start, rows.stop - rows.start)
+        try:
+            with own_gdal():
+                return self._source.read(window=window)
+        except RasterioError as error:
+            raise InputError(f"{self.path.name} is damaged: {error}.") from error
