@@ -18,9 +18,10 @@ from scipy.ndimage import distance_transform_edt
 from ..errors import InputError, OutputError
 from ..geometry.grid import Grid
 from ..io.atomic import written_beside
-from ..io.raster import RasterSampler, own_gdal
+from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from .camera import Camera, Pose, project, rays
+from .raised_surface import RaisedSurface, cell_centres, feet
 from .silhouette import Sides, fill, surface_sides
 
 HIDDEN = 255
@@ -29,7 +30,30 @@ _STRIP_ROWS = 512
 _BLOCK = 256
 _PROBES = 64
 _DEEPER = 15.0
-_STANDING = 0.1
+_STANDING_HEIGHT = 2.0
+_STANDING_SHARE = 0.1
+
+
+@dataclass(frozen=True)
+class OcclusionSettings:
+    """What counts as a building.
+
+    Parameters
+    ----------
+    threshold : surface higher than this above the ground, m.
+    low_parts : whether podiums and annexes lower than that count too, see `raised_surface.with_low_parts`.
+    """
+
+    threshold: float = 5.0
+    low_parts: bool = True
+
+    def __post_init__(self) -> None:
+        if not self.threshold > 0:
+            raise InputError("The height threshold must be greater than 0.")
+
+
+JAVANMARDI = OcclusionSettings()
+"""Threshold of J 3.2.1.1."""
 
 
 @dataclass(frozen=True)
@@ -40,8 +64,8 @@ class OcclusionSummary:
     ----------
     hidden_share : share of the frame's pixels that are masked.
     uncovered_share : share of the frame that looks beyond the surface or ground raster, so that nothing is known.
-    footprints_raised : outlines in which cells were raised. footprints_flat : outlines where the surface shows no
-    building (less than a tenth of their cells is raised), which were left alone.
+    footprints_raised : outlines with a building. footprints_flat : outlines where the surface shows none (less than a
+    tenth of their cells stands 2 m above the ground), which were left alone.
     """
 
     hidden_share: float
@@ -59,58 +83,8 @@ class Raised:
     z: np.ndarray
 
 
-class Terrain:
-    """A surface raster and the ground below it, read by windows. Use as a context manager.
-
-    Attributes
-    ----------
-    grid : of the surface.
-    """
-
-    def __init__(self, dsm: str | os.PathLike, ground: str | os.PathLike):
-        self._surface = RasterSampler(dsm)
-        try:
-            self.ground = RasterSampler(ground)
-        except InputError:
-            self._surface.__exit__()
-            raise
-        self.grid = self._surface.grid
-        self.crs_wkt = self._surface.crs_wkt
-
-    def __enter__(self) -> Terrain:
-        return self
-
-    def __exit__(self, *_exception: object) -> None:
-        self._surface.__exit__()
-        self.ground.__exit__()
-
-    def surface(self, rows: slice, columns: slice) -> np.ndarray:
-        """Heights of the surface, NaN where there are none."""
-        return self._surface.read(rows, columns)
-
-    def high(self, z: np.ndarray, rows: slice, columns: slice, threshold: float) -> np.ndarray:
-        """Which cells of a window with surface heights `z` lie more than the threshold, m, above the ground."""
-        if self.ground.grid == self.grid:
-            ground = self.ground.read(rows, columns)
-        else:
-            x, y = centres(self.grid, rows, columns)
-            x, y = np.broadcast_arrays(x, y[:, None])
-            ground = self.ground.sample(x.ravel(), y.ravel()).reshape(x.shape)
-        return z - ground > threshold
-
-    def known(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """Whether both heights are known at points (n,)."""
-        return np.isfinite(self._surface.sample(x, y)) & np.isfinite(self.ground.sample(x, y))
-
-
-def centres(grid: Grid, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
-    """x and y of the cell centres of a window."""
-    x, y = grid.centres()
-    return x[columns], y[rows]
-
-
 def occlusion_map(camera: Camera, pose: Pose, dsm: str | os.PathLike, ground: str | os.PathLike,
-                  output: str | os.PathLike, threshold: float = 5.0, footprints: Sequence = (),
+                  output: str | os.PathLike, settings: OcclusionSettings = JAVANMARDI, footprints: Sequence = (),
                   progress: Progress = SILENT) -> OcclusionSummary:
     """Write the mask of a frame: 255 where a pixel shows a building or what a building hides, else 0.
 
@@ -121,34 +95,34 @@ def occlusion_map(camera: Camera, pose: Pose, dsm: str | os.PathLike, ground: st
     ----------
     dsm, ground : rasters of the surface and of the ground, heights in the system of the pose, m.
     output : TIFF with the frame's rows and columns, compressed.
-    threshold : m above the ground.
-    footprints : shapely polygons; cells inside that the surface shows low are raised to the nearest raised cell.
+    footprints : shapely polygons of buildings, lower ones than the threshold too; cells inside that the surface shows
+        low are raised to the nearest cell of the same outline that is not.
 
     Raises
     ------
     InputError : a raster cannot be read, or the surface does not reach the frame. OutputError : nothing can be written.
     """
-    with Terrain(dsm, ground) as terrain:
-        rows, columns, uncovered = frame_window(camera, pose, terrain)
+    with RaisedSurface(dsm, ground) as surface:
+        rows, columns, uncovered = frame_window(camera, pose, surface)
         if uncovered > 0.01:
             progress.warn(f"{uncovered:.0%} of {pose.image} looks beyond the surface or the ground raster: buildings "
                           "there are not masked.")
-        raised, lifted, flat = raise_footprints(terrain, footprints, rows, columns, threshold, progress.part(0, 0.2))
-        sides = frame_sides(camera, pose, terrain, rows, columns, threshold, raised, progress.part(0.2, 0.7))
+        raised, lifted, flat = raise_footprints(surface, footprints, rows, columns, settings, progress.part(0, 0.2))
+        sides = frame_sides(camera, pose, surface, rows, columns, settings, raised, progress.part(0.2, 0.7))
     hidden = _write(output, camera, sides, progress.part(0.7, 1.0))
     return OcclusionSummary(hidden / (camera.width * camera.height), uncovered, lifted, flat)
 
 
-def occlusion_mask(camera: Camera, pose: Pose, terrain: Terrain, threshold: float = 5.0,
+def occlusion_mask(camera: Camera, pose: Pose, surface: RaisedSurface, settings: OcclusionSettings = JAVANMARDI,
                    footprints: Sequence = ()) -> np.ndarray:
     """The mask of `occlusion_map` as an array (rows, columns) bool."""
-    rows, columns, _ = frame_window(camera, pose, terrain)
-    raised, _, _ = raise_footprints(terrain, footprints, rows, columns, threshold)
-    sides = frame_sides(camera, pose, terrain, rows, columns, threshold, raised)
+    rows, columns, _ = frame_window(camera, pose, surface)
+    raised, _, _ = raise_footprints(surface, footprints, rows, columns, settings)
+    sides = frame_sides(camera, pose, surface, rows, columns, settings, raised)
     return np.concatenate([mask for _, mask in _strips(camera, sides)])
 
 
-def frame_window(camera: Camera, pose: Pose, terrain: Terrain) -> tuple[slice, slice, float]:
+def frame_window(camera: Camera, pose: Pose, surface: RaisedSurface) -> tuple[slice, slice, float]:
     """Rows and columns of the surface that the frame may see, and the share of the frame that looks beyond.
 
     Whatever the frame sees lies between the projection centre and a level below all ground.
@@ -157,7 +131,7 @@ def frame_window(camera: Camera, pose: Pose, terrain: Terrain) -> tuple[slice, s
     ------
     InputError : the frame looks past the surface altogether.
     """
-    grid, ground = terrain.grid, terrain.ground
+    grid, ground = surface.grid, surface.ground
     column, row = np.meshgrid(np.linspace(-0.5, camera.width - 0.5, _PROBES),
                               np.linspace(-0.5, camera.height - 0.5, _PROBES))
     ray = rays(camera, pose, column.ravel(), row.ravel())
@@ -173,7 +147,7 @@ def frame_window(camera: Camera, pose: Pose, terrain: Terrain) -> tuple[slice, s
                                                          np.linspace(bounds[1], bounds[3], _PROBES)))
     else:
         rows, columns, part = grid.window(*bounds)
-        seen = terrain.known(*_meet(pose, ray, level))
+        seen = surface.known(*_meet(pose, ray, level))
         if part.rows > 1 and part.columns > 1 and seen.any():
             return rows, columns, float(1 - seen.mean())
     raise InputError(f"{pose.image} looks past the surface and ground rasters: choose rasters of its place, and check "
@@ -201,15 +175,18 @@ def _reach(pose: Pose, ray: np.ndarray, level: float, grid: Grid) -> tuple[float
             max(min(x.max(), high_x), low_x), max(min(y.max(), high_y), low_y))
 
 
-def raise_footprints(terrain: Terrain, footprints: Sequence, rows: slice, columns: slice, threshold: float,
-                     progress: Progress = SILENT) -> tuple[Raised, int, int]:
-    """Cells inside outlines that the surface shows low, at the height of the nearest raised cell of the same outline.
+def raise_footprints(surface: RaisedSurface, footprints: Sequence, rows: slice, columns: slice,
+                     settings: OcclusionSettings = JAVANMARDI, progress: Progress = SILENT) -> tuple[Raised, int, int]:
+    """Cells inside outlines; those that the surface shows low at the height of the nearest one that stands.
+
+    Inside an outline a cell stands that is 2 m above the ground, or the threshold if that is less: no vehicle can be
+    mistaken for the building there.
 
     Returns
     -------
-    raised : the cells; outlines raised; outlines left alone because nothing stands in them.
+    raised : the cells; how many outlines were raised; how many were left alone because nothing stands in them.
     """
-    grid = terrain.grid
+    grid = surface.grid
     parts, lifted, flat = [], 0, 0
     for number, outline in enumerate(footprints):
         progress.step(number / len(footprints))
@@ -219,27 +196,26 @@ def raise_footprints(terrain: Terrain, footprints: Sequence, rows: slice, column
         if (not part.rows or not part.columns or down.stop <= rows.start or down.start >= rows.stop
                 or across.stop <= columns.start or across.start >= columns.stop):
             continue
-        x, y = centres(grid, down, across)
+        x, y = np.broadcast_arrays(*cell_centres(grid, down, across))
         shapely.prepare(outline)
-        inside = shapely.contains_xy(outline, *np.broadcast_arrays(x, y[:, None]))
-        z = terrain.surface(down, across)
-        high = terrain.high(z, down, across, threshold) & inside
-        if not high.any() or high.sum() < _STANDING * inside.sum():
+        inside = shapely.contains_xy(outline, x, y)
+        z, above = surface.heights(down, across)
+        standing = (above > min(settings.threshold, _STANDING_HEIGHT)) & inside
+        if not standing.any() or standing.sum() < _STANDING_SHARE * inside.sum():
             flat += 1
             continue
-        low = inside & ~high
-        if low.any():
-            nearest = distance_transform_edt(~high, return_distances=False, return_indices=True)
-            i, j = np.nonzero(low)
-            parts.append((i + down.start, j + across.start, z[nearest[0][low], nearest[1][low]]))
-            lifted += 1
+        nearest = distance_transform_edt(~standing, return_distances=False, return_indices=True)
+        i, j = np.nonzero(inside)
+        parts.append((i + down.start, j + across.start, z[nearest[0][i, j], nearest[1][i, j]]))
+        lifted += 1
     row, column, z = (np.concatenate(values) for values in zip(*parts)) if parts else (np.zeros(0, np.int64),) * 3
     order = np.lexsort((z, column, row))
     return Raised(row[order], column[order], z[order]), lifted, flat
 
 
-def frame_sides(camera: Camera, pose: Pose, terrain: Terrain, rows: slice, columns: slice, threshold: float,
-                raised: Raised | None = None, progress: Progress = SILENT) -> Sides:
+def frame_sides(camera: Camera, pose: Pose, surface: RaisedSurface, rows: slice, columns: slice,
+                settings: OcclusionSettings = JAVANMARDI, raised: Raised | None = None,
+                progress: Progress = SILENT) -> Sides:
     """Sides, in the frame, that enclose all that is raised in a window of the surface."""
     height = max(_STRIP_VERTICES // max(columns.stop - columns.start, 1), 2)
     parts = []
@@ -247,11 +223,13 @@ def frame_sides(camera: Camera, pose: Pose, terrain: Terrain, rows: slice, colum
         progress.step((top - rows.start) / (rows.stop - rows.start))
         # One row more than the strip: neighbours share it, and what they share cancels when it is filled.
         strip = slice(top, min(top + height + 1, rows.stop))
-        z = terrain.surface(strip, columns)
-        high = terrain.high(z, strip, columns, threshold)
+        wider = slice(max(top - 1, rows.start), min(strip.stop + 1, rows.stop))
+        z, high = surface.raised(wider, columns, settings.threshold, settings.low_parts)
         if raised is not None and len(raised.row):
-            _lift(z, high, raised, strip, columns)
-        parts.append(_strip_sides(camera, pose, terrain.grid, strip, columns, z, high))
+            _lift(z, high, raised, wider, columns)
+        points = _vertices(surface.grid, wider, columns, high)
+        inner = slice(strip.start - wider.start, strip.stop - wider.start)
+        parts.append(_strip_sides(camera, pose, *(values[inner] for values in (*points, z, high))))
     return Sides.joined(parts)
 
 
@@ -265,14 +243,18 @@ def _lift(z: np.ndarray, high: np.ndarray, raised: Raised, rows: slice, columns:
     high[place] = True
 
 
-def _strip_sides(camera: Camera, pose: Pose, grid: Grid, rows: slice, columns: slice, z: np.ndarray,
-                 high: np.ndarray) -> Sides:
-    """Sides of a strip of the surface."""
+def _vertices(grid: Grid, rows: slice, columns: slice, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """x and y of the mesh's vertices in a window: cell centres, but at the feet of walls."""
+    x, y = cell_centres(grid, rows, columns)
+    east, north = feet(high, grid.cell)
+    return x + east, y + north
+
+
+def _strip_sides(camera: Camera, pose: Pose, x: np.ndarray, y: np.ndarray, z: np.ndarray, high: np.ndarray) -> Sides:
+    """Sides of a strip of the surface; all (m, n)."""
     needed = _touching(high)
-    x, y = centres(grid, rows, columns)
-    i, j = np.nonzero(needed)
     column, row = np.full(z.shape, np.nan), np.full(z.shape, np.nan)
-    column[i, j], row[i, j], _ = project(camera, pose, np.stack([x[j], y[i], z[i, j]], axis=-1))
+    column[needed], row[needed], _ = project(camera, pose, np.stack([x[needed], y[needed], z[needed]], axis=-1))
     return surface_sides(column, row, z, high).within(camera.width, camera.height)
 
 
