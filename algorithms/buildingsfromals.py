@@ -33,7 +33,7 @@ class BuildingsFromAls(UrbanMapAlgorithm):
                           "moved to its points; 0 leaves all outlines in their places.", 2.5, 0.0, 5.0, advanced=True)
         self.add_distance("HEIGHT_RMSE", "Height error of sloped roofs", "Sloped roofs are cut into level ones until "
                           "the building's root mean square height error in metres is below this; 0 keeps the roofs of "
-                          "the paper whole.", 0.6, 0.0, 10.0, advanced=True)
+                          "the paper whole.", 0.45, 0.0, 10.0, advanced=True)
         self.add_choice("METHOD", "Method of the roof polygons", "The outline divided among its roofs, the same with "
                         "an outline drawn from the points, or each roof outlined on its own as in the paper.",
                         ("partition", "points", "paper"), "partition", advanced=True)

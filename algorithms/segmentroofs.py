@@ -43,7 +43,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
                         advanced=True)
         self.add_distance("HEIGHT_RMSE", "Height error of sloped roofs", "Sloped roofs are cut into level ones until "
                           "the building's root mean square height error in metres is below this; 0 keeps the "
-                          "roofs of the paper whole.", 0.6, 0.0, 10.0, advanced=True)
+                          "roofs of the paper whole.", 0.45, 0.0, 10.0, advanced=True)
         self.add_distance("MIN_HEIGHT", "Least roof height", "Height in metres above the ground below which nothing "
                           "is a roof.", 2.0, 0.0, 20.0, advanced=True)
         self.add_workers()

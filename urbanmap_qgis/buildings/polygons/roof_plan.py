@@ -16,7 +16,7 @@ from .partition_lines import MAX_WALL_LINES, Cracks, RoofPoints, candidate_lines
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
 
-GUESSED_CELL_WEIGHT = 0.3
+GUESSED_CELL_WEIGHT = 1.0
 """Weight of a cell without data, which took the label of its nearest neighbour."""
 LEAST_CONFUSION = 0.3
 """Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost."""
