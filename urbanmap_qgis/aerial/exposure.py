@@ -120,11 +120,11 @@ def _pairs(samples: Samples, frames: int) -> list[_Pair]:
     common = scipy.sparse.triu(seen @ seen.T, k=1).tocoo()
     enough = common.data >= FEWEST_COMMON
     pairs = []
-    for first, second in sorted(zip(common.row[enough].tolist(), common.col[enough].tolist(), strict=True)):
+    for first, second in sorted(zip(common.row[enough].tolist(), common.col[enough].tolist())):
         a, b = slice(starts[first], starts[first + 1]), slice(starts[second], starts[second + 1])
         _, in_a, in_b = np.intersect1d(point[a], point[b], assume_unique=True, return_indices=True)
-        lines = [robust_line(x, y) for x, y in zip(values[a][in_a].T, values[b][in_b].T, strict=True)]
-        gain, offset = (np.array(numbers) for numbers in zip(*lines, strict=True))
+        lines = [robust_line(x, y) for x, y in zip(values[a][in_a].T, values[b][in_b].T)]
+        gain, offset = (np.array(numbers) for numbers in zip(*lines))
         pairs.append(_Pair(first, second, gain, offset, float(len(in_a))))
     return pairs
 

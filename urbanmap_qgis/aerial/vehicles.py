@@ -16,6 +16,15 @@ AGREEMENT = 0.12
 AGREEMENT_FLOOR = 0.04
 """... or by less than this share of the full scale."""
 
+LIKENESS = 0.25
+"""A view is like the road around where its channels differ by less than this share of the road's brightness."""
+
+ROAD_BOX = 41
+"""Pixels, side of the neighbourhood in which the road's colour is looked for."""
+
+REACH = ROAD_BOX // 2 + 3
+"""Pixels: what lies farther off has no say in a pixel's vote."""
+
 
 def darkest(views: np.ndarray, seen: np.ndarray) -> np.ndarray:
     """Number of the view with the lowest sum of channels among those that see a pixel (J 3.2.1.2).
@@ -33,12 +42,12 @@ def darkest(views: np.ndarray, seen: np.ndarray) -> np.ndarray:
 
 
 def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -> np.ndarray:
-    """Number of the view that most of the others agree with; where no two agree, the darkest.
+    """Number of the view that most of the others agree with.
 
     Taking the darkest lets a dark vehicle over a zebra crossing win against every view of the free paint. Here the
-    road wins as soon as two views show it and fewer show one and the same thing in its place. Where several groups
-    of views are equally large, the group with the darkest member wins, so that with two views the result is that
-    of `darkest`. Of the winning group, the view whose brightness is the group's middle is taken.
+    views that agree are grouped, and the largest group wins; of it, the view whose brightness is the group's middle is
+    taken. Where no group holds more than half of the views, the view most like the road around is taken if one is
+    like it, and otherwise the group with the darkest member.
 
     Parameters
     ----------
@@ -55,10 +64,36 @@ def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -
     agree = _agreement(smooth, seen, full_scale)
     support = agree.sum(axis=0, dtype=np.int16)
     support[~seen] = 0
-    most = support == support.max(axis=0, initial=0)
-    winner = _lowest(total, seen & most)
+    most = support.max(axis=0, initial=0)
+    winner = _lowest(total, seen & (support == most))
     members = np.take_along_axis(agree, np.maximum(winner, 0)[None, None], axis=0)[0] & seen
-    return _middle(total, members)
+    number = _middle(total, members)
+    agreed = (most >= 2) & (2 * most > seen.sum(axis=0))
+    road, known = _road_around(pick(views, number), agreed)
+    unlike = np.abs(smooth - road).max(axis=-1)
+    limit = np.maximum(LIKENESS * road.mean(axis=-1), AGREEMENT_FLOOR * full_scale)
+    alike = _lowest(unlike, seen & (unlike < limit))
+    return np.where(~agreed & known & (alike >= 0), alike, number)
+
+
+def _road_around(image: np.ndarray, agreed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Colour of the road round each pixel, (rows, columns, bands), and where it is known.
+
+    The mean of the agreed pixels of the neighbourhood that are not much brighter than the others, so that paint does
+    not count.
+    """
+    weight = agreed.astype(np.float32)
+    mean, _ = _box_mean(image, weight, ROAD_BOX)
+    weight[image.sum(axis=-1) > 1.15 * mean.sum(axis=-1)] = 0
+    road, share = _box_mean(image, weight, ROAD_BOX)
+    return road, share > 0.05
+
+
+def _box_mean(image: np.ndarray, weight: np.ndarray, box: int) -> tuple[np.ndarray, np.ndarray]:
+    """Weighted mean (rows, columns, bands) over a box, and the mean weight there."""
+    share = cv2.boxFilter(weight, -1, (box, box), borderType=cv2.BORDER_REPLICATE)
+    total = cv2.boxFilter(image * weight[..., None], -1, (box, box), borderType=cv2.BORDER_REPLICATE)
+    return total.reshape(image.shape) / np.maximum(share, 1e-6)[..., None], share
 
 
 def nearest_nadir(tangents: np.ndarray, seen: np.ndarray) -> np.ndarray:
@@ -97,13 +132,7 @@ def _middle(values: np.ndarray, among: np.ndarray) -> np.ndarray:
 
 def _smoothed(views: np.ndarray, seen: np.ndarray, box: int) -> np.ndarray:
     """Means of each view over a box of seen pixels, so that noise does not decide whether views agree."""
-    smooth = np.empty(views.shape, np.float32)
-    for view, sees, result in zip(views, seen, smooth, strict=True):
-        weight = cv2.boxFilter(sees.astype(np.float32), -1, (box, box), borderType=cv2.BORDER_REPLICATE)
-        blurred = cv2.boxFilter(view * sees[..., None].astype(np.float32), -1, (box, box),
-                                borderType=cv2.BORDER_REPLICATE).reshape(view.shape)
-        result[:] = blurred / np.maximum(weight, 1e-6)[..., None]
-    return smooth
+    return np.stack([_box_mean(view, sees.astype(np.float32), box)[0] for view, sees in zip(views, seen)])
 
 
 def _agreement(smooth: np.ndarray, seen: np.ndarray, full_scale: float) -> np.ndarray:

@@ -1,0 +1,253 @@
+"""Many views of the ground made into one image, tile by tile."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+import rasterio
+from rasterio.crs import CRS
+from rasterio.errors import CRSError, RasterioError
+from rasterio.transform import Affine
+from rasterio.windows import Window
+
+from ..errors import InputError, InsufficientDataError, OutputError
+from ..geometry.grid import Grid
+from ..io.atomic import written_beside
+from ..io.raster import own_gdal
+from ..progress import SILENT, Progress
+from .exposure import Exposure, Samples, even_exposure
+from .vehicles import REACH, darkest, nearest_nadir, pick, vote
+
+TILE = 768
+"""Rows and columns of the pieces that the mosaic is made in."""
+
+_BLOCK = 256
+_SAMPLES = 60_000  # ground points at which exposures are compared
+_FULL_SCALE = {"uint8": 255, "uint16": 65535}
+
+
+@dataclass(frozen=True)
+class View:
+    """What one source shows of a grid.
+
+    Attributes
+    ----------
+    values : (rows, columns, bands) float32.
+    seen : (rows, columns), True where these are values of the ground.
+    reached : True where they would be if nothing stood in the way; False where a building covers the ground.
+    tangent : of the angle between the ray and the vertical, float32.
+    """
+
+    values: np.ndarray
+    seen: np.ndarray
+    reached: np.ndarray
+    tangent: np.ndarray
+
+
+class Source(Protocol):
+    """A frame or an orthophoto."""
+
+    name: str
+    bounds: tuple[float, float, float, float] | None
+
+    def view(self, grid: Grid) -> View | None:
+        """Its pixels on a grid; None where it shows nothing of it."""
+
+
+@dataclass(frozen=True)
+class Choice:
+    """How the mosaic takes each pixel.
+
+    Attributes
+    ----------
+    method : "nadir" (the steepest view), "darkest" (J 3.2.1.2) or "vote" (see `vehicles.vote`).
+    even : whether differences in exposure are evened out first.
+    """
+
+    method: str = "vote"
+    even: bool = True
+
+    def number(self, values: np.ndarray, seen: np.ndarray, tangent: np.ndarray, full_scale: float) -> np.ndarray:
+        """Number of the view taken in each pixel, -1 for none."""
+        if self.method == "nadir":
+            return nearest_nadir(tangent, seen)
+        return darkest(values, seen) if self.method == "darkest" else vote(values, seen, full_scale)
+
+
+@dataclass(frozen=True)
+class Mosaic:
+    """What was made.
+
+    Attributes
+    ----------
+    grid : of the files.  used : sources that gave pixels.
+    pixels_seen : that hold an image.
+    pixels_hidden : in reach of a source, not covered by a building, but seen by none.
+    exposure : corrections of the sources.
+    """
+
+    grid: Grid
+    used: int
+    pixels_seen: int
+    pixels_hidden: int
+    exposure: Exposure
+
+    @property
+    def share_seen(self) -> float:
+        """Share of the ground in reach of the sources, outside buildings, that has an image, 0 to 1."""
+        return self.pixels_seen / (self.pixels_seen + self.pixels_hidden)
+
+    @property
+    def hidden_area(self) -> float:
+        """Holes, m2: ground outside buildings that no source sees."""
+        return self.pixels_hidden * self.grid.cell ** 2
+
+
+def covering_grid(sources: Sequence[Source], cell: float) -> Grid:
+    """Grid over all that the sources can show, its edges at multiples of `cell` (m)."""
+    boxes = np.array([source.bounds for source in sources if source.bounds is not None])
+    if not len(boxes):
+        raise InsufficientDataError("No frame shows any of the ground: check that frames, exterior orientation and "
+                                    "ground lie in the same place and coordinate system.")
+    return Grid.covering(*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0), cell)
+
+
+def tiles(grid: Grid, side: int = TILE) -> Iterator[tuple[int, int, Grid]]:
+    """First row, first column and grid of every piece."""
+    for top in range(0, grid.rows, side):
+        for left in range(0, grid.columns, side):
+            yield top, left, Grid(grid.x_min + left * grid.cell, grid.y_max - top * grid.cell, grid.cell,
+                                  min(side, grid.rows - top), min(side, grid.columns - left))
+
+
+def exposure_of(sources: Sequence[Source], grid: Grid, bands: int, progress: Progress = SILENT) -> Exposure:
+    """Corrections of the sources, from ground points spread evenly over the grid."""
+    cell = max(4 * grid.cell, math.sqrt(grid.rows * grid.columns * grid.cell ** 2 / _SAMPLES))
+    coarse = Grid.covering(*grid.bounds, cell)
+    side = max(8, int(TILE * grid.cell / cell))
+    parts = []
+    for top, left, tile in tiles(coarse, side):
+        progress.step(top / coarse.rows)
+        point = np.arange(tile.columns) + left + (np.arange(tile.rows) + top)[:, None] * coarse.columns
+        for number, source in _reaching(sources, tile):
+            view = source.view(tile)
+            if view is not None and view.seen.any():
+                parts.append((np.full(view.seen.sum(), number), point[view.seen], view.values[view.seen]))
+    if not parts:
+        return Exposure.unchanged(len(sources), bands)
+    return even_exposure(Samples(*(np.concatenate(column) for column in zip(*parts))), len(sources))
+
+
+def _reaching(sources: Sequence[Source], tile: Grid) -> Iterator[tuple[int, Source]]:
+    """Numbers and sources whose box reaches a tile."""
+    x_min, y_min, x_max, y_max = tile.bounds
+    for number, source in enumerate(sources):
+        box = source.bounds
+        if box is not None and box[0] < x_max and box[2] > x_min and box[1] < y_max and box[3] > y_min:
+            yield number, source
+
+
+def tile_image(sources: Sequence[Source], tile: Grid, choice: Choice, exposure: Exposure, bands: int,
+               full_scale: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """One piece of the mosaic; it does not depend on how the mosaic is cut.
+
+    Returns
+    -------
+    image (rows, columns, bands) float32, number of the source of each pixel (-1 for none), how many sources see it,
+    and whether one would if nothing stood in the way.
+    """
+    margin = REACH if choice.method == "vote" else 0
+    wide = Grid(tile.x_min - margin * tile.cell, tile.y_max + margin * tile.cell, tile.cell,
+                tile.rows + 2 * margin, tile.columns + 2 * margin)
+    looked = [(number, source.view(wide)) for number, source in _reaching(sources, wide)]
+    looked = [(number, view) for number, view in looked if view is not None]
+    if not looked:
+        return (np.zeros((*tile.shape, bands), np.float32), np.full(tile.shape, -1), np.zeros(tile.shape, int),
+                np.zeros(tile.shape, bool))
+    numbers, views = np.array([number for number, _ in looked]), [view for _, view in looked]
+    seen = np.stack([view.seen for view in views])
+    reached = np.logical_or.reduce([view.reached for view in views])
+    values = np.stack([exposure.even(number, view.values) for number, view in looked])
+    taken = choice.number(values, seen, np.stack([view.tangent for view in views]), full_scale)
+    own = slice(margin, margin + tile.rows), slice(margin, margin + tile.columns)
+    source_number = np.where(taken >= 0, numbers[np.maximum(taken, 0)], -1)
+    return pick(values, taken)[own], source_number[own], seen.sum(axis=0)[own], reached[own]
+
+
+def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int, dtype: str,
+                 output: str | os.PathLike, output_count: str | os.PathLike | None = None,
+                 choice: Choice | None = None, progress: Progress = SILENT,
+                 watch: Callable[[int, int, np.ndarray], None] | None = None) -> Mosaic:
+    """Make the mosaic and write it as GeoTIFF, piece by piece.
+
+    Pixels without an image hold 0 in all bands, the file's no-data value; all others hold at least 1.
+
+    Parameters
+    ----------
+    bands, dtype : of the sources, "uint8" or "uint16".
+    output_count : raster of how many sources see each pixel, optional.
+    watch : called with the first row, first column and source numbers of each piece.
+
+    Raises
+    ------
+    InsufficientDataError : no source sees any ground. OutputError : a file cannot be written.
+    """
+    choice = choice or Choice()
+    if dtype not in _FULL_SCALE:
+        raise InputError(f"The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.")
+    exposure = Exposure.unchanged(len(sources), bands)
+    if choice.even and len(sources) > 1:
+        exposure = exposure_of(sources, grid, bands, progress.part(0.0, 0.2))
+    used, pixels_seen, pixels_hidden = set(), 0, 0
+    done = progress.part(0.2, 1.0)
+    with _written(output, output_count, grid, crs_wkt, bands, dtype, len(sources)) as (image_file, count_file):
+        for top, left, tile in tiles(grid):
+            done.step((top + left / grid.columns * tile.rows) / grid.rows)
+            image, number, count, reached = tile_image(sources, tile, choice, exposure, bands, _FULL_SCALE[dtype])
+            seen = number >= 0
+            window = Window(left, top, tile.columns, tile.rows)
+            whole = np.where(seen[..., None], np.clip(np.rint(image), 1, _FULL_SCALE[dtype]), 0).astype(dtype)
+            image_file.write(np.moveaxis(whole, -1, 0), window=window)
+            if count_file is not None:
+                count_file.write(count.astype(count_file.dtypes[0]), 1, window=window)
+            if watch is not None:
+                watch(top, left, number)
+            used |= set(np.unique(number[seen]).tolist())
+            pixels_seen += int(seen.sum())
+            pixels_hidden += int((reached & ~seen).sum())
+        if not pixels_seen:
+            raise InsufficientDataError("No frame sees any ground there: check that frames, exterior orientation, "
+                                        "ground and surface lie in the same place and coordinate system.")
+    return Mosaic(grid, len(used), pixels_seen, pixels_hidden, exposure)
+
+
+@contextmanager
+def _written(output: str | os.PathLike, output_count: str | os.PathLike | None, grid: Grid, crs_wkt: str, bands: int,
+             dtype: str, sources: int) -> Iterator[tuple]:
+    """The mosaic's file and that of the counts (or None), open for writing; they take their places at the end."""
+    place = Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max)
+    common = {"driver": "GTiff", "width": grid.columns, "height": grid.rows, "transform": place, "tiled": True,
+              "blockxsize": _BLOCK, "blockysize": _BLOCK, "compress": "deflate", "predictor": 2,
+              "bigtiff": "if_safer"}
+    image = {**common, "count": bands, "dtype": dtype, "nodata": 0}
+    if bands == 3:
+        image["photometric"] = "RGB"
+    count = {**common, "count": 1, "dtype": "uint8" if sources < 256 else "uint16"}
+    try:
+        with ExitStack() as stack:
+            stack.enter_context(own_gdal())
+            crs = CRS.from_wkt(crs_wkt) if crs_wkt else None
+            yield tuple(path and stack.enter_context(rasterio.open(
+                stack.enter_context(written_beside(path)), "w", crs=crs, **profile))
+                for path, profile in ((output, image), (output_count, count)))
+    except CRSError as error:
+        raise InputError("The coordinate reference system cannot be understood: set another one.") from error
+    except RasterioError as error:
+        raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error

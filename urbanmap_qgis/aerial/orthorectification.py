@@ -1,0 +1,314 @@
+"""Frames laid on the ground, each place only from frames that truly see it (J 3.2.1)."""
+
+from __future__ import annotations
+
+import os
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+
+import cv2
+import numpy as np
+import shapely
+from rasterio.features import rasterize
+from rasterio.transform import Affine
+
+from ..errors import InputError
+from ..geometry.grid import Grid
+from ..io.raster import RasterSampler
+from ..progress import SILENT, Progress
+from .camera import Camera, Pose, project, rays
+from .frames import Frame, FrameImage
+from .mosaic import Choice, Mosaic, View, covering_grid, write_mosaic
+from .visibility import off_ground, visible_ground
+
+_SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
+_MOST_OPEN = 64  # image files
+_MOST_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
+_BLOCK = 2048
+_MARGIN = 3  # pixels round a window that the bicubic kernel reaches
+_MOST_BLUR = 4.0  # pixels, standard deviation
+_BORDER = 33  # rays along each side of a frame
+
+
+class FramePixels:
+    """The frames' pixels, of which only some files are open at a time. Use as a context manager.
+
+    Attributes
+    ----------
+    bands, dtype : of all frames.
+
+    Raises
+    ------
+    InputError : a frame is no image, does not fit the camera, or is of another kind than the first.
+    """
+
+    def __init__(self, frames: Sequence[Frame], camera: Camera):
+        self.camera = camera
+        self._open: OrderedDict[Path, FrameImage] = OrderedDict()
+        kinds = [self._kind(frame.path) for frame in frames]
+        for frame, kind in zip(frames, kinds):
+            if kind != kinds[0]:
+                raise InputError(f"{frame.path.name} has {kind[0]} bands of {kind[1]} but {frames[0].path.name} "
+                                 f"{kinds[0][0]} of {kinds[0][1]}: give frames of one kind.")
+        self.bands, self.dtype = kinds[0]
+
+    def __enter__(self) -> FramePixels:
+        return self
+
+    def __exit__(self, *_exception: object) -> None:
+        while self._open:
+            self._open.popitem()[1].__exit__()
+
+    def _kind(self, path: Path) -> tuple[int, str]:
+        image = self._image(path)
+        return min(image.bands, 3) if image.bands >= 3 else 1, image.dtype.name
+
+    def _image(self, path: Path) -> FrameImage:
+        if path not in self._open:
+            if len(self._open) >= _MOST_OPEN:
+                self._open.popitem(last=False)[1].__exit__()
+            self._open[path] = FrameImage(path, self.camera)
+        self._open.move_to_end(path)
+        return self._open[path]
+
+    def read(self, path: Path, rows: slice, columns: slice) -> np.ndarray:
+        """A window of a frame, (rows, columns, bands): red, green, blue or grey."""
+        return np.ascontiguousarray(np.moveaxis(self._image(path).read(rows, columns)[:self.bands], 0, -1))
+
+
+class Terrain:
+    """Ground, surface and building outlines of the place, read window by window.
+
+    Parameters
+    ----------
+    ground : heights of the ground. surface : the DSM, None for none. outlines : polygons of buildings.
+    threshold : m above the ground from which the surface hides and is not ground (J: 5 m).
+    """
+
+    def __init__(self, ground: RasterSampler, surface: RasterSampler | None = None,
+                 outlines: Sequence[shapely.Geometry] = (), threshold: float = 5.0):
+        self.ground, self.surface, self.threshold = ground, surface, threshold
+        self.cell = (surface or ground).grid.cell
+        self._outlines = np.array([shape for shape in outlines if shape is not None and not shape.is_empty], object)
+        self._tree = shapely.STRtree(self._outlines)
+        self.low, self.high = _range(ground)
+        self.top = max(self.high, _range(surface)[1]) if surface else self.high
+        self.at = lru_cache(maxsize=2)(self._at)
+
+    def heights(self, grid: Grid) -> tuple[np.ndarray, np.ndarray | None]:
+        """Ground and surface (None without a DSM) at the cell centres, (rows, columns) float32."""
+        x, y = (values.ravel() for values in np.meshgrid(*grid.centres()))
+        surface = self.surface and self.surface.sample(x, y).reshape(grid.shape)
+        return self.ground.sample(x, y).reshape(grid.shape), surface
+
+    def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
+        """Ground heights and where a building, tree or bridge covers the ground (`at` remembers the last grids)."""
+        ground, surface = self.heights(grid)
+        covered = np.zeros(grid.shape, bool) if surface is None else off_ground(surface, ground, self.threshold)
+        near = np.sort(self._tree.query(shapely.box(*grid.bounds)))
+        if len(near):
+            place = Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max)
+            covered |= rasterize(self._outlines[near], grid.shape, transform=place, dtype=np.uint8).astype(bool)
+        return ground, covered
+
+
+def _range(raster: RasterSampler) -> tuple[float, float]:
+    """Lowest and highest value of a raster."""
+    low, high = np.inf, -np.inf
+    for top in range(0, raster.grid.rows, _BLOCK):
+        for left in range(0, raster.grid.columns, _BLOCK):
+            values = raster.read(slice(top, min(top + _BLOCK, raster.grid.rows)),
+                                 slice(left, min(left + _BLOCK, raster.grid.columns)))
+            values = values[np.isfinite(values)]
+            low, high = min(low, values.min(initial=np.inf)), max(high, values.max(initial=-np.inf))
+    if not np.isfinite(low):
+        raise InputError(f"{raster.path.name} holds no heights: check the raster.")
+    return float(low), float(high)
+
+
+def footprint(camera: Camera, pose: Pose, low: float, high: float) -> tuple[float, float, float, float] | None:
+    """Box (x_min, y_min, x_max, y_max) round the ground in a frame, for heights from `low` to `high`.
+
+    None where the frame looks past all ground below the horizon; infinite where it looks over the horizon too.
+    """
+    along, across = (np.linspace(-0.5, size - 0.5, _BORDER) for size in (camera.width, camera.height))
+    column = np.concatenate((along, along, np.full(_BORDER, along[0]), np.full(_BORDER, along[-1])))
+    row = np.concatenate((np.full(_BORDER, across[0]), np.full(_BORDER, across[-1]), across, across))
+    direction = rays(camera, pose, column, row)
+    direction = direction[np.isfinite(direction).all(axis=1)]
+    down = direction[:, 2] < -1e-3
+    if not down.any() or pose.z <= low:
+        return None
+    if not down.all():
+        return -np.inf, -np.inf, np.inf, np.inf
+    reach = (pose.z - np.array([low, min(high, pose.z)]))[:, None, None]
+    ground = pose.centre[:2] + reach * direction[:, :2] / -direction[:, 2:]
+    ground = ground.reshape(-1, 2)
+    return (*ground.min(axis=0).tolist(), *ground.max(axis=0).tolist())
+
+
+class FrameOnGround:
+    """A frame as a source of views of the ground.
+
+    Attributes
+    ----------
+    bounds : (x_min, y_min, x_max, y_max) of the ground raster that the frame can show, None for none.
+    """
+
+    def __init__(self, frame: Frame, pixels: FramePixels, terrain: Terrain):
+        self.frame, self.name, self._pixels, self._terrain = frame, frame.path.name, pixels, terrain
+        box = footprint(pixels.camera, frame.pose, terrain.low, terrain.high)
+        self.bounds = box and _common(box, terrain.ground.grid.bounds)
+        self._seen: tuple[Grid, np.ndarray] | None = None
+
+    def view(self, grid: Grid) -> View | None:
+        """The frame's pixels on a grid; None where it shows nothing of it."""
+        if self.bounds is None or _common(self.bounds, grid.bounds) is None:
+            return None
+        ground, covered = self._terrain.at(grid)
+        x, y = np.meshgrid(*grid.centres())
+        points = np.stack((x, y, ground), axis=-1)
+        camera, pose = self._pixels.camera, self.frame.pose
+        column, row, _ = project(camera, pose, points)
+        with np.errstate(invalid="ignore"):
+            inside = (column >= 0) & (column <= camera.width - 1) & (row >= 0) & (row <= camera.height - 1)
+        if not inside.any():
+            return None
+        drop = pose.z - float(np.nanmean(ground[inside]))
+        values = self._resampled(column, row, inside, grid.cell / camera.ground_pixel(drop))
+        seen = inside & ~covered & self._sees(x, y)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            tangent = np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)
+        return View(values, seen, inside & ~covered, tangent.astype(np.float32))
+
+    def _resampled(self, column: np.ndarray, row: np.ndarray, inside: np.ndarray, ratio: float) -> np.ndarray:
+        """Bicubic values of a frame at (column, row), (rows, columns, bands) float32; 0 outside.
+
+        Where a cell is `ratio` > 1 pixels wide, the frame is smoothed first, so that fine detail does not alias.
+        """
+        camera = self._pixels.camera
+        blur = min(0.5 * np.sqrt(max(ratio ** 2 - 1, 0)), _MOST_BLUR)
+        margin = _MARGIN + int(np.ceil(3 * blur))
+        columns = _around(column[inside], margin, camera.width)
+        rows = _around(row[inside], margin, camera.height)
+        window = self._pixels.read(self.frame.path, rows, columns)
+        if blur > 0.3:
+            window = cv2.GaussianBlur(window, (0, 0), blur)
+        place_x = np.where(inside, column - columns.start, -10).astype(np.float32)
+        place_y = np.where(inside, row - rows.start, -10).astype(np.float32)
+        values = cv2.remap(window, place_x, place_y, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
+        values = values.reshape(*inside.shape, -1).astype(np.float32)
+        values[~inside] = 0
+        return values
+
+    def _sees(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Whether nothing stands between the camera and the ground at points, (rows, columns) bool."""
+        if self._seen is None:
+            self._seen = self._lines_of_sight()
+        grid, bits = self._seen
+        rows, columns, _ = grid.window(x.min() - grid.cell, y.min() - grid.cell, x.max() + grid.cell,
+                                       y.max() + grid.cell)
+        part = np.unpackbits(bits[rows], axis=1, count=grid.columns)[:, columns].astype(np.float32)
+        place_x = (x - grid.x_min) / grid.cell - 0.5 - columns.start
+        place_y = (grid.y_max - y) / grid.cell - 0.5 - rows.start
+        share = cv2.remap(part, place_x.astype(np.float32), place_y.astype(np.float32), cv2.INTER_LINEAR,
+                          borderMode=cv2.BORDER_REPLICATE)
+        return share > _SURELY_SEEN
+
+    def _lines_of_sight(self) -> tuple[Grid, np.ndarray]:
+        """Grid of the frame's ground and, packed by rows into bits, which of its cells it sees; found once."""
+        terrain, pose = self._terrain, self.frame.pose
+        x_min, y_min, x_max, y_max = self.bounds
+        farthest = max(np.hypot(x - pose.x, y - pose.y) for x in (x_min, x_max) for y in (y_min, y_max))
+        shadow = farthest * (terrain.top - terrain.low) / max(pose.z - terrain.low, 1.0) + 2 * terrain.cell
+        box = _common((x_min - shadow, y_min - shadow, x_max + shadow, y_max + shadow), terrain.ground.grid.bounds)
+        cell = max(terrain.cell, max(box[2] - box[0], box[3] - box[1]) / _MOST_CELLS)
+        grid = Grid.covering(*box, cell)
+        ground, surface = terrain.heights(grid)
+        seen = visible_ground(pose.centre, grid, ground, surface, terrain.threshold)
+        return grid, np.packbits(seen, axis=1)
+
+
+def _common(a: Sequence[float], b: Sequence[float]) -> tuple[float, float, float, float] | None:
+    """The common part of two boxes, None where there is none."""
+    box = max(a[0], b[0]), max(a[1], b[1]), min(a[2], b[2]), min(a[3], b[3])
+    return box if box[0] < box[2] and box[1] < box[3] else None
+
+
+def _around(place: np.ndarray, margin: int, size: int) -> slice:
+    """Pixels from the least to the greatest place and a margin more, as far as the frame has them."""
+    return slice(max(int(place.min()) - margin, 0), min(int(place.max()) + margin + 2, size))
+
+
+@dataclass(frozen=True)
+class OrthoSettings:
+    """How frames are laid on the ground.
+
+    Attributes
+    ----------
+    resolution : side of a pixel, m; 0 for the frames' own on the ground.
+    choice : which frame a pixel is taken from.
+    height_threshold : m above the ground from which the DSM hides ground (J: 5 m).
+    """
+
+    resolution: float = 0.0
+    choice: Choice = field(default_factory=Choice)
+    height_threshold: float = 5.0
+
+
+def orthorectify(frames: Sequence[Frame], camera: Camera, ground: str | os.PathLike, output: str | os.PathLike,
+                 output_count: str | os.PathLike | None = None, surface: str | os.PathLike | None = None,
+                 outlines: Sequence[shapely.Geometry] = (), settings: OrthoSettings | None = None,
+                 progress: Progress = SILENT, watch: Callable | None = None) -> Mosaic:
+    """Lay frames on the ground as one mosaic (J 3.2.1), written as GeoTIFF in the CRS of the ground.
+
+    Parameters
+    ----------
+    ground, surface : rasters of the ground's and the surface's height, m, in one projected CRS with the poses.
+    outlines : polygons of buildings, taken out of the mosaic.
+    output_count, watch : see `write_mosaic`, which also tells of the files and errors.
+
+    Raises
+    ------
+    InsufficientDataError : no frame shows any of the ground.
+    """
+    settings = settings or OrthoSettings()
+    with ExitStack() as stack:
+        terrain = Terrain(stack.enter_context(RasterSampler(ground)),
+                          stack.enter_context(RasterSampler(surface)) if surface else None,
+                          outlines, settings.height_threshold)
+        pixels = stack.enter_context(FramePixels(frames, camera))
+        sources = [FrameOnGround(frame, pixels, terrain) for frame in frames]
+        resolution = settings.resolution or _own_resolution(frames, camera, terrain)
+        grid = covering_grid(sources, resolution)
+        _warn_of_places(sources, terrain, grid, progress)
+        return write_mosaic(sources, grid, terrain.ground.crs_wkt, pixels.bands, pixels.dtype, output, output_count,
+                            settings.choice, progress, watch)
+
+
+def _own_resolution(frames: Sequence[Frame], camera: Camera, terrain: Terrain) -> float:
+    """Median pixel of the frames at the nadir, m, rounded to the centimetre (to the millimetre below 5 cm)."""
+    ground = camera.ground_pixel(float(np.median([frame.pose.z for frame in frames])) - terrain.low)
+    if ground <= 0:
+        raise InputError("The frames lie below the ground: check the heights in the exterior orientation.")
+    return max(round(ground, 2 if ground >= 0.05 else 3), 0.001)
+
+
+def _warn_of_places(sources: Sequence[FrameOnGround], terrain: Terrain, grid: Grid, progress: Progress) -> None:
+    """Warn of frames beside the ground and of a surface that does not cover the mosaic."""
+    beside = [source.name for source in sources if source.bounds is None]
+    if beside:
+        progress.warn(f"{len(beside)} frames show none of the ground and are left out: {', '.join(beside[:5])}"
+                      f"{' and others' if len(beside) > 5 else ''}.")
+    if terrain.surface is None:
+        progress.warn("Without a surface (DSM) buildings cannot be told to hide the ground: they lie over it in the "
+                      "mosaic.")
+        return
+    box, have = grid.bounds, terrain.surface.grid.bounds
+    if box[0] < have[0] - grid.cell or box[1] < have[1] - grid.cell or box[2] > have[2] + grid.cell \
+            or box[3] > have[3] + grid.cell:
+        progress.warn("The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the ground.")
