@@ -21,6 +21,8 @@ LOW_PART_WIDTH = 4.0
 LOW_PART_REACH = 15.0
 """How far a lower part may lie from something raised, m."""
 
+_BEYOND = np.float32(1e9)
+
 
 class RaisedSurface:
     """A surface raster and the ground below it, read by windows. Use as a context manager.
@@ -97,8 +99,8 @@ def steep_walls(z: np.ndarray) -> np.ndarray:
     neighbours differ by more than `STEP`, a cell takes the lowest or the highest of them, whichever is nearer.
     """
     unknown, square = np.isnan(z), np.ones((3, 3), np.uint8)
-    low = cv2.erode(np.where(unknown, np.float32(np.inf), z), square)
-    high = cv2.dilate(np.where(unknown, np.float32(-np.inf), z), square)
+    low = cv2.erode(np.where(unknown, _BEYOND, z), square, borderType=cv2.BORDER_REPLICATE)
+    high = cv2.dilate(np.where(unknown, -_BEYOND, z), square, borderType=cv2.BORDER_REPLICATE)
     wall = ~unknown & (high - low > STEP)
     return np.where(wall, np.where(z > (low + high) / 2, high, low), z)
 
@@ -116,9 +118,12 @@ def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarr
     high = above > threshold
     if threshold <= STEP or not high.any():
         return high
-    wide = np.ones((max(round(LOW_PART_WIDTH / cell), 1),) * 2, np.uint8)
+    width = max(round(LOW_PART_WIDTH / cell), 1)
+    wide = np.ones((width, width), np.uint8)
     near = np.ones((2 * round(LOW_PART_REACH / cell) + 1,) * 2, np.uint8)
-    part = cv2.morphologyEx((above > STEP).astype(np.uint8), cv2.MORPH_OPEN, wide)
+    # Opening by squares of even width moves things by a cell, unless the second anchor mirrors the first.
+    part = cv2.erode((above > STEP).astype(np.uint8), wide, anchor=(0, 0))
+    part = cv2.dilate(part, wide, anchor=(width - 1, width - 1))
     return high | ((part > 0) & (cv2.dilate(high.astype(np.uint8), near) > 0))
 
 
