@@ -19,6 +19,7 @@ MODELS = ROOT / "resources" / "models"
 ALGORITHMS = (
     ("samplecity", "SampleCity"),
     ("surfacefromals", "SurfaceFromAls"),
+    ("orthorectifyframes", "OrthorectifyFrames"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),

@@ -1,0 +1,93 @@
+"""Orthorectification and vehicle filter through Processing."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+ALGORITHM = "urbanmap:orthorectifyframes"
+SIDE = 200
+
+
+def write_image(path, image, **place):
+    import rasterio
+
+    with rasterio.open(path, "w", driver="GTiff", width=image.shape[1], height=image.shape[0], count=3,
+                       dtype="uint8", **place) as target:
+        target.write(np.moveaxis(image, -1, 0))
+    return str(path)
+
+
+def read(path):
+    import rasterio
+
+    with rasterio.open(path) as source:
+        return source.read(), source
+
+
+@pytest.fixture
+def block(tmp_path, plugin):
+    """Two level frames over a grey plain with a white vehicle in each, at another place."""
+    raster, grid = plugin("urbanmap_qgis.io.raster"), plugin("urbanmap_qgis.geometry.grid")
+    import rasterio
+
+    crs = rasterio.crs.CRS.from_epsg(6677).to_wkt()
+    place = grid.Grid(-8020.0, -33980.0, 0.5, 80, 80)
+    raster.write_raster(tmp_path / "地盤.tif", np.full(place.shape, 10.0, np.float32), place, crs)
+    images = np.full((2, SIDE, SIDE, 3), 90, np.uint8)
+    images[0, 60:80, 130:140], images[1, 120:140, 60:70] = 250, 250
+    (tmp_path / "camera.json").write_text(json.dumps({
+        "focal_length_mm": 20.0, "pixel_pitch_mm": 0.01, "image_width": SIDE, "image_height": SIDE,
+        "principal_point_mm": [0, 0]}))
+    (tmp_path / "exterior.csv").write_text("image,x,y,z,omega,phi,kappa\n一.tif,-8000,-34000,210,0,0,0\n"
+                                           "b.tif,-8001,-34000,210,0,0,0\n", encoding="utf-8")
+    return {"FRAMES": [write_image(tmp_path / "一.tif", images[0]), write_image(tmp_path / "b.tif", images[1])],
+            "CAMERA": str(tmp_path / "camera.json"), "EXTERIOR": str(tmp_path / "exterior.csv"),
+            "GROUND": str(tmp_path / "地盤.tif"), "RESOLUTION": 0.1, "OUTPUT": str(tmp_path / "正射.tif")}
+
+
+@pytest.mark.parametrize("method", ["vote", "darkest"])
+def test_vehicles_go_where_two_frames_see_the_road(run, block, tmp_path, method):
+    result = run(ALGORITHM, {**block, "METHOD": method, "FILTER_VEHICLES": True,
+                             "OUTPUT_COUNT": str(tmp_path / "count.tif")})
+    image, source = read(result["OUTPUT"])
+    count, _ = read(result["OUTPUT_COUNT"])
+    assert source.crs.to_epsg() == 6677 and source.nodata == 0
+    assert count.max() == 2 and np.abs(image[:, count[0] == 2].astype(int) - 90).max() < 25
+    assert result["FRAMES_USED"] == 2 and result["SHARE_SEEN"] == 1.0 and result["HOLE_AREA"] == 0.0
+
+
+def test_without_the_filter_vehicles_stay(run, block):
+    image, _ = read(run(ALGORITHM, {**block, "FILTER_VEHICLES": False})["OUTPUT"])
+    assert (image > 200).any()
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"image_width": 300}, "300 x 200"),
+    ({"focal_length_mm": "x"}, "focal_length_mm"),
+])
+def test_a_camera_that_does_not_fit(run, block, tmp_path, change, words):
+    camera = json.loads((tmp_path / "camera.json").read_text())
+    (tmp_path / "camera.json").write_text(json.dumps({**camera, **change}))
+    with pytest.raises(Exception, match=words):
+        run(ALGORITHM, block)
+    assert not (tmp_path / "正射.tif").exists()
+
+
+def test_a_frame_without_a_pose(run, block, tmp_path):
+    (tmp_path / "exterior.csv").write_text("image,x,y,z,omega,phi,kappa\nb.tif,-8001,-34000,210,0,0,0\n")
+    with pytest.raises(Exception, match=r"一\.tif"):
+        run(ALGORITHM, block)
+
+
+def test_surface_in_another_crs(run, block, tmp_path, plugin):
+    import rasterio
+
+    raster, grid = plugin("urbanmap_qgis.io.raster"), plugin("urbanmap_qgis.geometry.grid")
+    place = grid.Grid(-8020.0, -33980.0, 0.5, 80, 80)
+    raster.write_raster(tmp_path / "dsm.tif", np.full(place.shape, 10.0, np.float32), place,
+                        rasterio.crs.CRS.from_epsg(6676).to_wkt())
+    with pytest.raises(Exception, match="Surface"):
+        run(ALGORITHM, {**block, "DSM": str(tmp_path / "dsm.tif")})
