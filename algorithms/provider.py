@@ -20,6 +20,8 @@ ALGORITHMS = (
     ("samplecity", "SampleCity"),
     ("surfacefromals", "SurfaceFromAls"),
     ("orthorectifyframes", "OrthorectifyFrames"),
+    ("occlusionmap", "OcclusionMap"),
+    ("roadmarkingsfromorthophoto", "RoadMarkingsFromOrthophoto"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),
