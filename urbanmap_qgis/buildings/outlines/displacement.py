@@ -44,6 +44,7 @@ UNSEEN_HOLD = 100.0  # price of departing, for an outline that is not observable
 STACKED = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
 NOISE = 0.8  # m2, worth that chance adds: sets the scale of sigma
 REGISTER_SIGMA = 0.2  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
+MISFIT = 0.5  # share of the strip that an outline covers wrongly which its place is uncertain by
 LEAST_COMMON = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
 MOVED_FROM = 0.005  # m, shorter shifts are none
 
@@ -180,9 +181,11 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
     shifts = parted(jigsaw, without_needless(jigsaw, shifts), area, cover, max_shift)
     shifts = np.where(seen[:, None], shifts, jigsaw.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
-    sigma = np.where(seen, _sigma(beliefs[0], FINE_STEPS[0][0], max_shift), max_shift)
-    scores = jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None]
-    return shifts, sigma, *np.clip(scores.T, -1, 1), seen
+    scores = np.clip(jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None], -1, 1)
+    # What an outline covers wrongly even at its best place, as a strip along its boundary: it has another shape.
+    strip = area * (1 - scores[:, 1]) / jigsaw.perimeter
+    sigma = np.hypot(_sigma(beliefs[0], FINE_STEPS[0][0], max_shift), MISFIT * strip)
+    return shifts, np.where(seen, np.minimum(sigma, max_shift), max_shift), *scores.T, seen
 
 
 def _wall_to_wall(jigsaw: Jigsaw, shifts: np.ndarray, max_shift: float) -> np.ndarray:
