@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-CONTRACT = ("samplecity", "surfacefromals", "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
+CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
+            "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "buildingsfromals")
 
 LIST_WITHOUT_PACKAGES = """
