@@ -20,6 +20,7 @@ ALGORITHMS = (
     ("samplecity", "SampleCity"),
     ("surfacefromals", "SurfaceFromAls"),
     ("orthorectifyframes", "OrthorectifyFrames"),
+    ("filtervehicles", "FilterVehicles"),
     ("occlusionmap", "OcclusionMap"),
     ("roadmarkingsfromorthophoto", "RoadMarkingsFromOrthophoto"),
     ("loadgsibuildings", "LoadGsiBuildings"),

@@ -91,3 +91,17 @@ def test_surface_in_another_crs(run, block, tmp_path, plugin):
                         rasterio.crs.CRS.from_epsg(6676).to_wkt())
     with pytest.raises(Exception, match="Surface"):
         run(ALGORITHM, {**block, "DSM": str(tmp_path / "dsm.tif")})
+
+
+def test_vehicles_of_two_orthophotos(run, tmp_path):
+    import rasterio
+
+    place = {"crs": "EPSG:6677", "transform": rasterio.transform.from_origin(-8000, -34000, 0.2, 0.2)}
+    images = np.full((2, 100, 100, 3), 90, np.uint8)
+    images[0, 20:30, 20:40], images[1, 60:70, 60:80] = 250, 10
+    paths = [write_image(tmp_path / f"写真{k}.tif", image, **place) for k, image in enumerate(images)]
+    result = run("urbanmap:filtervehicles", {"ORTHOPHOTOS": paths, "OUTPUT": str(tmp_path / "out.tif")})
+    image, source = read(result["OUTPUT"])
+    assert (image == 90).all() and result["SHARE_SEEN"] == 1.0 and source.crs.to_epsg() == 6677
+    with pytest.raises(Exception, match="two or more"):
+        run("urbanmap:filtervehicles", {"ORTHOPHOTOS": paths[:1], "OUTPUT": str(tmp_path / "one.tif")})

@@ -89,6 +89,7 @@ class Mosaic:
     ----------
     grid : of the files.  used : sources that gave pixels.
     pixels_seen : that hold an image.
+    pixels_shared : that two or more sources see.
     pixels_hidden : in reach of a source, not covered by a building, but seen by none.
     exposure : corrections of the sources.
     """
@@ -96,6 +97,7 @@ class Mosaic:
     grid: Grid
     used: int
     pixels_seen: int
+    pixels_shared: int
     pixels_hidden: int
     exposure: Exposure
 
@@ -205,7 +207,7 @@ def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int
     exposure = Exposure.unchanged(len(sources), bands)
     if choice.even and len(sources) > 1:
         exposure = exposure_of(sources, grid, bands, progress.part(0.0, 0.2))
-    used, pixels_seen, pixels_hidden = set(), 0, 0
+    used, pixels_seen, pixels_shared, pixels_hidden = set(), 0, 0, 0
     done = progress.part(0.2, 1.0)
     with _written(output, output_count, grid, crs_wkt, bands, dtype, len(sources)) as (image_file, count_file):
         for top, left, tile in tiles(grid):
@@ -221,11 +223,12 @@ def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int
                 watch(top, left, number)
             used |= set(np.unique(number[seen]).tolist())
             pixels_seen += int(seen.sum())
+            pixels_shared += int((count >= 2).sum())
             pixels_hidden += int((reached & ~seen).sum())
         if not pixels_seen:
             raise InsufficientDataError("No frame sees any ground there: check that frames, exterior orientation, "
                                         "ground and surface lie in the same place and coordinate system.")
-    return Mosaic(grid, len(used), pixels_seen, pixels_hidden, exposure)
+    return Mosaic(grid, len(used), pixels_seen, pixels_shared, pixels_hidden, exposure)
 
 
 @contextmanager
