@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write the styles of the building layers, resources/styles/*.qml, with QGIS's own classes.
+"""Write the styles of the building and marking layers, resources/styles/*.qml, with QGIS's own classes.
 
     python3 scripts/make_styles.py
 
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
@@ -26,6 +27,8 @@ from qgis.core import (
     QgsGraduatedSymbolRenderer,
     QgsLineSymbol,
     QgsMapLayer,
+    QgsPalettedRasterRenderer,
+    QgsRasterLayer,
     QgsRendererCategory,
     QgsRendererRange,
     QgsRuleBasedRenderer,
@@ -188,6 +191,23 @@ def building_surfaces(layer) -> None:
                             "'', format(' of roof %1', \"roof_id\")) %]")
 
 
+def road_markings(layer) -> None:
+    """Markings in the colour of their paint, dark at the edge so that they show on light paving too."""
+    colours = {"white": "#ffffff", "yellow": "#ffb000"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("colour", [
+        QgsRendererCategory(value, fill(colour, "#0b6e4f", 0.26), value) for value, colour in colours.items()]))
+    layer.setMapTipTemplate(
+        "[% \"colour\" %] marking, [% round(\"area\", 2) %] m²<br>length [% round(\"length\", 2) %] m, width "
+        "[% round(\"width\", 2) %] m<br>[% round(\"contrast\") %] grey values above the road")
+
+
+def marking_mask(layer) -> None:
+    """Markings in one strong colour, the rest transparent, to be laid over the orthophoto."""
+    entry = QgsPalettedRasterRenderer.Class
+    layer.setRenderer(QgsPalettedRasterRenderer(layer.dataProvider(), 1, [
+        entry(0, QColor(0, 0, 0, 0), "no marking"), entry(255, QColor("#00c853"), "marking")]))
+
+
 FIELDS = {
     segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
                           "shift_y:double shift_sigma:double points:integer density:double"),
@@ -196,6 +216,7 @@ FIELDS = {
     building_models: ("MultiPolygonZ", "building_id:integer status:string reason:string roofs:integer height:double "
                       "area:double volume:double rmse_z95:double density:double"),
     building_surfaces: ("PolygonZ", "building_id:integer roof_id:integer surface_type:string"),
+    road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 
 
@@ -205,6 +226,21 @@ def write(style) -> Path:
     text = "&".join(f"field={field}" for field in fields.split())
     layer = QgsVectorLayer(f"{geometry}?crs=EPSG:6677&{text}", style.__name__, "memory")
     style(layer)
+    return save(layer, style)
+
+
+def write_raster_style(style) -> Path:
+    """The same for a raster of one band."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "pixel.asc"
+        file.write_text("ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n255\n", encoding="ascii")
+        layer = QgsRasterLayer(str(file), style.__name__)
+        style(layer)
+        return save(layer, style)
+
+
+def save(layer, style) -> Path:
+    """Save the style of a layer under the name of the function that gave it."""
     path = STYLES / f"{style.__name__}.qml"
     categories = QgsMapLayer.StyleCategory
     message, written = layer.saveNamedStyle(
@@ -221,6 +257,7 @@ def main() -> None:
     engine.Qgs3D.initialize()
     for style in FIELDS:
         print(write(style).relative_to(STYLES.parent.parent))
+    print(write_raster_style(marking_mask).relative_to(STYLES.parent.parent))
     application.exitQgis()
 
 

@@ -1,0 +1,124 @@
+"""Road markings from an orthophoto through Processing."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+ALGORITHM = "urbanmap:roadmarkingsfromorthophoto"
+X0, Y0, PIXEL = -7000.0, -34000.0, 0.12
+LINES = 6
+
+
+@pytest.fixture
+def ortho(tmp_path):
+    """`ortho(name, epsg, pixel)`: a grey street of 36 m with six white dashes of 3 m."""
+    from osgeo import gdal, osr
+
+    def make(name="正射.tif", epsg=6677, pixel=PIXEL, paint=210, bands=3):
+        rng = np.random.default_rng(0)
+        image = 90 + rng.normal(0, 2, (300, 300))
+        for row in range(30, 30 + 40 * LINES, 40):
+            image[row:row + 2, 100:125] = paint
+        path = tmp_path / name
+        out = gdal.GetDriverByName("GTiff").Create(str(path), 300, 300, bands, gdal.GDT_Byte)
+        out.SetGeoTransform((X0, pixel, 0, Y0, 0, -pixel))
+        if epsg:
+            reference = osr.SpatialReference()
+            reference.ImportFromEPSG(epsg)
+            out.SetProjection(reference.ExportToWkt())
+        for band in range(bands):
+            out.GetRasterBand(band + 1).WriteArray(image.clip(0, 255).astype(np.uint8))
+        out.FlushCache()
+        return path
+
+    return make
+
+
+def box(x_min, y_min, x_max, y_max):
+    return f"Polygon (({x_min} {y_min}, {x_max} {y_min}, {x_max} {y_max}, {x_min} {y_max}, {x_min} {y_min}))"
+
+
+def test_mask_and_polygons(run, ortho, tmp_path, read_layer):
+    result = run(ALGORITHM, {"INPUT": str(ortho()), "OUTPUT": str(tmp_path / "白線.tif"),
+                             "OUTPUT_POLYGONS": str(tmp_path / "白線.gpkg")})
+    assert result["COUNT"] == LINES and result["SEARCHED_AREA"] == pytest.approx(36 * 36)
+    assert result["MARKED_AREA"] == pytest.approx(LINES * 25 * 2 * PIXEL ** 2, rel=0.1)
+    from osgeo import gdal
+
+    mask = gdal.Open(result["OUTPUT"])
+    values = mask.ReadAsArray()
+    assert values.dtype == np.uint8 and set(np.unique(values)) == {0, 255}
+    assert mask.GetGeoTransform() == (X0, PIXEL, 0, Y0, 0, -PIXEL)
+    features = read_layer(result["OUTPUT_POLYGONS"])
+    assert len(features) == LINES
+
+    from qgis.core import QgsVectorLayer
+
+    layer = QgsVectorLayer(result["OUTPUT_POLYGONS"], "markings", "ogr")
+    assert layer.crs().authid() == "EPSG:6677" and layer.renderer().type() == "categorizedSymbol"
+    for feature in layer.getFeatures():
+        assert feature["colour"] == "white" and feature["contrast"] > 50
+        assert feature["length"] == pytest.approx(3.0, abs=0.2) and feature["width"] == pytest.approx(0.24, abs=0.05)
+
+
+def test_heights_roads_and_buildings(run, ortho, polygon_layer, tmp_path):
+    from osgeo import gdal
+    from qgis.core import QgsVectorLayer
+
+    ground = tmp_path / "ground.tif"
+    out = gdal.GetDriverByName("GTiff").Create(str(ground), 50, 50, 1, gdal.GDT_Float32)
+    out.SetGeoTransform((X0 - 5, 1, 0, Y0 + 5, 0, -1))
+    out.SetProjection(gdal.Open(str(ortho())).GetProjection())
+    out.GetRasterBand(1).WriteArray(np.full((50, 50), 12.5, np.float32))
+    out.FlushCache()
+    del out
+    roads = polygon_layer([box(X0, Y0 - 36, X0 + 36, Y0 - 10)])
+    buildings = polygon_layer([box(X0, Y0 - 36, X0 + 36, Y0 - 20)])
+    result = run(ALGORITHM, {"INPUT": str(ortho()), "ROADS": roads, "BUILDINGS": buildings, "GROUND": str(ground),
+                             "OUTPUT": str(tmp_path / "m.tif"), "OUTPUT_POLYGONS": str(tmp_path / "m.gpkg")})
+    layer = QgsVectorLayer(result["OUTPUT_POLYGONS"], "markings", "ogr")
+    assert result["COUNT"] == layer.featureCount() == 2
+    for feature in layer.getFeatures():
+        assert {vertex.z() for vertex in feature.geometry().vertices()} == {12.5}
+
+
+def test_feet(run, ortho, tmp_path):
+    result = run(ALGORITHM, {"INPUT": str(ortho(epsg=2225, pixel=PIXEL / 0.3048)), "OUTPUT": str(tmp_path / "m.tif")})
+    assert result["COUNT"] == LINES and result["SEARCHED_AREA"] == pytest.approx(36 * 36, rel=1e-4)
+
+
+def test_empty_results_are_warned_of(run, ortho, polygon_layer, tmp_path):
+    result = run(ALGORITHM, {"INPUT": str(ortho(paint=92)), "OUTPUT": str(tmp_path / "m.tif"),
+                             "OUTPUT_POLYGONS": str(tmp_path / "m.gpkg")})
+    assert result["COUNT"] == 0 and any("No markings were found" in line for line in run.feedback.warnings)
+    away = polygon_layer([box(0, 0, 10, 10)])
+    run(ALGORITHM, {"INPUT": str(ortho()), "ROADS": away, "OUTPUT": str(tmp_path / "m.tif")})
+    assert any("left to look at" in line for line in run.feedback.warnings)
+
+
+@pytest.mark.parametrize(("image", "parameters", "words"), [
+    ({"epsg": 6668, "pixel": 1e-6}, {}, "degrees"),
+    ({"epsg": None}, {}, "coordinate reference system is missing"),
+    ({"pixel": 1.0}, {}, "cannot be seen"),
+    ({}, {"ROADS": "EPSG:32654"}, "reproject"),
+])
+def test_one_sentence_for_what_cannot_be_done(run, ortho, polygon_layer, tmp_path, image, parameters, words):
+    from qgis.core import QgsProcessingException
+
+    layers = {name: polygon_layer([box(0, 0, 1, 1)], crs=crs) for name, crs in parameters.items()}
+    with pytest.raises(QgsProcessingException, match=words):
+        run(ALGORITHM, {"INPUT": str(ortho(**image)), "OUTPUT": str(tmp_path / "m.tif"), **layers})
+    assert not (tmp_path / "m.tif").exists()
+
+
+def test_styles_are_readable(qgis_app, ortho, tmp_path):
+    from pathlib import Path
+
+    from qgis.core import QgsRasterLayer
+
+    layer = QgsRasterLayer(str(ortho(bands=1)), "mask")
+    style = Path(__file__).resolve().parents[2] / "resources" / "styles" / "marking_mask.qml"
+    message, read = layer.loadNamedStyle(str(style))
+    assert read, message
+    assert {item.value: item.color.alpha() for item in layer.renderer().classes()} == {0: 0, 255: 255}

@@ -1,0 +1,258 @@
+"""Road markings by adaptive thresholding: drawn streets with known paint, tiles, depths, units and bad input."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+import rasterio
+import shapely
+from pyproj import CRS
+from rasterio.enums import ColorInterp
+from rasterio.transform import Affine
+
+from urbanmap_qgis.aerial.marking_files import Places, markings_from_orthophoto
+from urbanmap_qgis.aerial.marking_filter import CleanSettings
+from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, levels_of, paint_brightness
+from urbanmap_qgis.errors import Cancelled, InputError
+from urbanmap_qgis.progress import Progress
+
+WKT = CRS.from_epsg(6677).to_wkt()
+PIXEL = 0.12
+PLAIN = MarkingSettings(cleaning=None)
+X0, Y0 = -7000.0, -34000.0
+NORTH_UP = Affine(PIXEL, 0, X0, 0, -PIXEL, Y0)
+
+
+def street(rows=320, columns=420, seed=1):
+    """RGB (3, rows, columns) of a street with noise, and where its white and yellow paint is.
+
+    Below lies light paving with a kerb; a white vehicle stands on the street.
+    """
+    rng = np.random.default_rng(seed)
+    image = np.full((rows, columns, 3), 90.0)
+    image[rows - 60:] = 175.0
+    white = np.zeros((rows, columns), dtype=np.uint8)
+    yellow = np.zeros((rows, columns), dtype=np.uint8)
+    for start in range(20, columns - 60, 80):
+        cv2.line(white, (start, 40), (start + 40, 50), 1, 2)
+    for start in range(60, 120, 8):
+        white[120:145, start:start + 4] = 1
+    cv2.line(yellow, (10, 200), (columns - 10, 180), 1, 2)
+    image[white > 0], image[yellow > 0] = (205, 205, 205), (215, 165, 60)
+    image[90:106, 250:290] = (225, 225, 225)
+    image = cv2.GaussianBlur(image, (0, 0), 0.6) + rng.normal(0, 2.5, image.shape)
+    return np.clip(np.moveaxis(image, 2, 0), 0, 255), white > 0, yellow > 0
+
+
+def write(path, bands, transform=NORTH_UP, crs=WKT, dtype="uint8", **profile):
+    crs = crs and rasterio.crs.CRS.from_user_input(crs)
+    with rasterio.open(path, "w", driver="GTiff", width=bands.shape[2], height=bands.shape[1], count=len(bands),
+                       dtype=dtype, transform=transform, crs=crs, **profile) as out:
+        out.write(bands.astype(dtype))
+    return path
+
+
+def read_mask(path):
+    with rasterio.open(path) as source:
+        return source.read(1) > 0
+
+
+def near(mask):
+    return cv2.dilate(mask.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+
+
+def scores(found, truth):
+    """Precision and recall at one pixel tolerance."""
+    return (found & near(truth)).sum() / max(found.sum(), 1), (truth & near(found)).sum() / truth.sum()
+
+
+def search(bands, settings, roads=None):
+    everywhere = np.ones(bands.shape[1:], dtype=bool)
+    levels = levels_of(paint_brightness(bands).ravel())
+    return find_markings(bands, everywhere, roads, PIXEL, levels, settings)
+
+
+def test_paint_is_found_and_nothing_else():
+    bands, white, yellow = street()
+    precision, recall = scores(search(bands, MarkingSettings()).mask, white | yellow)
+    assert precision > 0.98 and recall > 0.97
+
+
+def test_each_rule_removes_what_it_is_for():
+    bands, _white, _yellow = street()
+    plain = search(bands, PLAIN).mask
+    vehicle, kerb = np.s_[80:116, 240:300], np.s_[255:270]
+    assert plain[vehicle].sum() > 50 and plain[kerb].sum() > 300
+    cleaned = search(bands, MarkingSettings()).mask
+    assert not cleaned[vehicle].any() and not cleaned[kerb].any()
+
+
+def test_yellow_is_told_from_white():
+    bands, white, yellow = street()
+    found = search(bands, MarkingSettings())
+    assert found.yellow[yellow & found.mask].mean() > 0.95 and found.yellow[white & found.mask].mean() < 0.02
+
+
+def test_shade_keeps_markings():
+    bands, white, yellow = street()
+    bands[:, :, 200:] *= 0.4
+    found = search(bands, MarkingSettings()).mask
+    assert scores(found[:, 210:], (white | yellow)[:, 210:])[1] > 0.9
+
+
+def test_leaves_are_no_paint():
+    bands, _white, _yellow = street()
+    rng = np.random.default_rng(2)
+    spots = np.zeros(bands.shape[1:], np.uint8)
+    for column, row in rng.integers((20, 210), (400, 250), (60, 2)):
+        cv2.circle(spots, (int(column), int(row)), 2, 1, -1)
+    bands[:, spots > 0] = np.array([[110.0], [170.0], [70.0]])
+    assert search(bands, replace_cleaning(min_area=0.0)).mask[205:255].sum() < 10
+
+
+def replace_cleaning(**rules):
+    return MarkingSettings(cleaning=CleanSettings(**rules))
+
+
+@pytest.mark.parametrize("rule", ["min_area", "min_length"])
+def test_specks_go(rule):
+    bands = np.full((3, 120, 120), 90.0)
+    bands[:, 60:62, 60:62] = 220.0
+    off = {"min_area": 0.0, "min_length": 0.0}
+    assert search(bands, replace_cleaning(**off)).mask.any()
+    assert not search(bands, replace_cleaning(**{**off, rule: 0.5})).mask.any()
+
+
+@pytest.mark.parametrize("tile", [96, 160, 1000])
+def test_result_does_not_depend_on_the_cut(tmp_path, tile):
+    bands, _white, _yellow = street(700, 900)
+    path = write(tmp_path / "正射.tif", bands)
+    whole = markings_from_orthophoto(path, tmp_path / "whole.tif", tile=4096)
+    cut = markings_from_orthophoto(path, tmp_path / "cut.tif", tile=tile)
+    assert np.array_equal(read_mask(tmp_path / "whole.tif"), read_mask(tmp_path / "cut.tif"))
+    assert len(whole.polygons) == len(cut.polygons) > 10
+    assert np.allclose(whole.polygons.area, cut.polygons.area, rtol=1e-6)
+    assert np.allclose(whole.polygons.contrast, cut.polygons.contrast)
+    assert list(whole.polygons.colour) == list(cut.polygons.colour)
+
+
+@pytest.mark.parametrize(("dtype", "scale"), [("uint16", 200), ("uint16", 8), ("int16", 100), ("float32", 1 / 255)])
+def test_bit_depth_does_not_matter(tmp_path, dtype, scale):
+    bands, _white, _yellow = street()
+    bands = np.round(bands)
+    markings_from_orthophoto(write(tmp_path / "8.tif", bands), tmp_path / "a.tif")
+    markings_from_orthophoto(write(tmp_path / "16.tif", bands * scale, dtype=dtype), tmp_path / "b.tif")
+    assert (read_mask(tmp_path / "a.tif") != read_mask(tmp_path / "b.tif")).mean() < 1e-4
+
+
+def test_grey_rgba_and_infrared(tmp_path):
+    bands, white, _yellow = street()
+    shape = bands.shape[1:]
+    grey = write(tmp_path / "grey.tif", bands.mean(axis=0)[None])
+    markings_from_orthophoto(grey, tmp_path / "a.tif")
+    assert scores(read_mask(tmp_path / "a.tif")[:160], white[:160])[1] > 0.95
+
+    alpha = np.full((1, *shape), 255.0)
+    alpha[0, :, :100] = 0
+    path = write(tmp_path / "rgba.tif", np.concatenate([bands, alpha]), photometric="rgb", alpha="yes")
+    with rasterio.open(path) as source:
+        assert source.colorinterp[3] == ColorInterp.alpha
+    markings_from_orthophoto(path, tmp_path / "b.tif")
+    found = read_mask(tmp_path / "b.tif")
+    assert not found[:, :100].any() and scores(found[:160, 110:], white[:160, 110:])[1] > 0.95
+
+
+def test_no_data_is_not_looked_at(tmp_path):
+    bands, white, _yellow = street()
+    bands = np.maximum(np.round(bands), 1)
+    bands[:, 30:150, 80:90] = 0
+    found = markings_from_orthophoto(write(tmp_path / "a.tif", bands, nodata=0), tmp_path / "m.tif")
+    assert found.looked_at == pytest.approx((bands[0].size - 1200) * PIXEL ** 2)
+    mask = read_mask(tmp_path / "m.tif")
+    assert not mask[30:150, 80:90].any() and scores(mask[:160], white[:160] & (bands[0, :160] > 0))[1] > 0.95
+
+
+def test_limits_roads_buildings_and_mask(tmp_path):
+    bands, white, yellow = street()
+    path = write(tmp_path / "a.tif", bands)
+    half = shapely.box(X0, Y0 - 160 * PIXEL, X0 + 420 * PIXEL, Y0)
+    hidden = np.zeros((1, 80, 105))
+    hidden[:, :, :25] = 255
+    coarse = write(tmp_path / "hidden.tif", hidden, Affine(4 * PIXEL, 0, X0, 0, -4 * PIXEL, Y0))
+    runs = {"roads": Places(roads=[half]), "buildings": Places(buildings=[half]), "mask": Places(mask=coarse)}
+    masks = {}
+    for name, places in runs.items():
+        markings_from_orthophoto(path, tmp_path / f"{name}.tif", places)
+        masks[name] = read_mask(tmp_path / f"{name}.tif")
+    assert not masks["roads"][160:].any() and scores(masks["roads"][:158], white[:158])[1] > 0.97
+    assert not masks["buildings"][:160].any() and scores(masks["buildings"][165:], yellow[165:])[1] > 0.97
+    assert not masks["mask"][:, :100].any() and scores(masks["mask"][:, 105:], (white | yellow)[:, 105:])[1] > 0.97
+
+
+def test_feet_and_turned_images(tmp_path):
+    bands, _white, _yellow = street()
+    metres = markings_from_orthophoto(write(tmp_path / "m.tif", bands), tmp_path / "a.tif")
+    foot = 0.3048
+    feet = write(tmp_path / "f.tif", bands, Affine(PIXEL / foot, 0, 9e5, 0, -PIXEL / foot, 5e5), CRS.from_epsg(2225))
+    in_feet = markings_from_orthophoto(feet, tmp_path / "b.tif", metres_per_unit=foot)
+    turn = Affine.translation(X0, Y0) * Affine.rotation(30) * Affine.scale(PIXEL, -PIXEL)
+    turned = markings_from_orthophoto(write(tmp_path / "t.tif", bands, turn), tmp_path / "c.tif")
+    assert len(metres.polygons) == len(in_feet.polygons) == len(turned.polygons)
+    for other in (in_feet, turned):
+        assert np.allclose(np.sort(other.polygons.area), np.sort(metres.polygons.area), rtol=1e-6)
+    with rasterio.open(tmp_path / "c.tif") as source:
+        assert source.transform.almost_equals(turn)
+    back = shapely.transform(turned.polygons.polygons, lambda xy: np.column_stack(~turn * xy.T))
+    there = shapely.transform(metres.polygons.polygons, lambda xy: np.column_stack(~NORTH_UP * xy.T))
+    assert shapely.union_all(back).symmetric_difference(shapely.union_all(there)).area < 0.5
+
+
+def test_fine_pixels_are_taken_together(tmp_path):
+    bands, white, yellow = street(200, 260)
+    bands = np.repeat(np.repeat(bands, 6, axis=1), 6, axis=2)[:, :-1, :-2]
+    fine = write(tmp_path / "fine.tif", bands, Affine(PIXEL / 6, 0, X0, 0, -PIXEL / 6, Y0))
+    markings_from_orthophoto(fine, tmp_path / "m.tif")
+    found = read_mask(tmp_path / "m.tif")
+    assert found.shape == bands.shape[1:]
+    assert scores(found[3::6, 3::6], (white | yellow)[:found[3::6].shape[0], :found[:, 3::6].shape[1]])[1] > 0.95
+
+
+def test_nothing_to_find(tmp_path):
+    path = write(tmp_path / "a.tif", np.full((3, 200, 200), 90.0))
+    found = markings_from_orthophoto(path, tmp_path / "m.tif")
+    assert not len(found.polygons) and found.marked == 0 and not read_mask(tmp_path / "m.tif").any()
+    away = markings_from_orthophoto(path, tmp_path / "m.tif", Places(roads=[shapely.box(0, 0, 1, 1)]))
+    assert away.looked_at == 0 and not read_mask(tmp_path / "m.tif").any()
+
+
+def test_bad_input(tmp_path):
+    flat = np.full((3, 40, 40), 90.0)
+    out = tmp_path / "m.tif"
+    (tmp_path / "text.tif").write_text("no raster")
+    other = write(tmp_path / "other.tif", flat[:1], Affine(PIXEL, 0, 0, 0, -PIXEL, 0))
+    palette = write(tmp_path / "palette.tif", flat[:1], photometric="palette")
+    for words, path, places in (
+            ("cannot be read", tmp_path / "text.tif", None),
+            ("colour table", palette, None),
+            ("cannot be seen", write(tmp_path / "coarse.tif", flat, Affine(2, 0, X0, 0, -2, Y0)), None),
+            ("not square", write(tmp_path / "long.tif", flat, Affine(0.1, 0, X0, 0, -0.2, Y0)), None),
+            ("does not reach", write(tmp_path / "a.tif", flat), Places(mask=other))):
+        with pytest.raises(InputError, match=words):
+            markings_from_orthophoto(path, out, places)
+        assert not out.exists()
+
+
+def test_a_mask_that_does_not_cover_is_told(tmp_path):
+    warnings = []
+    part = write(tmp_path / "part.tif", np.zeros((1, 20, 20)))
+    markings_from_orthophoto(write(tmp_path / "a.tif", street()[0]), tmp_path / "m.tif", Places(mask=part),
+                             progress=Progress(warn=warnings.append))
+    assert len(warnings) == 1 and "does not cover" in warnings[0]
+
+
+def test_cancel_leaves_nothing(tmp_path):
+    path = write(tmp_path / "a.tif", street()[0])
+    with pytest.raises(Cancelled):
+        markings_from_orthophoto(path, tmp_path / "m.tif", progress=Progress(cancelled=lambda: True))
+    assert [file.name for file in tmp_path.iterdir()] == ["a.tif"]

@@ -1,0 +1,296 @@
+"""Road markings of an orthophoto file of any size: tile by tile, into a mask file and polygons (J 3.2.2)."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+import rasterio
+import shapely
+from rasterio.enums import ColorInterp
+from rasterio.errors import RasterioError
+from rasterio.features import rasterize
+from rasterio.transform import Affine
+from rasterio.vrt import WarpedVRT
+from rasterio.windows import Window
+
+from ..errors import InputError, OutputError
+from ..io.atomic import written_beside
+from ..io.raster import own_gdal
+from ..progress import SILENT, Progress
+from .marking_filter import coarse_step
+from .marking_polygons import MarkingPolygons, PolygonPieces, merge_pieces, pieces_of_tile
+from .road_markings import Levels, Markings, MarkingSettings, find_markings, levels_of, paint_brightness, reach_pixels
+
+FINEST = 0.05
+"""m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
+
+COARSEST = 0.5
+"""m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
+
+_TILE = 2048
+_SAMPLES = 16
+_SAMPLE_SIDE = 128
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where markings are looked for; shapely polygons in the orthophoto's CRS, and a raster file.
+
+    Parameters
+    ----------
+    roads : only inside them; None for everywhere. buildings : not inside them. mask : raster, not where it is above 0.
+    """
+
+    roads: Sequence[shapely.Geometry] | None = None
+    buildings: Sequence[shapely.Geometry] | None = None
+    mask: str | os.PathLike | None = None
+
+
+@dataclass(frozen=True)
+class FoundMarkings:
+    """What was found.
+
+    Attributes
+    ----------
+    polygons : markings with their attributes. pixel : side, m. looked_at : m2 of the image that could have shown some.
+    marked : m2 of paint in the mask.
+    """
+
+    polygons: MarkingPolygons
+    pixel: float
+    looked_at: float
+    marked: float
+
+
+class _Scene:
+    """Open orthophoto and what limits the search; reads pieces of them by blocks of `factor` pixels."""
+
+    def __init__(self, path: str | os.PathLike, places: Places, metres_per_unit: float, stack: ExitStack):
+        self.path = Path(path)
+        try:
+            self.source = stack.enter_context(rasterio.open(self.path))
+        except RasterioError as error:
+            raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
+        self.bands = colour_bands(self.source, self.path)
+        place = self.source.transform
+        across, down = math.hypot(place.a, place.d), math.hypot(place.b, place.e)
+        if not 0.9 < across / down < 1.1 or abs(place.a * place.b + place.d * place.e) > 0.1 * across * down:
+            raise InputError(f"{self.path.name} has pixels that are not square: warp it to square pixels first.")
+        self.own_pixel = math.sqrt(across * down) * metres_per_unit
+        if self.own_pixel > COARSEST:
+            raise InputError(f"{self.path.name} has pixels of {self.own_pixel:.2f} m, in which road markings cannot be "
+                             f"seen: use an orthophoto of {COARSEST} m or finer.")
+        self.factor = max(int(FINEST / self.own_pixel), 1)
+        self.pixel = self.own_pixel * self.factor
+        self.rows = -(-self.source.height // self.factor)
+        self.columns = -(-self.source.width // self.factor)
+        self.transform = place * Affine.scale(self.factor)
+        self.roads = _tree(places.roads)
+        self.buildings = _tree(places.buildings)
+        self.mask = self._mask_on_grid(places.mask, stack) if places.mask else None
+
+    def _mask_on_grid(self, path: str | os.PathLike, stack: ExitStack) -> WarpedVRT:
+        try:
+            mask = stack.enter_context(rasterio.open(path))
+        except RasterioError as error:
+            raise InputError(f"{Path(path).name} cannot be read as a raster: check the file.") from error
+        own, other = self.source.bounds, mask.bounds
+        if own.left >= other.right or own.right <= other.left or own.bottom >= other.top or own.top <= other.bottom:
+            raise InputError(f"{Path(path).name} does not reach {self.path.name}: give a mask of the same place.")
+        return stack.enter_context(WarpedVRT(
+            mask, crs=self.source.crs, src_crs=mask.crs or self.source.crs, transform=self.source.transform,
+            width=self.source.width, height=self.source.height, add_alpha=False))
+
+    def mask_covers(self) -> bool:
+        """Whether the mask, if any, reaches over the whole orthophoto."""
+        if self.mask is None:
+            return True
+        own, other, slack = self.source.bounds, self.mask.src_dataset.bounds, abs(self.transform.a) + 1e-9
+        return (other.left <= own.left + slack and other.right >= own.right - slack
+                and other.bottom <= own.bottom + slack and other.top >= own.top - slack)
+
+    def read(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+        """Bands, where ground is seen, and roads (or None) of a piece, in blocks of `factor` pixels."""
+        factor = self.factor
+        height = min(rows.stop * factor, self.source.height) - rows.start * factor
+        width = min(columns.stop * factor, self.source.width) - columns.start * factor
+        window = Window(columns.start * factor, rows.start * factor, width, height)
+        try:
+            bands = self.source.read(self.bands, window=window)
+            seen = self.source.dataset_mask(window=window) > 0
+            if self.mask is not None:
+                seen &= self.mask.read(1, window=window) == 0
+        except RasterioError as error:
+            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+        if np.issubdtype(bands.dtype, np.floating):
+            seen &= np.isfinite(bands).all(axis=0)
+            bands = np.where(seen, bands, 0)
+        bands, seen = _in_blocks(bands, seen, factor)
+        shape, place = seen.shape, self.transform * Affine.translation(columns.start, rows.start)
+        if self.buildings is not None:
+            seen &= ~_burnt(self.buildings, shape, place)
+        return bands, seen, None if self.roads is None else _burnt(self.roads, shape, place)
+
+
+def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:
+    """Numbers of the red, green and blue bands, or of the grey one.
+
+    Raises
+    ------
+    InputError : there is none.
+    """
+    kinds = source.colorinterp
+    if ColorInterp.palette in kinds:
+        raise InputError(f"{path.name} has a colour table: convert it to red, green and blue first.")
+    if source.dtypes and source.dtypes[0].startswith("complex"):
+        raise InputError(f"{path.name} holds complex numbers, no image: give an orthophoto.")
+    wanted = ColorInterp.red, ColorInterp.green, ColorInterp.blue
+    colours = [kinds.index(kind) + 1 for kind in wanted if kind in kinds]
+    if len(colours) == 3:
+        return colours
+    plain = [band + 1 for band, kind in enumerate(kinds) if kind != ColorInterp.alpha]
+    if not plain:
+        raise InputError(f"{path.name} has no image bands: give an orthophoto in grey or in red, green and blue.")
+    return plain[:3] if len(plain) >= 3 else plain[:1]
+
+
+def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike, places: Places | None = None,
+                             settings: MarkingSettings | None = None, metres_per_unit: float = 1.0,
+                             tile: int = _TILE, progress: Progress = SILENT) -> FoundMarkings:
+    """Find the road markings of an orthophoto; write a mask (uint8, 255 = marking) on the orthophoto's pixels.
+
+    Only a tile and its surroundings are in memory, and the polygons. The result does not depend on `tile`, the side of
+    a tile in pixels. `metres_per_unit` : of the orthophoto's CRS.
+
+    Raises
+    ------
+    InputError : the orthophoto or the mask cannot be used. OutputError : the mask cannot be written.
+    """
+    settings, places = settings or MarkingSettings(), places or Places()
+    with own_gdal(), ExitStack() as stack:
+        scene = _Scene(path, places, metres_per_unit, stack)
+        if not scene.mask_covers():
+            progress.warn(f"{Path(places.mask).name} does not cover all of {scene.path.name}: where it does not, "
+                          "nothing is taken as hidden.")
+        levels = _levels(scene, progress.part(0.0, 0.1))
+        profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
+                   "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
+                   "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
+        try:
+            with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
+                return _all_tiles(scene, levels, settings, tile, target, metres_per_unit, progress.part(0.1, 1.0))
+        except RasterioError as error:
+            raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error
+
+
+def _all_tiles(scene: _Scene, levels: Levels | None, settings: MarkingSettings, tile: int,
+               target: rasterio.io.DatasetWriter, metres_per_unit: float, progress: Progress) -> FoundMarkings:
+    step = coarse_step(settings.cleaning.vehicle_width / scene.pixel) if settings.cleaning else 1
+    pieces: list[PolygonPieces] = []
+    looked_at = marked = 0
+    for rows, columns, done in _tiles(scene, max(tile // scene.factor // step, 1) * step):
+        progress.step(done)
+        if levels is None:
+            continue
+        markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
+        own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
+                    columns.start - window[1].start:columns.stop - window[1].start]
+        looked_at += int(allowed[own].sum())
+        mask = markings.mask[own]
+        if mask.any():
+            marked += int(mask.sum())
+            pieces.append(pieces_of_tile(markings, window, rows, columns))
+        _write(target, mask, rows, columns, scene.factor)
+    cell = scene.pixel ** 2
+    smallest = settings.cleaning.min_area if settings.cleaning else 0.0
+    polygons = merge_pieces(pieces, scene.transform, metres_per_unit, smallest)
+    return FoundMarkings(polygons, scene.own_pixel, looked_at * cell, marked * cell)
+
+
+def _tile_markings(scene: _Scene, rows: slice, columns: slice, levels: Levels, settings: MarkingSettings, step: int
+                   ) -> tuple[Markings, np.ndarray, tuple[slice, slice]]:
+    """Markings of a tile with its surroundings, where they may be, and rows and columns of both."""
+    around = -(-reach_pixels(scene.pixel, settings) // step) * step
+    window = (slice(max(rows.start - around, 0), min(rows.stop + around, scene.rows)),
+              slice(max(columns.start - around, 0), min(columns.stop + around, scene.columns)))
+    bands, seen, roads = scene.read(*window)
+    allowed = seen if roads is None else seen & roads
+    if not allowed.any():
+        empty = np.zeros(seen.shape, dtype=np.float32)
+        return Markings(allowed, empty - 1, empty, allowed), allowed, window
+    return find_markings(bands, seen, roads, scene.pixel, levels, settings), allowed, window
+
+
+def _tiles(scene: _Scene, side: int) -> Iterator[tuple[slice, slice, float]]:
+    """Rows and columns of every tile, and the fraction done before it."""
+    down, across = -(-scene.rows // side), -(-scene.columns // side)
+    for number in range(down * across):
+        row, column = number // across * side, number % across * side
+        yield (slice(row, min(row + side, scene.rows)), slice(column, min(column + side, scene.columns)),
+               number / (down * across))
+
+
+def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, columns: slice, factor: int) -> None:
+    values = np.where(mask, np.uint8(255), np.uint8(0))
+    values = np.repeat(np.repeat(values, factor, axis=0), factor, axis=1)
+    row, column = rows.start * factor, columns.start * factor
+    values = values[:target.height - row, :target.width - column]
+    target.write(values, 1, window=Window(column, row, values.shape[1], values.shape[0]))
+
+
+def _levels(scene: _Scene, progress: Progress) -> Levels | None:
+    """Levels from small pieces spread over the image; None where there is nothing to look at.
+
+    They are taken once for the whole image, so that tiles do not differ.
+    """
+    values = []
+    side = _SAMPLE_SIDE
+    across = _spread(scene.columns, side)
+    for number, row in enumerate(_spread(scene.rows, side)):
+        progress.step(number / _SAMPLES)
+        for column in across:
+            bands, seen, roads = scene.read(slice(row, min(row + side, scene.rows)),
+                                            slice(column, min(column + side, scene.columns)))
+            allowed = seen if roads is None else seen & roads
+            values.append(paint_brightness(bands)[allowed])
+    values = np.concatenate(values)
+    return levels_of(values) if len(values) else None
+
+
+def _spread(length: int, side: int) -> list[int]:
+    """Starts of at most `_SAMPLES` pieces spread evenly over a length."""
+    count = min(-(-length // side), _SAMPLES)
+    return [int(start) for start in np.linspace(0, max(length - side, 0), count)]
+
+
+def _in_blocks(bands: np.ndarray, seen: np.ndarray, factor: int) -> tuple[np.ndarray, np.ndarray]:
+    """Means of blocks of pixels; a block is seen where all of it is."""
+    if factor == 1:
+        return bands, seen
+    shape = -(-seen.shape[0] // factor), -(-seen.shape[1] // factor)
+    pad = ((0, shape[0] * factor - seen.shape[0]), (0, shape[1] * factor - seen.shape[1]))
+    seen = np.pad(seen, pad, mode="edge").reshape(shape[0], factor, shape[1], factor).all(axis=(1, 3))
+    size = shape[1], shape[0]
+    return np.stack([cv2.resize(np.pad(band, pad, mode="edge").astype(np.float32), size, interpolation=cv2.INTER_AREA)
+                     for band in bands]), seen
+
+
+def _tree(polygons: Sequence[shapely.Geometry] | None) -> shapely.STRtree | None:
+    return None if polygons is None else shapely.STRtree(list(polygons))
+
+
+def _burnt(tree: shapely.STRtree, shape: tuple[int, int], place: Affine) -> np.ndarray:
+    """Pixels whose centre lies in one of the polygons, bool."""
+    corners = [place @ corner if hasattr(place, "__matmul__") else place * corner
+               for corner in ((0, 0), (shape[1], 0), (shape[1], shape[0]), (0, shape[0]))]
+    near = tree.geometries[tree.query(shapely.Polygon(corners))]
+    if not len(near):
+        return np.zeros(shape, dtype=bool)
+    return rasterize([(geometry, 1) for geometry in near], shape, transform=place, dtype="uint8") > 0

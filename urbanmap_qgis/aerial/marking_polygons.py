@@ -1,0 +1,188 @@
+"""Outlines of road markings, finer than pixels: the line half-way between paint and road (marching squares).
+
+Tiles share the pixel centres along their seams, and outlines cross each line of pixel centres at a vertex of their own;
+so the parts of a marking in several tiles fit exactly and are joined.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from rasterio.features import rasterize
+from rasterio.transform import Affine
+from skimage.measure import find_contours
+
+from ..io.raster import RasterSampler
+from .road_markings import Markings
+
+WHITE, YELLOW = "white", "yellow"
+
+_OUTSIDE = np.float32(-1e9)
+_DECIMALS = 5
+_OFF_CENTRE = np.float32(0.05)
+"""Grey values by which the field stays off zero: an outline through a pixel's centre would touch itself."""
+
+_SIMPLIFIED = 0.05
+"""Pixels that outlines may move when vertices on straight stretches are left out."""
+
+
+@dataclass(frozen=True)
+class PolygonPieces:
+    """Polygons of a tile in pixels (x = column, y = row, whole numbers at centres), and sums over their pixels.
+
+    Attributes
+    ----------
+    polygons : (n,) shapely polygons. at_seam : (n,) bool, they touch the tile's edge.
+    pixels, contrast, yellow : (n,) number of pixel centres inside, sum of contrasts, number of yellow ones.
+    """
+
+    polygons: np.ndarray
+    at_seam: np.ndarray
+    pixels: np.ndarray
+    contrast: np.ndarray
+    yellow: np.ndarray
+
+
+@dataclass(frozen=True)
+class MarkingPolygons:
+    """Road markings, in the CRS of the orthophoto.
+
+    Attributes
+    ----------
+    polygons : (n,) shapely polygons. area : (n,) m2. length, width : (n,) m, of the stroke if it were straightened.
+    contrast : (n,) mean grey values (of 255 after level adjustment) above the road. colour : (n,) "white" or "yellow".
+    """
+
+    polygons: np.ndarray
+    area: np.ndarray
+    length: np.ndarray
+    width: np.ndarray
+    contrast: np.ndarray
+    colour: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.polygons)
+
+
+def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice, columns: slice) -> PolygonPieces:
+    """Outlines of the markings of a tile.
+
+    Parameters
+    ----------
+    markings : of the tile with its surroundings, which take `window` of the image. rows, columns : of the tile.
+    """
+    top, left = rows.start - window[0].start, columns.start - window[1].start
+    height, width = rows.stop - rows.start, columns.stop - columns.start
+    crop = np.s_[top:top + height + 1, left:left + width + 1]  # and the first line of the next tile
+    field = markings.field[crop]
+    field = np.where(np.abs(field) < _OFF_CENTRE, np.copysign(_OFF_CENTRE, field), field)
+    field = np.pad(field, 1, constant_values=_OUTSIDE)
+    rings = [np.round(ring[:, ::-1] - 1, _DECIMALS) for ring in find_contours(field, 0.0) if len(ring) > 3]
+    polygons = _polygons_of_rings(rings)
+    last_row, last_column = markings.field[crop].shape[0] - 1, markings.field[crop].shape[1] - 1
+    bounds = shapely.bounds(polygons).reshape(-1, 4)
+    at_seam = ((bounds[:, 0] <= 0) | (bounds[:, 1] <= 0) | (bounds[:, 2] >= last_column)
+               | (bounds[:, 3] >= last_row))
+    # Pixel centres on a seam lie on the outline: widened a hair, it holds them.
+    labels = _labels(np.where(at_seam, shapely.buffer(polygons, 0.01), polygons), (height, width))
+    own = np.s_[top:top + height, left:left + width]
+    count = len(polygons) + 1
+    inside = markings.mask[own]
+    sums = [np.bincount(labels[inside], weights=weights, minlength=count)[1:] for weights in
+            (None, markings.contrast[own][inside], markings.yellow[own][inside])]
+    moved = shapely.transform(polygons, lambda points: points + np.array([columns.start, rows.start]))
+    return PolygonPieces(moved, at_seam, *sums)
+
+
+def _polygons_of_rings(rings: Sequence[np.ndarray]) -> np.ndarray:
+    """Polygons with holes from closed lines round high and round low ground."""
+    rings = [ring for ring in rings if len(np.unique(ring, axis=0)) > 2]
+    area = np.array([_signed_area(ring) for ring in rings])
+    outer = [ring for ring, value in zip(rings, area) if value > 0]
+    holes = [ring for ring, value in zip(rings, area) if value < 0]
+    polygons = np.array([shapely.Polygon(ring) for ring in outer], dtype=object)
+    if not holes or not len(polygons):
+        return polygons
+    inside: list[list[np.ndarray]] = [[] for _ in outer]
+    tree = shapely.STRtree(polygons)
+    hole_polygons = np.array([shapely.Polygon(ring) for ring in holes], dtype=object)
+    hole, around = tree.query(shapely.point_on_surface(hole_polygons), predicate="within")
+    size = shapely.area(polygons)
+    for number in np.unique(hole):
+        candidates = around[hole == number]
+        inside[candidates[np.argmin(size[candidates])]].append(holes[number])
+    return np.array([shapely.Polygon(ring, within) for ring, within in zip(outer, inside)], dtype=object)
+
+
+def _signed_area(ring: np.ndarray) -> float:
+    """Twice the area in (column, row); positive round high ground, as `find_contours` turns."""
+    x, y = ring[:, 0], ring[:, 1]
+    return float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]))
+
+
+def _labels(polygons: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Number (from 1) of the polygon that each pixel centre lies in; 0 for none."""
+    if not len(polygons):
+        return np.zeros(shape, dtype=np.int32)
+    return rasterize([(polygon, number) for number, polygon in enumerate(polygons, 1)], shape,
+                     transform=Affine.translation(-0.5, -0.5), dtype="int32")
+
+
+def merge_pieces(pieces: Sequence[PolygonPieces], transform: Affine, metres_per_unit: float,
+                 smallest: float) -> MarkingPolygons:
+    """Join the parts of markings across seams and measure them.
+
+    Parameters
+    ----------
+    transform : from pixels (corners at whole numbers) to the CRS. smallest : m2, smaller ones are left out.
+    """
+    if not pieces:
+        empty = np.empty(0)
+        return MarkingPolygons(np.empty(0, dtype=object), empty, empty, empty, empty, np.empty(0, dtype=object))
+    polygons, at_seam, pixels, contrast, yellow = (
+        np.concatenate([getattr(piece, name) for piece in pieces])
+        for name in ("polygons", "at_seam", "pixels", "contrast", "yellow"))
+    joined = shapely.get_parts(shapely.union_all(shapely.make_valid(polygons[at_seam])))
+    joined = joined[shapely.get_type_id(joined) == 3]
+    whole = np.concatenate([polygons[~at_seam], joined])
+    target = np.arange(len(polygons))
+    target[~at_seam] = np.arange(np.count_nonzero(~at_seam))
+    part, found = shapely.STRtree(joined).query(shapely.point_on_surface(polygons[at_seam]), predicate="intersects")
+    target[np.flatnonzero(at_seam)[part]] = found + np.count_nonzero(~at_seam)
+    pixels, contrast, yellow = (np.bincount(target, weights=values, minlength=len(whole))
+                                for values in (pixels, contrast, yellow))
+    whole = shapely.transform(whole, lambda points: _to_crs(points, transform))
+    pixel = np.sqrt(abs(transform.determinant))
+    return _measured(whole, pixels, contrast, yellow, pixel, metres_per_unit, smallest)
+
+
+def _measured(polygons: np.ndarray, pixels: np.ndarray, contrast: np.ndarray, yellow: np.ndarray, pixel: float,
+              metres_per_unit: float, smallest: float) -> MarkingPolygons:
+    area = shapely.area(polygons) * metres_per_unit ** 2
+    perimeter = shapely.length(polygons) * metres_per_unit
+    kept = (area >= smallest) & (pixels > 0)
+    box = shapely.bounds(polygons)
+    kept = np.flatnonzero(kept)[np.lexsort((box[kept, 0], -box[kept, 3]))]  # from the north, whatever the tiles
+    area, half = area[kept], perimeter[kept] / 2
+    length = (half + np.sqrt(np.maximum(half ** 2 - 4 * area, 0))) / 2
+    outlines = shapely.make_valid(shapely.simplify(polygons[kept], _SIMPLIFIED * pixel))
+    outlines = np.where(shapely.get_type_id(outlines) == 3, outlines, polygons[kept])
+    return MarkingPolygons(outlines, area, length, area / length, contrast[kept] / pixels[kept],
+                           np.where(yellow[kept] > 0.5 * pixels[kept], YELLOW, WHITE).astype(object))
+
+
+def _to_crs(points: np.ndarray, transform: Affine) -> np.ndarray:
+    column, row = points[:, 0] + 0.5, points[:, 1] + 0.5
+    return np.column_stack([transform.a * column + transform.b * row + transform.c,
+                            transform.d * column + transform.e * row + transform.f])
+
+
+def with_heights(polygons: np.ndarray, ground: RasterSampler) -> tuple[np.ndarray, int]:
+    """Polygons with the ground's height at each vertex (J 4.1), and how many have vertices without one (NaN)."""
+    points, owner = shapely.get_coordinates(polygons, return_index=True)
+    heights = ground.sample(points[:, 0], points[:, 1]).astype(np.float64)
+    raised = shapely.set_coordinates(shapely.force_3d(polygons), np.column_stack([points, heights]))
+    return raised, len(np.unique(owner[np.isnan(heights)]))

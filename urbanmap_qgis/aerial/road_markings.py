@@ -1,0 +1,165 @@
+"""Road markings in an orthophoto by adaptive thresholding (J 3.2.2), one piece of the image at a time.
+
+All of it has bounded reach: a pixel's result depends on the image within `reach_pixels` of it, so that large images
+can be worked on in overlapping tiles without seams.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import cv2
+import numpy as np
+
+from .marking_filter import CleanSettings, clean, disc
+
+WARMTH = 0.5
+"""How much of red less blue is added to red: yellow paint on light paving is no brighter than it, but warmer."""
+
+SHADE_FLOOR = 0.35
+"""In shade paint stands out less, in proportion; the threshold follows down to this share of itself."""
+
+EDGE_SPREAD = 0.25
+"""m round a marking's pixels in which its edge is looked for, and its own brightness."""
+
+LEAST_RANGE = 1.5
+"""Least range of the levels, in medians of the brightness; new paint is two to three times as bright as asphalt."""
+
+GREENNESS = 1.08
+"""Where green exceeds red by this factor there are leaves; neither white nor yellow paint does, in sun or shade."""
+
+YELLOW_SHARE = 0.15
+"""Paint whose warmth (red less blue), less that of the ground beside it, exceeds this share of its red is yellow."""
+
+
+@dataclass(frozen=True)
+class MarkingSettings:
+    """How markings are told from the road.
+
+    Parameters
+    ----------
+    block_size : side of the Gaussian window, m (J Table 3-2). contrast : how much brighter than the window's mean paint
+    is, in grey values of an image levelled to 0..255 (J Table 3-2).
+    cleaning : rules for what is no marking; None keeps all that passes the threshold.
+    """
+
+    block_size: float = 2.5
+    contrast: float = 17.0
+    cleaning: CleanSettings | None = field(default_factory=CleanSettings)
+
+
+@dataclass(frozen=True)
+class Levels:
+    """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it."""
+
+    low: float
+    high: float
+    middle: float
+
+
+@dataclass(frozen=True)
+class Markings:
+    """Markings of a piece of image; all arrays (rows, columns).
+
+    Attributes
+    ----------
+    mask : bool, pixel centres on paint. field : float32, brightness less that half-way between paint and road: its zero
+    line is the paint's edge. contrast : float32, grey values above the road. yellow : bool.
+    """
+
+    mask: np.ndarray
+    field: np.ndarray
+    contrast: np.ndarray
+    yellow: np.ndarray
+
+
+def paint_brightness(bands: np.ndarray) -> np.ndarray:
+    """Brightness in which white and yellow paint stand out, (rows, columns) float32.
+
+    `bands` is (1, rows, columns) grey or (3 or more, rows, columns) with red, green, blue first.
+    """
+    if len(bands) < 3:
+        return bands[0].astype(np.float32)
+    red, blue = bands[0].astype(np.float32), bands[2].astype(np.float32)
+    return red + WARMTH * (red - blue)
+
+
+def levels_of(brightness: np.ndarray) -> Levels:
+    """Levels of a sample of valid brightness values, (n,), from its darkest and brightest 0.5 %.
+
+    The range is at least `LEAST_RANGE` medians: a street with hardly any paint must not have its noise stretched.
+    Values beyond the levels are kept, as cutting them would shift the edges of bright paint.
+    """
+    low, middle, high = np.percentile(brightness, [0.5, 50.0, 99.5])
+    high = max(high, low + LEAST_RANGE * abs(middle), low + 1e-6)
+    return Levels(float(low), float(high), float((middle - low) * 255 / (high - low)))
+
+
+def reach_pixels(pixel: float, settings: MarkingSettings) -> int:
+    """How far, in pixels of side `pixel` (m), the result at a pixel looks round itself."""
+    reach = settings.block_size + 4 * EDGE_SPREAD + 2 * CleanSettings().max_width
+    if settings.cleaning:
+        reach += settings.cleaning.reach
+    return math.ceil(reach / pixel) + 8
+
+
+def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: Levels,
+                  settings: MarkingSettings) -> Markings:
+    """Markings of a piece of orthophoto.
+
+    Parameters
+    ----------
+    bands : (1 or more, rows, columns), see `paint_brightness`. seen : bool, where the image shows ground: all else does
+    not enter the mean. roads : bool, where markings may be; None for everywhere. pixel : side, m.
+    """
+    allowed = seen if roads is None else seen & roads
+    raw = paint_brightness(bands)
+    image = (raw - np.float32(levels.low)) * np.float32(255.0 / (levels.high - levels.low))
+    mean = _mean_of_seen(image, seen, pixel, settings.block_size)
+    image = np.where(seen, image, mean)
+    threshold = settings.contrast * np.clip(mean / max(levels.middle, 1.0), SHADE_FLOOR, 1.0)
+    core = (image > mean + threshold) & allowed
+    width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
+    road = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc(width, pixel), borderType=cv2.BORDER_REPLICATE)
+    if settings.cleaning:
+        core = clean(core & ~_green(bands), image, road, threshold, seen, pixel, settings.cleaning)
+    return _refined(core, image, road, bands, allowed, pixel)
+
+
+def _mean_of_seen(image: np.ndarray, seen: np.ndarray, pixel: float, block_size: float) -> np.ndarray:
+    """Gaussian mean over a block, of seen pixels only."""
+    side = max(round(block_size / pixel) | 1, 3)
+    weight = seen.astype(np.float32)
+    total = cv2.GaussianBlur(image * weight, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
+    weight = cv2.GaussianBlur(weight, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
+    return total / np.maximum(weight, np.float32(1e-3))
+
+
+def _green(bands: np.ndarray) -> np.ndarray:
+    """Where an image shows leaves: green above red, over a few pixels because JPEG spreads colours. Bool."""
+    if len(bands) < 3:
+        return np.zeros(bands.shape[1:], dtype=bool)
+    red, green = (cv2.blur(bands[band].astype(np.float32), (3, 3), borderType=cv2.BORDER_REPLICATE) for band in (0, 1))
+    return green > GREENNESS * red
+
+
+def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,
+             pixel: float) -> Markings:
+    """The paint round core pixels, up to half-way between the paint's brightness and the road's.
+
+    The half-way line is where an edge lies whatever the blur; a threshold over the mean is not.
+    """
+    spread = disc(2 * EDGE_SPREAD, pixel)
+    near = (cv2.dilate(core.astype(np.uint8), disc(2 * max(EDGE_SPREAD / 2, pixel), pixel)) > 0) & allowed
+    paint = cv2.dilate(np.where(core, image, np.float32(0)), spread)
+    above = image - 0.5 * (paint + road)
+    above[~near | (paint <= road)] = -np.float32(1e3)
+    mask = above > 0
+    yellow = np.zeros(mask.shape, dtype=bool)
+    if len(bands) >= 3:
+        red = bands[0].astype(np.float32)
+        warmth = red - bands[2]
+        ground = cv2.erode(warmth, spread)
+        yellow = mask & (np.maximum(warmth, warmth - ground) > YELLOW_SHARE * red) & (warmth > 0.5 * YELLOW_SHARE * red)
+    return Markings(mask, above, np.where(mask, image - road, np.float32(0)), yellow)
