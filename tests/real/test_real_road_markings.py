@@ -1,0 +1,70 @@
+"""Road markings in the simulated city of another program, and in labelled photographs of a drone."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+import rasterio
+from rasterio.features import rasterize
+
+from urbanmap_qgis.aerial.marking_files import Places, markings_from_orthophoto
+from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, levels_of, paint_brightness
+
+DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
+CITY = DATA / "city"
+DRONE = DATA / "aerial" / "uav_markings"
+
+
+def near(mask):
+    return cv2.dilate(mask.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+
+
+def geometries(path, layer, kind=None):
+    ogr = pytest.importorskip("osgeo.ogr")
+    shapely = pytest.importorskip("shapely")
+    source = ogr.Open(str(path))
+    return [shapely.from_wkb(bytes(item.geometry().ExportToWkb())) for item in source.GetLayerByName(layer)
+            if kind is None or item["kind"] == kind]
+
+
+@pytest.mark.skipif(not CITY.is_dir(), reason="../shared/data/city is not there")
+def test_city(tmp_path):
+    roads = geometries(CITY / "truth" / "areas.gpkg", "areas", "carriageway")
+    hidden = CITY / "truth" / "occlusion" / "ortho.tif"
+    places = Places(roads=roads, mask=hidden)
+    found = markings_from_orthophoto(CITY / "aerial" / "ortho.tif", tmp_path / "m.tif", places)
+    with rasterio.open(tmp_path / "m.tif") as source:
+        mask, place = source.read(1) > 0, source.transform
+    with rasterio.open(hidden) as source:
+        seen = source.read(1) == 0
+
+    def burnt(shapes):
+        return rasterize([(shape, 1) for shape in shapes], mask.shape, transform=place) > 0
+
+    truth = burnt(geometries(CITY / "truth" / "markings.gpkg", "aerial")) & seen & burnt(roads)
+    crowns = burnt(geometries(CITY / "truth" / "areas.gpkg", "areas", "tree_crown"))
+    # Markings under vehicles count as missed here and paint found on vehicles as wrong.
+    assert (mask & near(truth)).sum() / mask.sum() > 0.9
+    assert (truth & ~crowns & near(mask)).sum() / (truth & ~crowns).sum() > 0.8
+    assert len(found.polygons) > 800 and 0.05 < np.median(found.polygons.width) < 0.6
+
+
+@pytest.mark.skipif(not DRONE.is_dir(), reason="../shared/data/aerial/uav_markings is not there")
+@pytest.mark.parametrize("name", ["test_1", "test_2"])
+def test_drone(name):
+    pixels = cv2.imdecode(np.fromfile(DRONE / f"{name}.JPG", np.uint8), cv2.IMREAD_COLOR)
+    bands = np.ascontiguousarray(np.moveaxis(pixels[..., ::-1], 2, 0))
+    everywhere = np.ones(pixels.shape[:2], dtype=bool)
+    levels = levels_of(paint_brightness(bands).ravel())
+    mask = find_markings(bands, everywhere, None, 0.03, levels, MarkingSettings()).mask
+    labelled = json.loads((DRONE / f"{name}.json").read_text(encoding="utf-8"))["shapes"]
+    truth = np.zeros(mask.shape, np.uint8)
+    for item in labelled:
+        one = cv2.fillPoly(np.zeros(mask.shape, np.uint8), [np.round(item["points"]).astype(np.int32)], 1) > 0
+        assert mask[one].mean() > 0.5
+        truth[one] = 1
+    assert ((truth > 0) & near(mask)).sum() / truth.sum() > 0.9
