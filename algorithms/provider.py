@@ -23,6 +23,7 @@ ALGORITHMS = (
     ("filtervehicles", "FilterVehicles"),
     ("occlusionmap", "OcclusionMap"),
     ("roadmarkingsfromorthophoto", "RoadMarkingsFromOrthophoto"),
+    ("aerialmarkings", "AerialMarkings"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),

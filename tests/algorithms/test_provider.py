@@ -12,7 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
-            "roadmarkingsfromorthophoto",
+            "roadmarkingsfromorthophoto", "aerialmarkings",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "buildingsfromals")
 
