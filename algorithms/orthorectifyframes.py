@@ -63,6 +63,8 @@ class OrthorectifyFrames(UrbanMapAlgorithm):
         self.add_number_output("HOLE_AREA", "Area of holes", "Ground in the frames, outside buildings, that no frame "
                                "sees.", "m2")
         self.add_number_output("FRAMES_USED", "Frames used", "Frames that gave pixels.")
+        self.add_number_output("LARGEST_SHIFT", "Largest shift", "Largest distance between the same road markings in "
+                               "two overlapping frames, median over their places; no value where none are seen.", "m")
 
     def compute(self, parameters, context, feedback):
         from ..urbanmap_qgis.aerial.camera import read_camera, read_exterior
@@ -96,12 +98,15 @@ class OrthorectifyFrames(UrbanMapAlgorithm):
                                  self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
         count = self.output_layer_path(parameters, "OUTPUT_COUNT", context)
+        shifts = []
         made = orthorectify(frames, camera, ground, output, count, surface,
-                            outlines.geometries if outlines else (), settings, progress.part(0.02, 1.0))
+                            outlines.geometries if outlines else (), settings, progress.part(0.02, 1.0), shifts=shifts)
         progress.message(tr("{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.")
                          .format(made.used, 100 * made.share_seen, made.hidden_area))
         results = {"OUTPUT": str(output), "SHARE_SEEN": made.share_seen, "HOLE_AREA": made.hidden_area,
                    "FRAMES_USED": made.used}
+        if shifts:
+            results["LARGEST_SHIFT"] = max(shift.length for shift in shifts)
         if count:
             results["OUTPUT_COUNT"] = str(count)
         return results

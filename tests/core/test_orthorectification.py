@@ -11,6 +11,7 @@ import rasterio
 import shapely
 
 from urbanmap_qgis.aerial.camera import Camera, Pose, rays
+from urbanmap_qgis.aerial.frame_shifts import FrameShift
 from urbanmap_qgis.aerial.frames import Frame
 from urbanmap_qgis.aerial.mosaic import Choice
 from urbanmap_qgis.aerial.orthorectification import OrthoSettings, footprint, orthorectify
@@ -194,3 +195,13 @@ def test_footprint_of_a_level_frame():
     box = footprint(camera, Pose("a", 100.0, 200.0, 510.0, 0.0, 0.0, 0.0), 10.0, 10.0)
     assert box == pytest.approx((50.0, 160.0, 150.0, 240.0))
     assert footprint(camera, Pose("a", 0.0, 0.0, 500.0, 180.0, 0.0, 0.0), 0.0, 0.0) is None
+
+
+def test_a_displaced_frame_is_told(place, monkeypatch):
+    ground, _, frames, output = place
+    shift = FrameShift("東.tif", "b.tif", 0.3, -0.4, 9)
+    monkeypatch.setattr("urbanmap_qgis.aerial.orthorectification.frame_shifts", lambda *_: [shift])
+    warnings, shifts = [], []
+    orthorectify(frames(), CAMERA, ground, output, settings=OrthoSettings(0.2), shifts=shifts,
+                 progress=Progress(warn=warnings.append))
+    assert shifts == [shift] and "東.tif and b.tif lie 0.50 m apart" in warnings[-1]

@@ -45,7 +45,7 @@ def shifts(first, second):
             part = slice(top, top + PATCH), slice(left, left + PATCH)
             if not both[part].all() or min((a[part] > 40).mean(), (b[part] > 40).mean()) < 0.01:
                 continue
-            shift, response = cv2.phaseCorrelate(a[part], b[part], window)
+            shift, response = cv2.phaseCorrelate(a[part].copy(), b[part].copy(), window)
             if response > 0.3:
                 found.append(shift)
     return np.array(found).reshape(-1, 2)

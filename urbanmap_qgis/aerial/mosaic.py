@@ -138,7 +138,7 @@ def exposure_of(sources: Sequence[Source], grid: Grid, bands: int, progress: Pro
     for top, left, tile in tiles(coarse, side):
         progress.step(top / coarse.rows)
         point = np.arange(tile.columns) + left + (np.arange(tile.rows) + top)[:, None] * coarse.columns
-        for number, source in _reaching(sources, tile):
+        for number, source in reaching(sources, tile):
             view = source.view(tile)
             if view is not None and view.seen.any():
                 parts.append((np.full(view.seen.sum(), number), point[view.seen], view.values[view.seen]))
@@ -147,7 +147,7 @@ def exposure_of(sources: Sequence[Source], grid: Grid, bands: int, progress: Pro
     return even_exposure(Samples(*(np.concatenate(column) for column in zip(*parts))), len(sources))
 
 
-def _reaching(sources: Sequence[Source], tile: Grid) -> Iterator[tuple[int, Source]]:
+def reaching(sources: Sequence[Source], tile: Grid) -> Iterator[tuple[int, Source]]:
     """Numbers and sources whose box reaches a tile."""
     x_min, y_min, x_max, y_max = tile.bounds
     for number, source in enumerate(sources):
@@ -168,7 +168,7 @@ def tile_image(sources: Sequence[Source], tile: Grid, choice: Choice, exposure: 
     margin = REACH if choice.method == "vote" else 0
     wide = Grid(tile.x_min - margin * tile.cell, tile.y_max + margin * tile.cell, tile.cell,
                 tile.rows + 2 * margin, tile.columns + 2 * margin)
-    looked = [(number, source.view(wide)) for number, source in _reaching(sources, wide)]
+    looked = [(number, source.view(wide)) for number, source in reaching(sources, wide)]
     looked = [(number, view) for number, view in looked if view is not None]
     if not looked:
         return (np.zeros((*tile.shape, bands), np.float32), np.full(tile.shape, -1), np.zeros(tile.shape, int),

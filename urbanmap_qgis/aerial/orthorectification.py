@@ -21,11 +21,13 @@ from ..geometry.grid import Grid
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from .camera import Camera, Pose, project, rays
+from .frame_shifts import FrameShift, frame_shifts
 from .frames import Frame, FrameImage
 from .mosaic import Choice, Mosaic, View, covering_grid, write_mosaic
 from .visibility import off_ground, visible_ground
 
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
+_MOST_SHIFTS = 5  # warned of
 _MOST_OPEN = 64  # image files
 _MOST_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
 _BLOCK = 2048
@@ -263,7 +265,8 @@ class OrthoSettings:
 def orthorectify(frames: Sequence[Frame], camera: Camera, ground: str | os.PathLike, output: str | os.PathLike,
                  output_count: str | os.PathLike | None = None, surface: str | os.PathLike | None = None,
                  outlines: Sequence[shapely.Geometry] = (), settings: OrthoSettings | None = None,
-                 progress: Progress = SILENT, watch: Callable | None = None) -> Mosaic:
+                 progress: Progress = SILENT, watch: Callable | None = None,
+                 shifts: list[FrameShift] | None = None) -> Mosaic:
     """Lay frames on the ground as one mosaic (J 3.2.1), written as GeoTIFF in the CRS of the ground.
 
     Parameters
@@ -271,6 +274,7 @@ def orthorectify(frames: Sequence[Frame], camera: Camera, ground: str | os.PathL
     ground, surface : rasters of the ground's and the surface's height, m, in one projected CRS with the poses.
     outlines : polygons of buildings, taken out of the mosaic.
     output_count, watch : see `write_mosaic`, which also tells of the files and errors.
+    shifts : a list to which the shifts between overlapping frames are added; None not to measure them.
 
     Raises
     ------
@@ -286,8 +290,11 @@ def orthorectify(frames: Sequence[Frame], camera: Camera, ground: str | os.PathL
         resolution = settings.resolution or _own_resolution(frames, camera, terrain)
         grid = covering_grid(sources, resolution)
         _warn_of_places(sources, terrain, grid, progress)
+        if shifts is not None and len(sources) > 1:
+            shifts += frame_shifts(sources, grid, progress.part(0.0, 0.1))
+            _warn_of_shifts(shifts, resolution, progress)
         return write_mosaic(sources, grid, terrain.ground.crs_wkt, pixels.bands, pixels.dtype, output, output_count,
-                            settings.choice, progress, watch)
+                            settings.choice, progress.part(0.1, 1.0), watch)
 
 
 def _own_resolution(frames: Sequence[Frame], camera: Camera, terrain: Terrain) -> float:
@@ -312,3 +319,12 @@ def _warn_of_places(sources: Sequence[FrameOnGround], terrain: Terrain, grid: Gr
     if box[0] < have[0] - grid.cell or box[1] < have[1] - grid.cell or box[2] > have[2] + grid.cell \
             or box[3] > have[3] + grid.cell:
         progress.warn("The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the ground.")
+
+
+def _warn_of_shifts(shifts: Sequence[FrameShift], resolution: float, progress: Progress) -> None:
+    """Warn of frames whose markings lie more than a pixel apart on the ground."""
+    for shift in sorted(shifts, key=lambda shift: -shift.length)[:_MOST_SHIFTS]:
+        if shift.length > resolution:
+            progress.warn(f"{shift.first} and {shift.second} lie {shift.length:.2f} m apart on the road markings (east "
+                          f"{shift.east:.2f}, north {shift.north:.2f}; {shift.patches} places): check their exterior "
+                          "orientation and the ground.")

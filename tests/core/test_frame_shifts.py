@@ -1,0 +1,42 @@
+"""Disagreement of overlapping frames, from markings."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from urbanmap_qgis.aerial.frame_shifts import frame_shifts
+from urbanmap_qgis.aerial.mosaic import View
+from urbanmap_qgis.geometry.grid import Grid
+
+GRID = Grid(0.0, 100.0, 0.1, 400, 500)
+
+
+class Painted:
+    """A source that shows squares of paint, displaced by (east, north) m."""
+
+    def __init__(self, name, east=0.0, north=0.0, light=150.0):
+        self.name, self.bounds, self._shift, self._light = name, GRID.bounds, (east, north), light
+
+    def view(self, grid):
+        x, y = grid.centres()
+        x, y = np.meshgrid(x - self._shift[0], y - self._shift[1])
+        rng = np.random.default_rng(1)
+        image = np.full(grid.shape, 60.0)
+        for spot_x, spot_y in rng.uniform((0, 60), (50, 100), (150, 2)):
+            covered = [np.clip((0.35 - np.abs(offset)) / grid.cell + 0.5, 0, 1) for offset in (x - spot_x, y - spot_y)]
+            image = np.maximum(image, 60.0 + self._light * covered[0] * covered[1])
+        values = np.clip(image, 0, 255).astype(np.float32)[..., None]
+        seen = np.ones(grid.shape, bool)
+        return View(values, seen, seen, np.zeros(grid.shape, np.float32))
+
+
+def test_a_displaced_frame_is_found():
+    shifts = frame_shifts([Painted("a"), Painted("b", 0.23, -0.11), Painted("c", light=110.0)], GRID)
+    assert [(shift.first, shift.second) for shift in shifts] == [("a", "b"), ("a", "c"), ("b", "c")]
+    assert (shifts[0].east, shifts[0].north) == pytest.approx((0.23, -0.11), abs=0.02)
+    assert shifts[1].length < 0.01 and shifts[0].patches > 10
+
+
+def test_frames_without_markings_say_nothing():
+    assert frame_shifts([Painted("a", light=0.0), Painted("b", light=0.0)], GRID) == []
