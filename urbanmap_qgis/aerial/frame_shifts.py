@@ -16,7 +16,7 @@ from ..geometry.grid import Grid
 from ..progress import SILENT, Progress
 from .mosaic import Source, View, reaching, tiles
 
-PATCH = 96
+PATCH = 64
 """Pixels, side of the patches compared."""
 
 _TILES = 8
