@@ -12,8 +12,8 @@ from pathlib import Path
 
 import numpy as np
 import shapely
-from osgeo import gdal, ogr
-from scipy.ndimage import map_coordinates
+from osgeo import gdal, ogr, osr
+from scipy.ndimage import binary_dilation, map_coordinates
 
 gdal.UseExceptions()
 ogr.UseExceptions()
@@ -21,6 +21,9 @@ ogr.UseExceptions()
 MILLIMETRES = "{:.3f} m"
 STEP = 0.5
 """Distance between the places where roofs are compared, m."""
+CITY_EPSG = 6677
+MUCH_WORN = 0.5
+"""Share of its paint from which a marking is hardly brighter than asphalt."""
 CLEAR = 0.5
 """Places lie at least this far from the inner side of parapets and from any step of the roof, m."""
 
@@ -194,6 +197,39 @@ def models(folder: Path, models: str) -> list[Figure]:
             *_by_kind("height of {} roofs, RMSE", errors, places.kind),
             Figure("overlap (IoU) with the true outlines: outlines as given", before, "{:.3f}"),
             Figure("overlap with the true outlines: models", after, "{:.3f}")]
+
+
+def markings(folder: Path) -> list[Figure]:
+    """Road markings found in the frames against the painted ones, to a pixel."""
+    mask, place = read_raster(folder / "markings.tif")
+    seen = gdal.Open(str(folder / "orthophoto.tif")).ReadAsArray()[:3].any(axis=0)
+    painted, (wear,) = read_layer(folder / "city/truth/markings.gpkg", "wear", layer="aerial")
+    found = mask == 255
+    true, fresh = drawn(painted, mask.shape, place), drawn(
+        painted[np.array(wear, float) < MUCH_WORN], mask.shape, place)
+    around = np.ones((3, 3), bool)
+    right = found & binary_dilation(true, around)
+    hit = fresh & seen & binary_dilation(found, around)
+    return [Figure("found paint that is paint (precision)", right.sum() / max(found.sum(), 1), "{:.0%}"),
+            Figure("seen paint that is found (recall), not much worn", hit.sum() / max((fresh & seen).sum(), 1),
+                   "{:.0%}")]
+
+
+def drawn(shapes: np.ndarray, size: tuple[int, int], place: tuple[float, ...]) -> np.ndarray:
+    """Mask (rows, columns) of the pixels whose middle lies in one of the shapes."""
+    target = gdal.GetDriverByName("MEM").Create("", size[1], size[0], 1, gdal.GDT_Byte)
+    target.SetGeoTransform(place)
+    reference = osr.SpatialReference()
+    reference.ImportFromEPSG(CITY_EPSG)
+    target.SetProjection(reference.ExportToWkt())
+    source = ogr.GetDriverByName("Memory").CreateDataSource("")
+    layer = source.CreateLayer("", reference)
+    for shape in shapes:
+        feature = ogr.Feature(layer.GetLayerDefn())
+        feature.SetGeometry(ogr.CreateGeometryFromWkb(shapely.to_wkb(shapely.force_2d(shape))))
+        layer.CreateFeature(feature)
+    gdal.RasterizeLayer(target, [1], layer, burn_values=[1])
+    return target.ReadAsArray() > 0
 
 
 def _by_kind(what: str, errors: np.ndarray, kinds: np.ndarray) -> list[Figure]:

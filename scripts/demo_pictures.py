@@ -30,11 +30,18 @@ def make_pictures(folder: Path) -> Iterator[tuple[Path, str]]:
     """Draw all pictures into `folder`/pictures; file and caption of each."""
     city, target = folder / "city", folder / "pictures"
     target.mkdir(exist_ok=True)
-    for name, picture, caption in _pictures(city):
+    for name, picture, caption in (*_pictures(city), *_results(folder)):
         path = target / name
         _, data = cv2.imencode(path.suffix, picture, [cv2.IMWRITE_JPEG_QUALITY, 88])
         path.write_bytes(data.tobytes())
         yield path, caption
+
+
+def _results(folder: Path) -> Iterator[tuple[str, np.ndarray, str]]:
+    picture = read_image(folder / "orthophoto.tif")
+    picture[gdal.Open(str(folder / "markings.tif")).ReadAsArray() == 255] = (255, 0, 255)
+    yield ("markings.jpg", middle(picture, 1200, 900), "Made by UrbanMap from the frames: the orthophoto of the ground "
+           "that they see, without buildings and moving vehicles; found road markings in magenta.")
 
 
 def _pictures(city: Path) -> Iterator[tuple[str, np.ndarray, str]]:

@@ -57,4 +57,9 @@ def stages(size: float, seed: int) -> list[Stage]:
               {"POINTS": ALS, "OUTPUT": Path("dsm.tif"), "OUTPUT_GROUND": Path("ground.tif")}, checks.surfaces),
         _buildings("Buildings from unclassified ALS", ALS, "models"),
         _buildings("Buildings from classified ALS", ALS_CLASSIFIED, "models_classified"),
+        Stage("Road markings from frames", "urbanmap:aerialmarkings",
+              {"FRAMES": CITY / "aerial", "CAMERA": CITY / "aerial/camera.json",
+               "EXTERIOR": CITY / "aerial/exterior.csv", "ALS": ALS, "FOOTPRINTS": OUTLINES,
+               "OUTPUT": Path("markings.tif"), "OUTPUT_POLYGONS": Path("markings.gpkg"),
+               "OUTPUT_ORTHOPHOTO": Path("orthophoto.tif")}, checks.markings),
     ]

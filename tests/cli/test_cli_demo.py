@@ -19,6 +19,7 @@ SANE = {
                                         ("height of flat", 0.0001, 0.1), ("height of gabled", 0.05, 0.8),
                                         ("overlap", 0.88, 1)],
 }
+SANE["Road markings from frames"] = [("found paint", 0.5, 1), ("seen paint", 0.6, 1)]
 SANE["Buildings from classified ALS"] = SANE["Buildings from unclassified ALS"]
 
 
