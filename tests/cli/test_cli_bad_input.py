@@ -9,8 +9,8 @@ from __future__ import annotations
 import json
 import os
 import signal
-import subprocess
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -135,8 +135,14 @@ def test_ctrl_c_with_workers_ends_all_processes(linked_profile, make_cloud, tmp_
 
 def worker_runs(group):
     """Whether a worker of a process group is at work on a piece: two processes spawned, and started."""
-    done = subprocess.run(["ps", "-o", "args=", "-g", str(group)], capture_output=True, text=True, check=False)
-    return done.stdout.count("multiprocessing.spawn") >= 2 or done.stdout.count("spawn_main") >= 2
+    spawned = 0
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            command, own = (folder / "cmdline").read_text(errors="replace"), os.getpgid(int(folder.name))
+        except OSError:  # it ended while being looked at
+            continue
+        spawned += own == group and "spawn_main" in command
+    return spawned >= 2
 
 
 def group_runs(group):
