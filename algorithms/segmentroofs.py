@@ -33,11 +33,13 @@ class SegmentRoofs(UrbanMapAlgorithm):
         self.add_distance("BIN_SHIFT", "Bin shift", "Distance in metres from one bin to the next; smaller than the "
                           "width, so that bins overlap.", 0.1, 0.01, 10.0)
         self.add_number("MIN_ROOF_AREA", "Least roof area", "Area in square metres that a maximum of the histogram "
-                        "must hold to be a roof (times the density: the paper's alpha). Buildings that are small "
-                        "themselves are searched for a fifth of their own area.", 50.0, 0.5, 100000.0, "m2")
+                        "must hold to be a roof (times the density: the paper's alpha).", 50.0, 0.5, 100000.0, "m2")
         self.add_number("PARAPET_THRESHOLD", "Parapet threshold", "Two maxima are one roof where the histogram "
                         "between them stays above this number of points (the paper's beta). Without it, a share "
                         "of the two maxima.", None, 0, None, "points", optional=True)
+        self.add_number("MIN_ROOF_SHARE", "Least roof share", "The least roof area is no more than this share of the "
+                        "outline's area, so that small buildings have roofs too; 1 asks for the least roof area "
+                        "everywhere but in buildings smaller than that.", 0.2, 0.01, 1.0, advanced=True)
         self.add_number("SMALL_ROOF_AREA", "Least area of a small roof", "Area in square metres of the smallest "
                         "part that stands out in height and becomes a roof of its own.", 4.0, 0.5, 1000.0, "m2",
                         advanced=True)
@@ -79,6 +81,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
             bin_width=self.parameterAsDouble(parameters, "BIN_WIDTH", context),
             bin_shift=self.parameterAsDouble(parameters, "BIN_SHIFT", context),
             min_roof_area=self.parameterAsDouble(parameters, "MIN_ROOF_AREA", context),
+            min_roof_share=self.parameterAsDouble(parameters, "MIN_ROOF_SHARE", context),
             parapet_threshold=None if beta is None else self.parameterAsDouble(parameters, "PARAPET_THRESHOLD",
                                                                                context),
             small_roof_area=self.parameterAsDouble(parameters, "SMALL_ROOF_AREA", context),

@@ -13,6 +13,7 @@ CORE = {
                                                     "MAX_DISPLACEMENT": "maximum_displacement"}),
     "segmentroofs": (RoofParameters(), {"BIN_WIDTH": "bin_width", "BIN_SHIFT": "bin_shift",
                                         "MIN_ROOF_AREA": "min_roof_area", "PARAPET_THRESHOLD": "parapet_threshold",
+                                        "MIN_ROOF_SHARE": "min_roof_share",
                                         "SMALL_ROOF_AREA": "small_roof_area", "HEIGHT_RMSE": "height_rmse",
                                         "MIN_HEIGHT": "min_height"}),
     "roofpolygons": (PolygonParameters(), {"METHOD": "method", "HEIGHT": "height"}),
