@@ -1,0 +1,1 @@
+"""The mobile survey: its trajectory and calibration, road markings, registration to the aerial reference."""

@@ -1,0 +1,185 @@
+"""What goes into the registration of windows and what comes out: settings, marking points, rows of results."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from ...errors import InputError
+
+REGISTERED, WEAK, AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED = range(5)
+"""Status of a window. WEAK: found, but badly determined in a direction (see the covariance) or with little overlap.
+AMBIGUOUS: another place fits nearly as well (see the modes). NO_MARKINGS: too few points, or no reference there.
+NOT_CONVERGED: the iteration did not come to rest. Corrections of the last two are not to be used."""
+
+STATUS_NAMES = ("registered", "weak", "ambiguous", "no markings", "not converged")
+
+MODES = 3
+"""Places given for a window at most."""
+
+
+@dataclass(frozen=True)
+class MarkingPoints:
+    """Points on road markings as the survey reports them.
+
+    Attributes
+    ----------
+    x, y, z : (n,) m, as placed by the reported trajectory.
+    time : (n,) s, in the trajectory's time.
+    weight : (n,) how surely a point is paint, 0 to 1 (1 where unknown).
+    scanner : (n,) number of the scanner (0 where unknown).
+    """
+
+    x: np.ndarray
+    y: np.ndarray
+    z: np.ndarray
+    time: np.ndarray
+    weight: np.ndarray
+    scanner: np.ndarray
+
+    def __post_init__(self) -> None:
+        if len({len(getattr(self, field.name)) for field in fields(self)}) != 1:
+            raise InputError("The marking points' columns differ in length.")
+
+    def __len__(self) -> int:
+        return len(self.x)
+
+    def take(self, which: np.ndarray | slice) -> MarkingPoints:
+        """Some of the points, by mask, index or slice."""
+        return MarkingPoints(*(getattr(self, field.name)[which] for field in fields(self)))
+
+
+@dataclass(frozen=True)
+class RegistrationSettings:
+    """Parameters, with the values of J Table 3-2 where it has them.
+
+    Attributes
+    ----------
+    patch_length : m of driven path (J: 0.5).
+    window_patches : patches of the smallest window (J: 60).
+    longest_window : patches of the longest window; where even that has too few features it is used as it is.
+    feature_grid : m, side of the cells that are counted (J: 1). feature_count : cells asked for (J: 400).
+    feature_points : points that make a cell count (J: 5).
+    ndt_grid : m, finest grid but for `multi_resolution` (J: 1). iterations : Newton steps at most (J: 30).
+    subsampling : m, one point a cell of this side (J chapter 4: 0.3).
+    three_d : also height, roll and pitch, against the reference's heights (J chapter 4).
+    multi_resolution : grids of 2, 1 and 0.5 times `ndt_grid` one after another, not `ndt_grid` alone.
+    neighbours : sum over the 3 x 3 (x 3) cells around a point, not the point's own cell alone.
+    start : find the start by correlation along the whole path, within `search` m. Without it windows start from
+        the one before (J).
+    search : m, largest error looked for.
+    refinement : sub-pixel adjustment to the reference's coverage after NDT.
+    shared_windows : windows are adjusted together about one smooth correction, so that drift within a window does not
+        bend it. Without it each window is rigid and on its own (J).
+    outlier_share : expected share of points that belong to no reference marking.
+    reference_sigma : m, floor of the standard deviation in plan: what the reference itself is off by.
+    reference_sigma_z : m, the same in height.
+    """
+
+    patch_length: float = 0.5
+    window_patches: int = 60
+    longest_window: int = 200
+    feature_grid: float = 1.0
+    feature_count: int = 400
+    feature_points: int = 5
+    ndt_grid: float = 1.0
+    iterations: int = 30
+    subsampling: float = 0.1
+    three_d: bool = False
+    multi_resolution: bool = True
+    neighbours: bool = True
+    start: bool = True
+    search: float = 4.0
+    refinement: bool = True
+    shared_windows: bool = True
+    outlier_share: float = 0.35
+    reference_sigma: float = 0.01
+    reference_sigma_z: float = 0.015
+
+    def __post_init__(self) -> None:
+        lengths = (self.patch_length, self.feature_grid, self.ndt_grid, self.subsampling, self.search)
+        counts = (self.window_patches, self.longest_window, self.feature_count, self.feature_points, self.iterations)
+        if not all(np.isfinite(lengths)) or min(lengths) <= 0 or min(counts) < 1:
+            raise InputError("Lengths, grids and counts of the registration must be greater than 0.")
+        if not 0 < self.outlier_share < 1:
+            raise InputError("The expected share of outliers must lie between 0 and 1.")
+        if self.longest_window < self.window_patches:
+            raise InputError("The longest window must not be shorter than the smallest one.")
+
+    @classmethod
+    def paper(cls, **changes: object) -> RegistrationSettings:
+        """The method to the letter: rigid windows in 2D, one grid, a point's own cell, start from the window before."""
+        plain = cls(subsampling=0.3, multi_resolution=False, neighbours=False, start=False, refinement=False,
+                    shared_windows=False)
+        return replace(plain, **changes)
+
+
+@dataclass(frozen=True)
+class WindowResults:
+    """One row a patch, in the order driven; every patch of the trajectory has its row.
+
+    The correction of a row: T_corrected has place + (dx, dy, dz) and angles + (droll, dpitch, dheading); a point
+    near the patch moves by T_corrected T_reported^-1 (map metres; degrees of the trajectory's own angles). In 2D the
+    third to fifth are NaN.
+
+    Neighbouring windows share most of their points: their errors are NOT independent. Whoever adjusts rows together
+    must give a row the weight 1 / (`window_last` - `window_first` + 1), or take `information` and `pull`, which are of
+    the patch's own points only and do add up: near `linearised` the log-likelihood of a correction c is
+    `pull` . (c - linearised) - (c - linearised)' `information` (c - linearised) / 2 (thinned to independent
+    evidence, without the floor of the reference).
+
+    Attributes
+    ----------
+    time : (n,) s, at the patch's middle. way : (n,) m driven to the patch's middle.
+    place : (n, 3) m, angles : (n, 3) degrees, of the reported trajectory there.
+    correction : (n, 6) dx, dy, dz (m), droll, dpitch, dheading (degrees). NaN where there is none.
+    covariance : (n, 6, 6) of the correction, m and degrees. NaN where there is none. Includes the floor.
+    score : (n,) mean likelihood score of the window's points, 0 to 1.
+    overlap : (n,) share of the window's points that lie on reference markings after the correction.
+    window_first, window_last : (n,) numbers of the first and last patch of the window, both included.
+    window_length : (n,) m. features : (n,) occupied cells. points : (n,) subsampled points in the window.
+    alias_ratio : (n,) score of the second best place in plan to that of the best, within the search; 0 if alone.
+    margin : (n,) by how much the best way through the whole survey beats the best that takes another place
+        here (log-likelihood of independent evidence; below about 3 is no proof; inf if there is no other place).
+    status : (n,) int8, see REGISTERED and its fellows.
+    modes : (n, MODES, 2) dx, dy of the places that fit, the row's own first; NaN where there are fewer.
+    mode_scores : (n, MODES) log-likelihood of each (independent evidence of this window), own first.
+    linearised : (n, 6), information : (n, 6, 6), pull : (n, 6), see above; zeros where the patch has no points.
+    three_d : whether height, roll and pitch were estimated.
+    """
+
+    time: np.ndarray
+    way: np.ndarray
+    place: np.ndarray
+    angles: np.ndarray
+    correction: np.ndarray
+    covariance: np.ndarray
+    score: np.ndarray
+    overlap: np.ndarray
+    window_first: np.ndarray
+    window_last: np.ndarray
+    window_length: np.ndarray
+    features: np.ndarray
+    points: np.ndarray
+    alias_ratio: np.ndarray
+    margin: np.ndarray
+    status: np.ndarray
+    modes: np.ndarray
+    mode_scores: np.ndarray
+    linearised: np.ndarray
+    information: np.ndarray
+    pull: np.ndarray
+    three_d: bool
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def usable(self) -> np.ndarray:
+        """(n,) bool: rows that carry a correction."""
+        return np.isin(self.status, (REGISTERED, WEAK, AMBIGUOUS))
+
+    def sigma(self) -> np.ndarray:
+        """(n, 6) standard deviations of the correction, m and degrees."""
+        return np.sqrt(np.einsum("nii->ni", self.covariance))
