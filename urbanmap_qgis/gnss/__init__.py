@@ -1,0 +1,1 @@
+"""GNSS: observations, satellites, reflections at walls (J 5.6)."""
