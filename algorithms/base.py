@@ -26,7 +26,8 @@ from . import layers
 from .dependencies import refusal
 from .interrupt import signals_cancel
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
-from .parameters import Declarations, check_names, tr
+from .parameters import check_names, tr
+from .trajectories import TrajectoryParameters, trajectory_exists
 
 ICONS = Path(__file__).resolve().parent.parent / "resources" / "icons"
 
@@ -47,7 +48,7 @@ TEMPORARY_LAYER = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # 
 AROUND = 60.0  # m of a raster read beyond the features that it is for
 
 
-class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
+class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     """An algorithm that says what it is in class attributes, declares its parameters and runs.
 
     A subclass sets the attributes below and implements `declare` and `compute`, and `check` where it has more to check
@@ -166,6 +167,8 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
             name = definition.name()
             if name in self.points_names():
                 self.point_files(parameters, name, context)
+            elif name in self.trajectory_names():
+                self._check_trajectory(parameters, name, context)
             elif definition.type() == "file":
                 self.input_path(parameters, name, context)
             elif definition.type() == "fileDestination":
@@ -173,6 +176,11 @@ class UrbanMapAlgorithm(Declarations, QgsProcessingAlgorithm):
             elif definition.type() == "sink":
                 layers.check_place(self, parameters, name, context)
         self.check(parameters, context)
+
+    def _check_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
+        text = self.parameterAsFile(parameters, name, context)
+        if text and not trajectory_exists(text, context):
+            raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
 
     # Reading parameters
 

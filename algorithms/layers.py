@@ -192,7 +192,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     OutputError : it cannot be written. Cancelled : the earlier file, if any, is still there.
     """
     wkb_type = getattr(QgsWkbTypes.Type, geometry_type)
-    features = _features(fields, columns, geometries, progress)
+    features = features_of(fields, columns, geometries, progress)
     reference = crs_from(crs)
     path = _plain_file(parameters, name, context)
     if path is None:
@@ -272,9 +272,9 @@ def _polygons_of(geometry):
     return parts[0] if len(parts) == 1 else shapely.multipolygons(parts)
 
 
-def _features(fields: QgsFields, columns: Mapping[str, Sequence], geometries: Iterable | None,
+def features_of(fields: QgsFields, columns: Mapping[str, Sequence], geometries: Iterable | None,
               progress: Progress) -> Iterable[list[QgsFeature]]:
-    """Features in batches."""
+    """Features with the values of `columns` and shapely geometries, in batches."""
     values = [_values(columns[item.name()]) for item in fields]
     wkb = None
     if geometries is not None:

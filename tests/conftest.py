@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
+import importlib
 import importlib.util
+import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -11,7 +15,8 @@ import numpy as np
 import pytest
 from pyproj import CRS
 
-SHARED_DATA = Path(__file__).resolve().parents[1].parent / "shared" / "data"
+ROOT = Path(__file__).resolve().parents[1]
+SHARED_DATA = ROOT.parent / "shared" / "data"
 
 
 @pytest.fixture(scope="session")
@@ -20,6 +25,24 @@ def real_data() -> Path:
     if not SHARED_DATA.is_dir():
         pytest.skip(f"the real test data are not beside the checkout ({SHARED_DATA.name})")
     return SHARED_DATA
+
+
+@pytest.fixture(scope="session")
+def small_city() -> Path:
+    """Folder of a sample city of 100 m, made once for all parts of the tests and kept until its code changes."""
+    write = importlib.import_module("urbanmap_qgis.samplecity.write")
+    source = sorted(Path(write.__file__).parent.glob("*.py"))
+    key = hashlib.sha256(b"".join(path.read_bytes() for path in source)).hexdigest()[:12]
+    folder = ROOT / "build" / "test_cities" / key
+    if not folder.is_dir():
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        beside = folder.with_name(f"{key}-{os.getpid()}")
+        write.make_city(beside, 100, seed=1)
+        if folder.is_dir():
+            shutil.rmtree(beside)
+        else:
+            beside.rename(folder)
+    return folder
 
 
 @pytest.fixture(scope="session")

@@ -1,0 +1,153 @@
+"""Where scanners and cameras sit on the body: lever arms and boresights (the JSON calibration file)."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import InputError
+from .trajectory import Trajectory, body_to_map
+
+_FARTHEST_ARM = 20.0
+
+
+@dataclass(frozen=True)
+class Mount:
+    """How a scanner or camera sits on the body.
+
+    Attributes
+    ----------
+    id : its name.
+    lever_arm : (3,) from the body's origin: forward, right, down, m.
+    angles : (3,) roll, pitch, heading from the body's axes, degrees (boresight).
+    """
+
+    id: str
+    lever_arm: np.ndarray
+    angles: np.ndarray
+
+
+@dataclass(frozen=True)
+class Scanner(Mount):
+    """A laser scanner.
+
+    Attributes
+    ----------
+    point_source_id : number by which its points are marked; None where the file does not say.
+    max_range : farthest range, m; infinite where the file does not say.
+    """
+
+    point_source_id: int | None = None
+    max_range: float = np.inf
+
+
+@dataclass(frozen=True)
+class Camera(Mount):
+    """A camera; `properties` are all its entries of the file (focal length, rows, image centre)."""
+
+    properties: Mapping[str, object] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Calibration:
+    """Scanners and cameras of a vehicle."""
+
+    scanners: tuple[Scanner, ...]
+    cameras: tuple[Camera, ...] = ()
+
+
+def read_calibration(path: str | os.PathLike) -> Calibration:
+    """Read a calibration file (JSON with `scanners` and `camera` or `cameras`).
+
+    Raises
+    ------
+    InputError : it is no such file, or an entry is missing or no number.
+    """
+    name = Path(path).name
+    try:
+        content = json.loads(Path(path).read_text(encoding="utf-8-sig"))
+    except (OSError, ValueError) as error:
+        raise InputError(f"{name} cannot be read as a calibration (JSON): {error}.") from error
+    if not isinstance(content, dict) or not any(key in content for key in ("scanners", "camera", "cameras")):
+        raise InputError(f"{name} is no calibration: it needs an entry “scanners” or “cameras”.")
+    cameras = content.get("cameras", [content["camera"]] if "camera" in content else [])
+    return Calibration(tuple(_scanner(entry, name) for entry in _entries(content.get("scanners", []), name)),
+                       tuple(_camera(entry, name) for entry in _entries(cameras, name)))
+
+
+def _entries(value: object, name: str) -> list[Mapping]:
+    if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
+        raise InputError(f"{name}: scanners and cameras must be lists of objects.")
+    return value
+
+
+def _scanner(entry: Mapping, name: str) -> Scanner:
+    source = entry.get("point_source_id", entry.get("id"))
+    try:
+        source = int(source)
+    except (TypeError, ValueError):
+        source = None
+    return Scanner(*_mount(entry, name), source, _number(entry, "max_range", name, np.inf))
+
+
+def _camera(entry: Mapping, name: str) -> Camera:
+    return Camera(*_mount(entry, name), dict(entry))
+
+
+def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
+    """Name, lever arm and boresight of an entry."""
+    identity = str(entry.get("id", ""))
+    arm = entry.get("lever_arm_m")
+    if not isinstance(arm, list) or len(arm) != 3 or not all(_is_number(value) for value in arm):
+        raise InputError(f"{name}: “lever_arm_m” of {identity or 'an entry'} must be three numbers, metres forward, "
+                         "right and down.")
+    if np.abs(arm).max() > _FARTHEST_ARM:
+        raise InputError(f"{name}: the lever arm of {identity or 'an entry'} is {np.abs(arm).max():.0f} m long; it "
+                         "must be in metres.")
+    angles = [_number(entry, key, name, 0.0) for key in ("roll", "pitch", "heading")]
+    return identity, np.array(arm, float), np.array(angles)
+
+
+def _number(entry: Mapping, key: str, name: str, default: float) -> float:
+    value = entry.get(key, default)
+    if not _is_number(value):
+        raise InputError(f"{name}: “{key}” of {entry.get('id', 'an entry')} is no number.")
+    return float(value)
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and not np.isnan(value)
+
+
+def scanner_of(calibration: Calibration, point_source_id: int) -> Scanner:
+    """The scanner whose points carry a number.
+
+    A calibration of a single scanner without a number stands for all points.
+
+    Raises
+    ------
+    InputError : the calibration does not know the number.
+    """
+    for scanner in calibration.scanners:
+        if scanner.point_source_id == point_source_id:
+            return scanner
+    if len(calibration.scanners) == 1 and calibration.scanners[0].point_source_id is None:
+        return calibration.scanners[0]
+    known = ", ".join(str(scanner.point_source_id) for scanner in calibration.scanners) or "none"
+    raise InputError(f"The calibration has no scanner with point source id {point_source_id} (it has: {known}): add "
+                     "it, or choose the calibration of this survey.")
+
+
+def scanner_places(trajectory: Trajectory, scanner: Mount, time: np.ndarray) -> np.ndarray:
+    """Places (m, 3) of a scanner or camera in the map at times (m,): p(t) + R(t) lever arm.
+
+    Raises
+    ------
+    InputError : a time lies outside the trajectory.
+    """
+    return body_to_map(trajectory, time, scanner.lever_arm)

@@ -1,0 +1,92 @@
+"""GPS time of point clouds and trajectories: seconds of the week, adjusted standard time or full seconds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..errors import InputError
+from ..io.pointcloud import PointCloud, iter_chunks
+from .trajectory import Trajectory
+
+WEEK = 604_800.0
+"""Seconds of a GPS week."""
+
+ADJUSTMENT = 1e9
+"""Adjusted standard GPS time is full GPS seconds less this (LAS 1.2 and later)."""
+
+_ENOUGH = 0.5
+
+
+def time_range(cloud: PointCloud) -> tuple[float, float]:
+    """First and last gps_time of a cloud, s, as stored.
+
+    Raises
+    ------
+    InputError : the points carry no gps_time.
+    """
+    if not cloud.has_dimension("gps_time"):
+        raise InputError(f"The points of {cloud.paths[0].name} carry no GPS time, which ties them to the trajectory: "
+                         "export the survey with it.")
+    first, last = np.inf, -np.inf
+    for chunk in iter_chunks(cloud):
+        time = np.asarray(chunk["gps_time"])
+        if len(time):
+            first, last = min(first, float(time.min())), max(last, float(time.max()))
+    if not last > first and last == 0.0:
+        raise InputError(f"All GPS times in {cloud.paths[0].name} are zero: export the survey with the points' times.")
+    return first, last
+
+
+def time_shift(cloud: PointCloud, trajectory: Trajectory, span: tuple[float, float] | None = None) -> float:
+    """Seconds to add to a cloud's gps_time so that it is in the trajectory's time.
+
+    Seconds of the week, adjusted standard time and full GPS seconds are told from each other by the header and the
+    values; a survey may run over the end of a week.
+
+    Parameters
+    ----------
+    span : first and last time of the cloud; None reads it from the points.
+
+    Raises
+    ------
+    InputError : no time at all, or cloud and trajectory overlap by less than half of the cloud's time.
+    """
+    first, last = span or time_range(cloud)
+    return shift_between((first, last), (float(trajectory.time[0]), float(trajectory.time[-1])),
+                         f"The points of {cloud.paths[0].name}", _kind(cloud, first))
+
+
+def shift_between(span: tuple[float, float], wanted: tuple[float, float], what: str, kind: str = "") -> float:
+    """Seconds to add to times of `span` so that they lie in the span `wanted`: none, whole weeks or an adjustment.
+
+    `what` begins the sentence of the error, "The points of x.las"; `kind` says how its times are counted.
+
+    Raises
+    ------
+    InputError : the two overlap by less than half of `span`.
+    """
+    weeks = WEEK * np.round((0.5 * sum(wanted) - 0.5 * sum(span)) / WEEK)
+    adjusted = ADJUSTMENT * np.array([0.0, 1.0, -1.0])
+    shifts = [0.0, weeks]
+    for base in adjusted[1:]:
+        shifts += [base, base + WEEK * np.round((0.5 * sum(wanted) - 0.5 * sum(span) - base) / WEEK)]
+    shares = [_overlap((span[0] + shift, span[1] + shift), wanted) for shift in shifts]
+    best = int(np.argmax(shares))
+    if shares[best] < _ENOUGH:
+        raise InputError(f"{what} were measured from {span[0]:.1f} to {span[1]:.1f} s{kind}, but the trajectory runs "
+                         f"from {wanted[0]:.1f} to {wanted[1]:.1f} s: give those of one survey.")
+    return float(shifts[best])
+
+
+def _overlap(span: tuple[float, float], wanted: tuple[float, float]) -> float:
+    """Share of `span` that lies in `wanted`."""
+    length = max(span[1] - span[0], 1e-3)
+    inside = min(span[1], wanted[1]) - max(span[0], wanted[0])
+    return float(np.clip((inside + 1e-3) / length, 0.0, 1.0))
+
+
+def _kind(cloud: PointCloud, first: float) -> str:
+    standard = int(cloud.headers[0].global_encoding.gps_time_type) == 1
+    if standard and not 0.0 <= first < WEEK:
+        return " of adjusted standard GPS time"
+    return " of the GPS week" if 0.0 <= first < WEEK else ""

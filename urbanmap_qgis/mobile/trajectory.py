@@ -1,0 +1,197 @@
+"""The trajectory of a survey vehicle: poses over time, and what they do to points.
+
+Body: x forward, y right, z down. A body vector b lies in north, east, down as Rz(heading) Ry(pitch) Rx(roll) b;
+roll right side down, pitch nose up, heading clockwise from grid north. The map is east, north, up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError
+
+STANDING = 0.15
+"""Below this speed a vehicle stands, m/s: what still moves is noise of its navigation."""
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """Poses of the body at n epochs.
+
+    Attributes
+    ----------
+    time : (n,) s, strictly increasing.
+    place : (n, 3) easting, northing and height of the body's origin, m.
+    angles : (n, 3) roll, pitch and heading, degrees, without jumps of a full turn.
+    """
+
+    time: np.ndarray
+    place: np.ndarray
+    angles: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def duration(self) -> float:
+        """Time from the first epoch to the last, s."""
+        return float(self.time[-1] - self.time[0])
+
+    def within(self, time: np.ndarray) -> np.ndarray:
+        """Mask (m,) of the times that lie between the first and the last epoch."""
+        return (time >= self.time[0]) & (time <= self.time[-1])
+
+
+def interpolate(trajectory: Trajectory, time: np.ndarray, outside: str = "error") -> Trajectory:
+    """Poses at any times (m,): position and angles linear between epochs.
+
+    Parameters
+    ----------
+    outside : what is done with times before the first or after the last epoch: "error", "hold" (the pose there) or
+        "nan".
+
+    Raises
+    ------
+    InputError : a time lies outside, and `outside` is "error".
+    """
+    time = np.asarray(time, float)
+    before, share = _between(trajectory, time)
+    within = trajectory.within(time)
+    if outside == "error" and not within.all():
+        worst = time[~within][0]
+        raise InputError(f"The trajectory runs from {trajectory.time[0]:.3f} to {trajectory.time[-1]:.3f} s, but a "
+                         f"pose is needed at {worst:.3f} s: give the trajectory of the whole survey.")
+    place, angles = (_linear(values, before, share) for values in (trajectory.place, trajectory.angles))
+    if outside == "nan":
+        place[~within], angles[~within] = np.nan, np.nan
+    return Trajectory(time, place, angles)
+
+
+def _between(trajectory: Trajectory, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Number of the epoch before each time and the share of the step to the next, 0 to 1."""
+    if len(trajectory) == 1:
+        return np.zeros(len(time), int), np.zeros(len(time))
+    before = np.clip(np.searchsorted(trajectory.time, time, side="right") - 1, 0, len(trajectory) - 2)
+    start = trajectory.time[before]
+    return before, np.clip((time - start) / (trajectory.time[before + 1] - start), 0.0, 1.0)
+
+
+def _linear(values: np.ndarray, before: np.ndarray, share: np.ndarray) -> np.ndarray:
+    start = values[before]
+    return start + share[:, None] * (values[np.minimum(before + 1, len(values) - 1)] - start)
+
+
+def unwrapped(angles: np.ndarray) -> np.ndarray:
+    """Angles (n, 3) in degrees without jumps of a full turn from one row to the next."""
+    return np.unwrap(np.asarray(angles, float), axis=0, period=360.0)
+
+
+def rotations(angles: np.ndarray) -> np.ndarray:
+    """Matrices (m, 3, 3) that take body vectors (forward, right, down) to the map (east, north, up).
+
+    `angles` (m, 3) are roll, pitch, heading in degrees.
+    """
+    roll, pitch, heading = np.radians(np.asarray(angles, float)).T
+    cr, sr, cp, sp, ch, sh = np.cos(roll), np.sin(roll), np.cos(pitch), np.sin(pitch), np.cos(heading), np.sin(heading)
+    north = np.stack([ch * cp, ch * sp * sr - sh * cr, ch * sp * cr + sh * sr], axis=-1)
+    east = np.stack([sh * cp, sh * sp * sr + ch * cr, sh * sp * cr - ch * sr], axis=-1)
+    up = np.stack([sp, -cp * sr, -cp * cr], axis=-1)
+    return np.stack([east, north, up], axis=-2)
+
+
+def angles_of(matrices: np.ndarray) -> np.ndarray:
+    """Roll, pitch and heading (m, 3) in degrees of matrices as of `rotations`; heading 0 to 360."""
+    matrices = np.asarray(matrices, float)
+    east, north, up = matrices[..., 0, :], matrices[..., 1, :], matrices[..., 2, :]
+    roll = np.degrees(np.arctan2(-up[..., 1], -up[..., 2]))
+    pitch = np.degrees(np.arctan2(up[..., 0], np.hypot(up[..., 1], up[..., 2])))
+    heading = np.degrees(np.arctan2(east[..., 0], north[..., 0])) % 360.0
+    return np.stack([roll, pitch, heading], axis=-1)
+
+
+def body_to_map(trajectory: Trajectory, time: np.ndarray, body: np.ndarray) -> np.ndarray:
+    """Map coordinates (m, 3) of body vectors (m, 3) or (3,) at times (m,): p(t) + R(t) b.
+
+    Raises
+    ------
+    InputError : a time lies outside the trajectory.
+    """
+    pose = interpolate(trajectory, time)
+    return pose.place + _turned(pose.angles, np.broadcast_to(body, pose.place.shape))
+
+
+def move_points(points: np.ndarray, time: np.ndarray, reported: Trajectory, corrected: Trajectory) -> np.ndarray:
+    """Points (m, 3) placed with the reported trajectory, as the corrected one places them: T_corrected T_reported^-1.
+
+    `time` (m,) must lie within both trajectories; points outside are to be left out before (see `Trajectory.within`).
+
+    Raises
+    ------
+    InputError : a time lies outside a trajectory.
+    """
+    before, after = interpolate(reported, time), interpolate(corrected, time)
+    return after.place + _turned(after.angles, _turned_back(before.angles, points - before.place))
+
+
+def _turned(angles: np.ndarray, body: np.ndarray) -> np.ndarray:
+    """Body vectors (m, 3) in the map's axes, turned axis by axis: no matrix is made for each point."""
+    roll, pitch, heading = np.radians(angles).T
+    x, y, z = body.T
+    y, z = _plane_turn(y, z, roll)
+    z, x = _plane_turn(z, x, pitch)
+    x, y = _plane_turn(x, y, heading)
+    return np.column_stack([y, x, -z])
+
+
+def _turned_back(angles: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+    """Vectors (m, 3) of the map in the body's axes."""
+    roll, pitch, heading = np.radians(angles).T
+    y, x, z = vectors[:, 0], vectors[:, 1], -vectors[:, 2]
+    x, y = _plane_turn(x, y, -heading)
+    z, x = _plane_turn(z, x, -pitch)
+    y, z = _plane_turn(y, z, -roll)
+    return np.column_stack([x, y, z])
+
+
+def _plane_turn(u: np.ndarray, v: np.ndarray, angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Two coordinates turned from the first axis towards the second."""
+    cos, sin = np.cos(angle), np.sin(angle)
+    return cos * u - sin * v, sin * u + cos * v
+
+
+def driven_way(trajectory: Trajectory, standing: float = STANDING) -> np.ndarray:
+    """Way driven in plan (n,) since the first epoch, m; what a standing vehicle's navigation wanders does not count.
+
+    `standing` : speed in m/s, over about a second, below which the vehicle stands.
+    """
+    step = np.hypot(*np.diff(trajectory.place[:, :2], axis=0).T)
+    moving = _speeds(trajectory) >= standing
+    return np.concatenate([[0.0], np.cumsum(np.where(moving, step, 0.0))])
+
+
+def _speeds(trajectory: Trajectory) -> np.ndarray:
+    """Speed (n - 1,) in plan between epochs, m/s, as the net movement over about a second round each step."""
+    time = trajectory.time
+    middle = 0.5 * (time[1:] + time[:-1])
+    half = np.maximum(0.5, 0.5 * np.diff(time))
+    ends = [np.clip(middle + sign * half, time[0], time[-1]) for sign in (-1, 1)]
+    start, end = (np.column_stack([np.interp(at, time, axis) for axis in trajectory.place[:, :2].T]) for at in ends)
+    return np.hypot(*(end - start).T) / np.maximum(ends[1] - ends[0], 1e-9)
+
+
+def gaps(trajectory: Trajectory, longest: float = 1.0) -> np.ndarray:
+    """Spans of time (k, 2), s, between epochs that are more than `longest` seconds apart."""
+    return _spans(trajectory, np.diff(trajectory.time) > longest)
+
+
+def jumps(trajectory: Trajectory, fastest: float = 60.0) -> np.ndarray:
+    """Spans of time (k, 2), s, between epochs from which the body moves faster than `fastest` m/s."""
+    step = np.linalg.norm(np.diff(trajectory.place, axis=0), axis=1)
+    return _spans(trajectory, step > fastest * np.diff(trajectory.time))
+
+
+def _spans(trajectory: Trajectory, steps: np.ndarray) -> np.ndarray:
+    number = np.flatnonzero(steps)
+    return np.column_stack([trajectory.time[number], trajectory.time[number + 1]])

@@ -1,0 +1,235 @@
+"""Trajectories in files: CSV, Applanix SBET and point layers; written back in the format they came in."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from pyproj import CRS, Proj, Transformer
+
+from ..errors import InputError
+from ..io.atomic import written_beside
+from ..io.pointcloud import plan_crs
+from .trajectory import Trajectory, gaps, jumps, unwrapped
+
+COLUMNS = ("time", "x", "y", "z", "roll", "pitch", "heading")
+
+SBET_SUFFIXES = (".out", ".sbet")
+
+_SBET = np.dtype([(name, "<f8") for name in (
+    "time", "latitude", "longitude", "altitude", "velocity_x", "velocity_y", "velocity_z", "roll", "pitch", "heading",
+    "wander", "acceleration_x", "acceleration_y", "acceleration_z", "rate_x", "rate_y", "rate_z")])
+_ALIASES = {"gpstime": "time", "gps_time": "time", "t": "time", "easting": "x", "east": "x", "northing": "y",
+            "north": "y", "height": "z", "altitude": "z", "elevation": "z", "yaw": "heading", "azimuth": "heading"}
+_DECIMALS = {"time": 6, "x": 4, "y": 4, "z": 4, "roll": 6, "pitch": 6, "heading": 6}
+_SHOWN = 3
+
+
+@dataclass(frozen=True)
+class TrajectoryFile:
+    """A trajectory and what is needed to write another one in its format.
+
+    Attributes
+    ----------
+    trajectory : the poses.
+    format : "csv", "sbet" or "layer".
+    notes : sentences on what was put right or looks wrong in it.
+    columns : further columns of the same length by name, in the file's order; written back as they are.
+    header : the CSV's column names as the file spells them.
+    delimiter : of the CSV.
+    crs_wkt : of the map coordinates, where it was needed (SBET).
+    """
+
+    trajectory: Trajectory
+    format: str
+    notes: tuple[str, ...] = ()
+    columns: Mapping[str, Sequence] = field(default_factory=dict)
+    header: tuple[str, ...] = COLUMNS
+    delimiter: str = ","
+    crs_wkt: str | None = None
+
+
+def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None) -> TrajectoryFile:
+    """Read a trajectory: CSV with `time,x,y,z,roll,pitch,heading`, or Applanix SBET (`.out`, `.sbet`).
+
+    Parameters
+    ----------
+    crs_wkt : map coordinates into which SBET's latitudes and longitudes go; its heights stay ellipsoidal.
+
+    Raises
+    ------
+    InputError : it cannot be read, a column is missing, or its epochs contradict each other.
+    """
+    path = Path(path)
+    if path.suffix.lower() in SBET_SUFFIXES:
+        return _read_sbet(path, crs_wkt)
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path.name} cannot be read as a trajectory (CSV): {error}.") from error
+    first = text.split("\n", 1)[0]
+    delimiter = max(",;\t ", key=first.count)
+    if delimiter == " " or first.count(delimiter) < len(COLUMNS) - 1:
+        delimiter = "," if first.count(",") else delimiter
+    rows = list(csv.reader(io.StringIO(text), delimiter=delimiter, skipinitialspace=True))
+    rows = [row for row in rows if any(value.strip() for value in row)]
+    header = tuple(name.strip() for name in rows[0]) if rows else ()
+    ragged = next((number for number, row in enumerate(rows, 1) if len(row) != len(header)), None)
+    if ragged:
+        raise InputError(f"{path.name}: row {ragged} has {len(rows[ragged - 1])} values, the header names "
+                         f"{len(header)}: the file may be cut off; export it again.")
+    columns = dict(zip(header, zip(*rows[1:]))) if len(rows) > 1 else dict.fromkeys(header, ())
+    made = trajectory_from_columns(columns, path.name)
+    return TrajectoryFile(made.trajectory, "csv", made.notes, made.columns, header, delimiter, crs_wkt)
+
+
+def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The trajectory") -> TrajectoryFile:
+    """A trajectory from named columns of equal length, as a layer or a table has them (`COLUMNS`, in any case).
+
+    Rows out of order are sorted and repeated epochs taken once; both are noted, as are gaps and jumps.
+
+    Raises
+    ------
+    InputError : a column is missing or holds something else than numbers, fewer than two epochs, or one time with two
+        different poses.
+    """
+    known = {_ALIASES.get(key.strip().lower(), key.strip().lower()): key for key in columns}
+    missing = [column for column in COLUMNS if column not in known]
+    if missing:
+        raise InputError(f"{name} has no column {', '.join(missing)}: a trajectory needs {','.join(COLUMNS)}.")
+    try:
+        table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS]).T
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} holds a value that is no number ({error}): correct it.") from error
+    bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
+    if len(bad):
+        raise InputError(f"{name} has no number in row {bad[0] + 2}: correct or remove it.")
+    if len(table) < 2:
+        raise InputError(f"{name} has {len(table)} epochs: give a trajectory of at least two.")
+    order, notes = _order(table, name)
+    used = {known[column] for column in COLUMNS}
+    others = {key: [values[row] for row in order] for key, values in columns.items() if key not in used}
+    return _checked(table[order], name, notes, others)
+
+
+def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
+    """Rows (n,) to take, by time and each epoch once, and notes on what was put right."""
+    time, notes = table[:, 0], []
+    order = np.arange(len(time))
+    if (np.diff(time) < 0).any():
+        order = np.argsort(time, kind="stable")
+        notes.append(f"{name}: {np.count_nonzero(np.diff(time) < 0)} epochs are out of order; they were sorted by "
+                     "time.")
+    same = np.flatnonzero(np.diff(time[order]) == 0)
+    if len(same):
+        apart = np.abs(table[order[same]] - table[order[same + 1]])
+        apart[:, 4:] = np.abs((apart[:, 4:] + 180.0) % 360.0 - 180.0)
+        worst = int(np.argmax(apart[:, 1:4].max(axis=1)))
+        if apart[:, 1:4].max() > 0.01 or apart[:, 4:].max() > 0.1:
+            raise InputError(f"{name} gives two different poses for the time {time[order[same[worst]]]:.4f} s: remove "
+                             "the wrong one.")
+        notes.append(f"{name}: {len(same)} epochs are repeated; each was taken once.")
+        order = np.delete(order, same + 1)
+    return order, notes
+
+
+def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[str, Sequence]) -> TrajectoryFile:
+    """The trajectory of a table in order, with notes on gaps and jumps."""
+    if len(table) < 2:
+        raise InputError(f"{name} has one epoch only: give a trajectory of at least two.")
+    trajectory = Trajectory(table[:, 0].copy(), table[:, 1:4].copy(), unwrapped(table[:, 4:7]))
+    for spans, what in ((gaps(trajectory), "has no epochs for more than a second"), (jumps(trajectory), "jumps")):
+        if len(spans):
+            places = ", ".join(f"{start:.2f} to {end:.2f} s" for start, end in spans[:_SHOWN])
+            more = f" and {len(spans) - _SHOWN} more" if len(spans) > _SHOWN else ""
+            notes.append(f"{name} {what} at {places}{more}: what was measured there is not to be trusted.")
+    return TrajectoryFile(trajectory, "layer", tuple(notes), columns)
+
+
+def _read_sbet(path: Path, crs_wkt: str | None) -> TrajectoryFile:
+    """An Applanix SBET: latitude, longitude in radians, angles in radians from true north."""
+    if not crs_wkt:
+        raise InputError(f"{path.name} is in latitude and longitude: the coordinate reference system of the survey "
+                         "must be known; store it in the point cloud or give it.")
+    size = path.stat().st_size
+    if size == 0 or size % _SBET.itemsize:
+        raise InputError(f"{path.name} is no SBET file or is cut off: its length is no multiple of "
+                         f"{_SBET.itemsize} bytes.")
+    records = np.fromfile(path, _SBET)
+    if not (np.abs(records["latitude"]) < 1.6).all() or not (np.abs(records["longitude"]) < 6.3).all():
+        raise InputError(f"{path.name} is no SBET file: its latitudes are no angles in radians.")
+    x, y, convergence = _projected(records, crs_wkt)
+    table = np.column_stack([records["time"], x, y, records["altitude"], *np.degrees([records["roll"],
+                             records["pitch"]]), np.degrees(records["heading"]) - convergence])
+    order, notes = _order(table, path.name)
+    made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names})
+    return TrajectoryFile(made.trajectory, "sbet", made.notes, made.columns, (), "", crs_wkt)
+
+
+def _projected(records: np.ndarray, crs_wkt: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Map coordinates and meridian convergence (degrees, grid north east of true north) of SBET records."""
+    crs = plan_crs(CRS.from_wkt(crs_wkt))
+    longitude, latitude = np.degrees(records["longitude"]), np.degrees(records["latitude"])
+    x, y = Transformer.from_crs(crs.geodetic_crs, crs, always_xy=True).transform(longitude, latitude)
+    return x, y, _convergence(crs, longitude, latitude)
+
+
+def _convergence(crs: CRS, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
+    return np.asarray(Proj(crs).get_factors(longitude, latitude).meridian_convergence)
+
+
+def write_trajectory(path: str | os.PathLike, like: TrajectoryFile, trajectory: Trajectory) -> None:
+    """Write a trajectory of the same epochs in the format of `like` (CSV or SBET); it appears when it is whole.
+
+    Of an SBET the positions and angles change, and velocities and accelerations stay as they were.
+
+    Raises
+    ------
+    InputError : `like` is a layer, which the caller writes.
+    """
+    if like.format == "sbet":
+        data = _sbet_records(like, trajectory).tobytes()
+    elif like.format == "csv":
+        data = _csv_text(like, trajectory).encode()
+    else:
+        raise InputError("A trajectory that came as a layer is written as a layer.")
+    with written_beside(path) as temporary:
+        temporary.write_bytes(data)
+
+
+def columns_of(trajectory: Trajectory) -> dict[str, np.ndarray]:
+    """The trajectory as columns named as in `COLUMNS`; headings 0 to 360, other angles -180 to 180."""
+    roll, pitch, heading = trajectory.angles.T
+    return dict(zip(COLUMNS, (trajectory.time, *trajectory.place.T, (roll + 180.0) % 360.0 - 180.0,
+                              (pitch + 180.0) % 360.0 - 180.0, heading % 360.0)))
+
+
+def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
+    values = columns_of(trajectory)
+    text = {name: [f"{value:.{_DECIMALS[name]}f}" for value in values[name]] for name in COLUMNS}
+    columns = [text.get(_ALIASES.get(name.lower(), name.lower())) or like.columns[name] for name in like.header]
+    out = io.StringIO()
+    writer = csv.writer(out, delimiter=like.delimiter, lineterminator="\n")
+    writer.writerow(like.header)
+    writer.writerows(zip(*columns))
+    return out.getvalue()
+
+
+def _sbet_records(like: TrajectoryFile, trajectory: Trajectory) -> np.ndarray:
+    records = np.empty(len(trajectory), _SBET)
+    for name in _SBET.names:
+        records[name] = like.columns[name]
+    crs = plan_crs(CRS.from_wkt(like.crs_wkt))
+    back = Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
+    longitude, latitude = back.transform(trajectory.place[:, 0], trajectory.place[:, 1])
+    records["longitude"], records["latitude"] = np.radians(longitude), np.radians(latitude)
+    records["altitude"] = trajectory.place[:, 2]
+    heading = trajectory.angles[:, 2] + _convergence(crs, longitude, latitude)
+    records["roll"], records["pitch"] = np.radians(trajectory.angles[:, :2].T)
+    records["heading"] = np.radians((heading + 180.0) % 360.0 - 180.0)
+    return records
