@@ -273,7 +273,7 @@ def _polygons_of(geometry):
 
 
 def features_of(fields: QgsFields, columns: Mapping[str, Sequence], geometries: Iterable | None,
-              progress: Progress) -> Iterable[list[QgsFeature]]:
+                progress: Progress = SILENT) -> Iterable[list[QgsFeature]]:
     """Features with the values of `columns` and shapely geometries, in batches."""
     values = [_values(columns[item.name()]) for item in fields]
     wkb = None

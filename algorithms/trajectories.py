@@ -21,7 +21,8 @@ from .parameters import Declarations, tr
 
 TABLE_SUFFIXES = (".csv", ".txt", ".out", ".sbet")
 
-TRAJECTORY_FILTER = "Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson)"
+# QGIS refuses a value that does not fit the filter, also a layer's name.
+TRAJECTORY_FILTER = "Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson);;All files (*)"
 
 
 class TrajectoryParameters(Declarations):

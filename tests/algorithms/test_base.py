@@ -151,7 +151,7 @@ def test_failure_in_the_middle_of_writing_keeps_the_earlier_result(
     before = path.read_bytes()
     layers = plugin("algorithms.layers")
     monkeypatch.setattr(layers, "BATCH", 2)
-    whole = layers._features
+    whole = layers.features_of
 
     def torn(*arguments):
         for number, batch in enumerate(whole(*arguments)):
@@ -159,7 +159,7 @@ def test_failure_in_the_middle_of_writing_keeps_the_earlier_result(
                 raise plugin("urbanmap_qgis.errors").OutputError("The disk is full.")
             yield batch
 
-    monkeypatch.setattr(layers, "_features", torn)
+    monkeypatch.setattr(layers, "features_of", torn)
     with pytest.raises(Exception, match="The disk is full"):
         run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)})
     assert path.read_bytes() == before
