@@ -13,7 +13,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
-            "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
+            "applytrajectory", "landmarkupdate", "checkaccuracy",
+            "groundfrommms", "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "buildingsfromals")
 
 LIST_WITHOUT_PACKAGES = """

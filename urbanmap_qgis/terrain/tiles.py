@@ -123,10 +123,15 @@ def reduce_tile(tile: TilePoints, cell: float, lonely: int, cloth_grid: Grid | N
     if cloth_grid is None:
         ground = np.isin(classes[:tile.own][own], GROUND_CLASSES)
         return highest, _vertices(*thin_mean(ox[ground], oy[ground], oz[ground], cell)), None
+    return highest, _vertices(ox[:0], oy[:0], oz[:0]), levels_of_tile(tile, lonely, cloth_grid)
+
+
+def levels_of_tile(tile: TilePoints, lonely: int, cloth_grid: Grid) -> ClothPart:
+    """Lowest heights (see `cloth.Levels`) of the cloth's nodes in a tile; parameters as of `reduce_tile`."""
+    x, y, z = (np.ascontiguousarray(tile.records[name]) for name in "xyz")
     grid = _window(cloth_grid, x, y)
     levels = lowest_heights(x, y, z, grid, lonely)
-    return highest, _vertices(ox[:0], oy[:0], oz[:0]), _own_nodes(
-        cloth_grid, grid, tile.box, (levels.lowest, levels.second, levels.support))
+    return _own_nodes(cloth_grid, grid, tile.box, (levels.lowest, levels.second, levels.support))
 
 
 def layer_of_tile(tile: TilePoints, cloth_grid: Grid, lowest: np.ndarray, cloth: np.ndarray) -> ClothPart:
@@ -136,7 +141,7 @@ def layer_of_tile(tile: TilePoints, cloth_grid: Grid, lowest: np.ndarray, cloth:
     ----------
     lowest, cloth : (rows, columns) of the whole cloth: believed lowest heights, first cloth.
     """
-    x, y, z, _classes = (tile.records[name] for name in "xyzc")
+    x, y, z = (tile.records[name] for name in "xyz")
     grid = _window(cloth_grid, x, y)
     rows, columns = _slices(cloth_grid, grid)
     bottom = bottom_points(x, y, z, grid, lowest[rows, columns])

@@ -1,0 +1,234 @@
+"""Ground points of a mobile survey by the cloth filter (J 3.2.3.1), for files of any size."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ..errors import InputError, InsufficientDataError
+from ..execution import in_order
+from ..geometry.grid import Grid
+from ..io.point_buckets import PointBuckets
+from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, usable
+from ..progress import SILENT, Progress
+from ..terrain.cloth import JAVANMARDI, ClothSettings, Levels, bottom_points, hang, settle
+from ..terrain.outliers import lonely_limit, plausible
+from ..terrain.surface_files import metric_crs_wkt
+from ..terrain.tiles import ClothPart, TilePoints, Tiling, layer_of_tile, levels_of_tile, point_margin
+from .legs import BlockPlaces, Legs
+
+GROUND, UNASSIGNED = 2, 1
+UNDECIDED = (0, UNASSIGNED, GROUND)
+"""Classes that say nothing of what a point is, or what the filter is to say anew."""
+
+_MOST_NODES = 100_000_000
+_TILE = 128.0
+_RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("t", "<f8")])
+
+
+@dataclass(frozen=True)
+class GroundSummary:
+    """What was found.
+
+    Attributes
+    ----------
+    points : in the files. usable : without noise, withheld points and absurd heights. ground : ground points.
+    legs : passes that were filtered apart (1 without GPS time).
+    crs_wkt : of the cloud.
+    """
+
+    points: int
+    usable: int
+    ground: int
+    legs: int
+    crs_wkt: str
+
+
+@dataclass(frozen=True)
+class LegGround:
+    """The settled cloth of one leg.
+
+    Attributes
+    ----------
+    grid : of the cloth's nodes. lowest : (rows, columns) believed lowest heights, cloth : settled heights, m.
+    """
+
+    grid: Grid
+    lowest: np.ndarray
+    cloth: np.ndarray
+
+    def mask(self, x: np.ndarray, y: np.ndarray, z: np.ndarray, threshold: float) -> np.ndarray:
+        """Points (n,) within `threshold` m of the cloth and not below the believed ground; all must be on the grid."""
+        bottom = bottom_points(x, y, z, self.grid, self.lowest)
+        found = np.zeros(len(z), dtype=bool)
+        found[bottom.points[np.abs(bottom.z - bottom.place.heights(self.cloth)) <= threshold]] = True
+        return found
+
+
+def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.PathLike,
+                          settings: ClothSettings = JAVANMARDI, progress: Progress = SILENT,
+                          executor: Executor | None = None, crs_wkt: str | None = None) -> GroundSummary:
+    """Write a survey's points with ground as class 2; all else of them, and their order, stays as it is.
+
+    Points of other classes than 0, 1 and 2 keep them. Passes through the same place are filtered apart by their GPS
+    time (`legs`). The points are read twice; memory holds some tiles and the cloth. The result does not depend on the
+    tiles nor on the executor.
+
+    Parameters
+    ----------
+    paths : LAS, LAZ or COPC files. output : LAZ or LAS. crs_wkt : CRS where the files state none.
+
+    Raises
+    ------
+    InputError : files, CRS or settings cannot be used.
+    InsufficientDataError : no usable points.
+    """
+    cloud = open_cloud(paths, crs_wkt)
+    wkt = metric_crs_wkt(cloud)
+    with PointBuckets(_RECORD) as buckets:
+        survey = _Survey(cloud, settings, buckets, executor)
+        survey.read(progress.part(0.0, 0.35))
+        grounds = survey.grounds(progress.part(0.35, 0.65))
+    ground = _write(cloud, output, survey.legs, grounds, settings, progress.part(0.65, 1.0))
+    return GroundSummary(cloud.point_count, survey.usable, ground, survey.legs.count, wkt)
+
+
+class _Survey:
+    """The points of a survey in tiles, on their way to the cloths of its legs."""
+
+    def __init__(self, cloud: PointCloud, settings: ClothSettings, buckets: PointBuckets, executor: Executor | None):
+        self.cloud, self.settings, self.buckets, self.executor = cloud, settings, buckets, executor
+        self.tiling = Tiling(settings.resolution, max(int(np.ceil(_TILE / settings.resolution)), 16))
+        self.keys: list[int] = []
+        self.legs = Legs(np.empty(0))
+        self.usable = 0
+
+    def read(self, progress: Progress) -> None:
+        """Sort the points into tiles and find the legs."""
+        timed = self.cloud.has_dimension("gps_time")
+        places, keys = BlockPlaces(), set()
+        for chunk in iter_chunks(self.cloud, progress):
+            records = np.zeros(len(chunk), dtype=_RECORD)
+            for name in "xyz":
+                records[name] = chunk[name]
+            records["t"] = chunk["gps_time"] if timed else 0.0
+            records = records[usable(chunk) & plausible(records["x"], records["y"], records["z"])]
+            if not len(records):
+                continue
+            self.usable += len(records)
+            places.add(records["x"], records["y"], records["t"])
+            tile = self.tiling.keys(records["x"], records["y"])
+            keys.update(np.unique(tile).tolist())
+            self.buckets.add(tile, records)
+        if not keys:
+            raise InsufficientDataError(f"{self.cloud.paths[0].name} holds no usable points: all are noise, withheld "
+                                        "or have no valid height.")
+        self.keys, self.legs = sorted(keys), places.legs()
+
+    def grounds(self, progress: Progress) -> list[LegGround | None]:
+        """The cloth of each leg."""
+        extents = self._extents(progress.part(0.0, 0.1))
+        done = []
+        for leg in range(self.legs.count):
+            part = progress.part(0.1 + 0.9 * leg / self.legs.count, 0.1 + 0.9 * (leg + 1) / self.legs.count)
+            done.append(self._ground(leg, extents[leg], part) if extents[leg] else None)
+        return done
+
+    def _extents(self, progress: Progress) -> list[dict[int, tuple]]:
+        """For each leg the tiles that hold points of it, with their number and extent."""
+        found: list[dict[int, tuple]] = [{} for _ in range(self.legs.count)]
+        for step, key in enumerate(self.keys):
+            records = self.buckets.read(key)
+            leg = self.legs.of(records["t"])
+            for number in np.unique(leg).tolist():
+                x, y = (records[name][leg == number] for name in "xy")
+                found[number][key] = (len(x), x.min(), y.min(), x.max(), y.max())
+            progress.step((step + 1) / len(self.keys))
+        return found
+
+    def _ground(self, leg: int, extent: dict[int, tuple], progress: Progress) -> LegGround:
+        table = np.array(list(extent.values()))
+        (x_min, y_min), (x_max, y_max) = table[:, 1:3].min(axis=0), table[:, 3:5].max(axis=0)
+        cloth = self.settings
+        grid = Grid.covering(x_min, y_min, x_max, y_max, cloth.resolution)
+        grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
+        if grid.rows * grid.columns > _MOST_NODES:
+            raise InputError("The survey is too large for one cloth: choose a coarser cloth resolution, or filter "
+                             "parts of it.")
+        keys = sorted(extent)
+        area = len(keys) * self.tiling.side ** 2
+        lonely = lonely_limit(int(table[:, 0].sum()), min(area, max((x_max - x_min) * (y_max - y_min), 1.0)))
+        levels = [np.full(grid.shape, fill) for fill in (np.inf, np.inf, 0)]
+        work = partial(levels_of_tile, cloth_grid=grid, lonely=lonely)
+        for step, part in enumerate(in_order(work, self._tiles(keys, leg, point_margin(cloth)), self.executor,
+                                             progress.check)):
+            _put(levels, part)
+            progress.step(0.5 * (step + 1) / len(keys))
+        first, trend, lowest = hang(Levels(*levels), cloth, progress.part(0.5, 0.6))
+        layer = [np.full(grid.shape, np.inf)]
+        work = partial(layer_of_tile, cloth_grid=grid, lowest=lowest, cloth=first)
+        for step, part in enumerate(in_order(work, self._tiles(keys, leg, cloth.resolution), self.executor,
+                                             progress.check)):
+            _put(layer, part)
+            progress.step(0.6 + 0.3 * (step + 1) / len(keys))
+        settled = settle(layer[0], trend, cloth, progress.part(0.9, 1.0))
+        return LegGround(grid, lowest, settled)
+
+    def _tiles(self, keys: list[int], leg: int, margin: float) -> Iterator[TilePoints]:
+        """The points of each tile and of a margin round it, of one leg."""
+        known = set(keys)
+        for key in keys:
+            x_min, y_min, x_max, y_max = box = self.tiling.box(key)
+            parts = []
+            for near in self.tiling.around(key):
+                if near not in known:
+                    continue
+                records = self.buckets.read(near)
+                keep = self.legs.of(records["t"]) == leg if self.legs.count > 1 else np.ones(len(records), dtype=bool)
+                if near != key:
+                    keep &= ((records["x"] >= x_min - margin) & (records["x"] <= x_max + margin)
+                             & (records["y"] >= y_min - margin) & (records["y"] <= y_max + margin))
+                parts.append(records if keep.all() else records[keep])
+            yield TilePoints(np.concatenate(parts), len(parts[0]), box)
+
+
+def _put(layers: list[np.ndarray], part: ClothPart) -> None:
+    """Lay a tile's nodes into the whole."""
+    for layer, values in zip(layers, part.layers):
+        layer[part.rows, part.columns] = values
+
+
+def _write(cloud: PointCloud, output: str | os.PathLike, legs: Legs, grounds: list[LegGround | None],
+           settings: ClothSettings, progress: Progress) -> int:
+    """Write all points with their new classes; the number of ground points."""
+    layout = PointLayout(cloud)
+    total = 0
+    with cloud_writer(output, layout) as writer:
+        for chunk in iter_chunks(cloud, progress):
+            ground = _ground_of(chunk, legs, grounds, settings.threshold)
+            total += int(np.count_nonzero(ground))
+            classes = np.asarray(chunk.classification)
+            undecided = np.isin(classes, UNDECIDED)
+            records = layout.adapt(chunk, np.ones(len(chunk), dtype=bool))
+            view = layout.view(records)
+            view.classification = np.where(undecided, np.where(ground, GROUND, UNASSIGNED), classes)
+            writer.write(view.array)
+    return total
+
+
+def _ground_of(chunk, legs: Legs, grounds: list[LegGround | None], threshold: float) -> np.ndarray:
+    """Which points of a chunk are ground, (n,) bool."""
+    x, y, z = (np.asarray(chunk[name]) for name in "xyz")
+    candidate = usable(chunk) & plausible(x, y, z) & np.isin(np.asarray(chunk.classification), UNDECIDED)
+    leg = legs.of(np.asarray(chunk["gps_time"])) if legs.count > 1 else np.zeros(len(z), dtype=int)
+    found = np.zeros(len(z), dtype=bool)
+    for number in np.unique(leg[candidate]).tolist():
+        some = np.flatnonzero(candidate & (leg == number))
+        if grounds[number] is not None:
+            found[some] = grounds[number].mask(x[some], y[some], z[some], threshold)
+    return found
