@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Write the styles of the building and marking layers, resources/styles/*.qml, with QGIS's own classes.
+"""Write the styles of layers, resources/styles/*.qml, with QGIS's own classes.
 
     python3 scripts/make_styles.py
 
@@ -27,6 +27,7 @@ from qgis.core import (
     QgsGraduatedSymbolRenderer,
     QgsLineSymbol,
     QgsMapLayer,
+    QgsMarkerSymbol,
     QgsPalettedRasterRenderer,
     QgsRasterLayer,
     QgsRendererCategory,
@@ -104,15 +105,9 @@ def renderer_3d(colours: dict[str, str], field: str, other: str):
     return engine.QgsRuleBased3DRenderer(root)
 
 
-def segmented_buildings(layer) -> None:
-    """Outlines by what was found; of a moved one also its old place, dashed, and an arrow."""
-    moved = fill("243,156,18,60", "#d35400", 0.46)
-    old_place = QgsGeometryGeneratorSymbolLayer.create(
-        {"geometryModifier": 'translate($geometry, -"shift_x", -"shift_y")', "SymbolType": "Fill"})
-    old_place.setSubSymbol(fill("0,0,0,0", "#7a7a7a", 0.26, "dash", "no"))
-    way = QgsGeometryGeneratorSymbolLayer.create({
-        "geometryModifier": 'make_line(translate(point_on_surface($geometry), -"shift_x", -"shift_y"), '
-                            'point_on_surface($geometry))', "SymbolType": "Line"})
+def arrow_along(line: str, colour: str):
+    """Symbol layer: a straight arrow along a line that an expression gives."""
+    way = QgsGeometryGeneratorSymbolLayer.create({"geometryModifier": line, "SymbolType": "Line"})
     arrow = QgsArrowSymbolLayer()
     arrow.setIsCurved(False)
     arrow.setArrowWidth(0.4)
@@ -122,22 +117,44 @@ def segmented_buildings(layer) -> None:
     for setter in (arrow.setArrowWidthUnit, arrow.setArrowStartWidthUnit, arrow.setHeadLengthUnit,
                    arrow.setHeadThicknessUnit):
         setter(QgsUnitTypes.RenderUnit.RenderMillimeters)
-    arrow.setSubSymbol(fill("#d35400", "#d35400", 0.1))
-    line = QgsLineSymbol()
-    line.changeSymbolLayer(0, arrow)
-    way.setSubSymbol(line)
+    arrow.setSubSymbol(fill(colour, colour, 0.1))
+    symbol = QgsLineSymbol()
+    symbol.changeSymbolLayer(0, arrow)
+    way.setSubSymbol(symbol)
+    return way
+
+
+def marker(colour: str, size_mm: float = 1.8, outline: str = "#333333", shape: str = "circle"):
+    """A plain point symbol."""
+    return QgsMarkerSymbol.createSimple({"name": shape, "color": colour, "size": str(size_mm),
+                                         "outline_color": outline, "outline_width": "0.1"})
+
+
+def rules(layer, entries) -> None:
+    """Draw a layer by rules: label, condition and symbol of each."""
+    root = QgsRuleBasedRenderer.Rule(None)
+    for label, condition, symbol in entries:
+        root.appendChild(QgsRuleBasedRenderer.Rule(symbol, 0, 0, condition, label))
+    layer.setRenderer(QgsRuleBasedRenderer(root))
+
+
+def segmented_buildings(layer) -> None:
+    """Outlines by what was found; of a moved one also its old place, dashed, and an arrow."""
+    moved = fill("243,156,18,60", "#d35400", 0.46)
+    old_place = QgsGeometryGeneratorSymbolLayer.create(
+        {"geometryModifier": 'translate($geometry, -"shift_x", -"shift_y")', "SymbolType": "Fill"})
+    old_place.setSubSymbol(fill("0,0,0,0", "#7a7a7a", 0.26, "dash", "no"))
+    way = arrow_along('make_line(translate(point_on_surface($geometry), -"shift_x", -"shift_y"), '
+                      'point_on_surface($geometry))', "#d35400")
     moved.insertSymbolLayer(0, old_place)
     moved.appendSymbolLayer(way)
     enough = "\"status\" = 'ok' AND \"shift_status\" = '{}'"
-    root = QgsRuleBasedRenderer.Rule(None)
-    for label, condition, symbol in (
+    rules(layer, (
             ("in its place", enough.format("kept"), fill("39,174,96,50", "#1e8449", 0.46)),
             ("moved to its points", enough.format("moved"), moved),
             ("place not observable", enough.format("not observable"), fill("127,140,141,60", "#616a6b", 0.46)),
             ("too few points", "\"status\" = 'too few points'", fill("155,89,182,60", "#8e44ad", 0.46)),
-            ("no points", "ELSE", fill("215,38,61,40", "#d7263d", 0.46, "dash"))):
-        root.appendChild(QgsRuleBasedRenderer.Rule(symbol, 0, 0, condition, label))
-    layer.setRenderer(QgsRuleBasedRenderer(root))
+            ("no points", "ELSE", fill("215,38,61,40", "#d7263d", 0.46, "dash"))))
     layer.setMapTipTemplate(
         "<b>Building [% \"building_id\" %]</b>: [% \"status\" %]<br>[% \"points\" %] points, "
         "[% round(\"density\", 1) %] a m²<br>[% \"shift_status\" %]"
@@ -208,6 +225,40 @@ def marking_mask(layer) -> None:
         entry(0, QColor(0, 0, 0, 0), "no marking"), entry(255, QColor("#00c853"), "marking")]))
 
 
+def control_residuals(layer) -> None:
+    """Control points by their error in plan, with an arrow that shows it enlarged."""
+    east, north, plan = (f'coalesce("{name}_after", "{name}_before")' for name in ("east", "north", "plan"))
+    scale = 'if("plan_after" IS NULL, 10, 100)'
+    line = f"make_line($geometry, translate($geometry, {scale} * {east}, {scale} * {north}))"
+    limits = (0.0, 0.03, 0.10, 0.30, 1000.0)
+    labels = ("error below 3 cm", "3 to 10 cm", "10 to 30 cm", "more than 30 cm")
+    entries = []
+    for low, high, label, colour in zip(limits, limits[1:], labels, ("#1a9850", "#a6d96a", "#fdae61", "#d73027")):
+        symbol = marker(colour)
+        symbol.insertSymbolLayer(0, arrow_along(line, colour))
+        entries.append((label, f"{plan} >= {low} AND {plan} < {high}", symbol))
+    rules(layer, entries)
+    layer.setMapTipTemplate(
+        "<b>[% \"id\" %]</b><br>in plan [% round(\"plan_before\", 3) %] m before"
+        "[% if(\"plan_after\" IS NULL, '', format(', %1 m after', round(\"plan_after\", 3))) %]<br>"
+        "(arrows: error 100 times enlarged, 10 times before a correction)")
+
+
+def mms_patches(layer) -> None:
+    """Patches of a survey: how their correction was found, and how sure it is."""
+    registered = "\"status\" = 'registered' AND \"sigma\" {}"
+    rules(layer, (
+        ("registered, σ up to 3 cm", registered.format("<= 0.03"), marker("#1a9850", 1.4)),
+        ("registered, σ 3 to 6 cm", registered.format("> 0.03 AND \"sigma\" <= 0.06"), marker("#91cf60", 1.4)),
+        ("registered, σ above 6 cm", registered.format("> 0.06"), marker("#d9ef8b", 1.4)),
+        ("bridged", "\"status\" = 'bridged'", marker("#fdae61", 1.8)),
+        ("not to be trusted", "ELSE", marker("#d73027", 2.2))))
+    layer.setMapTipTemplate(
+        "<b>[% round(\"way\", 1) %] m: [% \"status\" %]</b><br>[% \"reason\" %]<br>correction east "
+        "[% round(\"east\", 3) %], north [% round(\"north\", 3) %], up [% round(\"up\", 3) %] m<br>"
+        "σ [% round(\"sigma\", 3) %] m in plan, window [% round(\"window\", 1) %] m")
+
+
 FIELDS = {
     segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
                           "shift_y:double shift_sigma:double points:integer density:double"),
@@ -216,6 +267,10 @@ FIELDS = {
     building_models: ("MultiPolygonZ", "building_id:integer status:string reason:string roofs:integer height:double "
                       "area:double volume:double rmse_z95:double density:double"),
     building_surfaces: ("PolygonZ", "building_id:integer roof_id:integer surface_type:string"),
+    control_residuals: ("PointZ", "id:string plan_before:double plan_after:double east_before:double east_after:double "
+                        "north_before:double north_after:double"),
+    mms_patches: ("PointZ", "status:string reason:string way:double sigma:double east:double north:double up:double "
+                  "window:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

@@ -1,0 +1,56 @@
+"""The report of a survey's accuracy at control points, as J tables 3-3 and 4-1 and figures 3-25 and 4-3 show it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..io.report import Report
+from ..io.svg_profile import COLOURS, Series, profile
+from .control import Accuracy, ControlPoints, accuracy
+
+_WORST = 10
+
+
+def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, errors: Mapping[str, np.ndarray],
+                          settings: Mapping[str, str], left_out: int = 0) -> None:
+    """Write the report (HTML).
+
+    Parameters
+    ----------
+    errors : (n, 3) at the control points, m, for each state of the survey by its name, the best last.
+    settings : what the run was given.  left_out : control points outside the survey's time.
+    """
+    report = Report("Accuracy at control points")
+    report.paragraph(f"{len(control)} control points. An error is where the survey has a point less where it truly is.")
+    if left_out:
+        report.warning(f"{left_out} control points were not measured during this survey and are left out.")
+    figures = {name: accuracy(values) for name, values in errors.items()}
+    report.table(("Survey", "mean 2D (m)", "max 2D (m)", "std 2D (m)", "mean 3D (m)", "max 3D (m)", "std 3D (m)",
+                  "east (m)", "north (m)", "up (m)"), [_row(name, item) for name, item in figures.items()])
+    report.paragraph("East, north and up are mean errors: what is left in all points alike.")
+    order = np.argsort(control.time)
+    since = control.time[order] - control.time[order[0]]
+    series = [Series(name, np.hypot(*values[order, :2].T), colour, dots=True)
+              for (name, values), colour in zip(errors.items(), COLOURS[::-1][-len(errors):])]
+    if len(control) > 1:
+        report.section("Horizontal error over time")
+        report.figure(profile(since, series, "seconds since the first control point", "m"),
+                      "Horizontal error of each control point")
+    name, last = list(errors.items())[-1]
+    plan = np.hypot(*last[:, :2].T)
+    report.histogram(plan, "m", f"Horizontal errors, {name}")
+    report.section(f"The worst control points, {name}")
+    worst = np.argsort(-plan)[:_WORST]
+    report.table(("Control point", "time (s)", "east (m)", "north (m)", "up (m)", "2D (m)"),
+                 [(control.id[k], float(control.time[k]), *map(float, last[k]), float(plan[k])) for k in worst])
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _row(name: str, item: Accuracy) -> tuple:
+    return (name, item.mean_2d, item.max_2d, item.std_2d, item.mean_3d, item.max_3d, item.std_3d,
+            *map(float, item.bias))

@@ -1,0 +1,242 @@
+"""Move a survey's points and image poses with its corrected trajectory (J 3.2.4.3): only coordinates change."""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import laspy
+import numpy as np
+
+from ..errors import InputError, InsufficientDataError
+from ..io.atomic import written_beside
+from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, open_cloud
+from ..progress import SILENT, Progress
+from .gps_time import time_shift
+from .image_poses import ImagePoses, move_images, read_image_poses, write_image_poses
+from .movement import Movement, movement_between
+from .trajectory import Trajectory
+
+OUTSIDE = ("move", "keep", "refuse")
+"""What is done with points that were measured before or after the trajectories: moved with the nearest pose, kept where
+they are, or the run is refused."""
+
+COARSEST_SCALE = 0.001
+"""m: files stored coarser are written with this step, or the correction would be rounded away."""
+
+_LARGEST = 2**31 - 1
+_COPC = ("copc",)
+
+
+@dataclass(frozen=True)
+class Moved:
+    """What was done.
+
+    Attributes
+    ----------
+    points : all points.  outside : those without a pose in both trajectories.
+    in_gaps : those measured in a gap of one.
+    mean, largest : movement of the points that have poses, m.
+    images, images_outside : image poses moved, and those of them without a pose of the trajectories.
+    """
+
+    points: int
+    outside: int
+    in_gaps: int
+    mean: float
+    largest: float
+    images: int = 0
+    images_outside: int = 0
+
+
+def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, corrected: Trajectory,
+                     output: str | os.PathLike, outside: str = "move", progress: Progress = SILENT) -> Moved:
+    """Write a survey as the corrected trajectory places it; attributes, VLRs, EVLRs and the points' order are kept.
+
+    Parameters
+    ----------
+    paths : LAS, LAZ or COPC files with gps_time; several are written as one, one after the other.
+    output : LAZ or LAS file.  outside : one of `OUTSIDE`.
+
+    Raises
+    ------
+    InputError : cloud and trajectories do not overlap in time, or points lie outside and `outside` is "refuse".
+    """
+    if Path(output).suffix.lower() not in (".las", ".laz"):
+        raise InputError(f"{Path(output).name} must end in .laz or .las.")
+    cloud = open_cloud(paths)
+    movement = movement_between(reported, corrected)
+    shift = survey_time_shift(cloud, reported)
+    writing = _Writing(cloud, movement, progress)
+    tally = _Tally()
+    with written_beside(output) as temporary:
+        compress = Path(output).suffix.lower() == ".laz"
+        with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress) as writer:
+            for chunk in iter_chunks(cloud, progress):
+                writer.write_points(writing.moved(chunk, np.asarray(chunk.gps_time) + shift, outside, tally))
+            _write_evlrs(writer, _evlrs(cloud))
+    moved = tally.result()
+    _tell(moved, outside, progress)
+    return moved
+
+
+def apply_to_images(path: str | os.PathLike, reported: Trajectory, corrected: Trajectory,
+                    output: str | os.PathLike, moved: Moved, progress: Progress = SILENT) -> Moved:
+    """Write image poses as the corrected trajectory gives them; `moved` with their numbers is given back.
+
+    Images taken outside the trajectories move with the nearest pose.
+
+    Raises
+    ------
+    InputError : the table cannot be read, or no image was taken during the survey.
+    """
+    poses = read_image_poses(path)
+    start, end = max(reported.time[0], corrected.time[0]), min(reported.time[-1], corrected.time[-1])
+    away = (poses.time < start) | (poses.time > end)
+    if away.all():
+        raise InputError(f"{Path(path).name}: no image was taken between {start:.1f} and {end:.1f} s, the time of the "
+                         "trajectory: give the poses of this survey.")
+    held: ImagePoses = replace(poses, time=np.clip(poses.time, start, end))
+    write_image_poses(output, replace(move_images(held, reported, corrected), time=poses.time))
+    if away.any():
+        progress.warn(f"{np.count_nonzero(away):,} of {len(away):,} images were taken outside the trajectory's time: "
+                      "they were moved with its nearest pose.")
+    return replace(moved, images=len(away), images_outside=int(np.count_nonzero(away)))
+
+
+def survey_time_shift(cloud: PointCloud, trajectory: Trajectory) -> float:
+    """`time_shift` by the first points, and by all of them only where the first lie outside the trajectory.
+
+    Raises
+    ------
+    InputError : the points carry no time, or cloud and trajectory do not overlap in time.
+    """
+    first = next(iter(iter_chunks(cloud)), None)
+    if first is not None and cloud.has_dimension("gps_time") and len(first):
+        time = np.asarray(first.gps_time)
+        try:
+            return time_shift(cloud, trajectory, (float(time.min()), float(time.max())))
+        except InputError:  # the survey may have begun before the trajectory: only all points can tell
+            pass
+    return time_shift(cloud, trajectory)
+
+
+class _Tally:
+    """Counts over the chunks."""
+
+    def __init__(self):
+        self.points = self.outside = self.in_gaps = 0
+        self.total = self.largest = 0.0
+
+    def add(self, movement: np.ndarray, within: np.ndarray, in_gap: np.ndarray) -> None:
+        self.points += len(within)
+        self.outside += int(np.count_nonzero(~within))
+        self.in_gaps += int(np.count_nonzero(in_gap))
+        if within.any():
+            length = np.linalg.norm(movement[within], axis=1)
+            self.total += float(length.sum(dtype=np.float64))
+            self.largest = max(self.largest, float(length.max()))
+
+    def result(self) -> Moved:
+        inside = self.points - self.outside
+        if not inside:
+            raise InsufficientDataError("No point was measured during the trajectory: give those of one survey.")
+        return Moved(self.points, self.outside, self.in_gaps, self.total / inside, self.largest)
+
+
+class _Writing:
+    """How the chunks of a cloud become records of the output."""
+
+    def __init__(self, cloud: PointCloud, movement: Movement, progress: Progress):
+        self.movement = movement
+        self.layout = PointLayout(cloud) if len(cloud.paths) > 1 else None
+        header = copy.deepcopy(self.layout.header if self.layout else cloud.headers[0])
+        for number in reversed([k for k, vlr in enumerate(header.vlrs) if vlr.user_id in _COPC]):
+            header.vlrs.pop(number)
+        self.coarse = header.scales > COARSEST_SCALE
+        farthest = self._farthest(cloud)
+        scales = np.where(self.coarse, COARSEST_SCALE, header.scales)
+        offsets = header.offsets.copy()
+        low, high = cloud.minimum - farthest, cloud.maximum + farthest
+        far = np.maximum(np.abs(low - offsets), np.abs(high - offsets)) / scales > _LARGEST
+        offsets[far] = np.floor(0.5 * (low + high))[far]
+        if (np.maximum(high - offsets, offsets - low) / scales > _LARGEST).any():
+            raise InputError(f"{cloud.paths[0].name} is too wide for coordinates in steps of {scales.min():g} m: store "
+                             "it in tiles or with a coarser step.")
+        if self.coarse.any():
+            progress.warn(f"The coordinates are stored in steps of {header.scales.max():g} m, too coarse for the "
+                          f"correction: they are written in steps of {COARSEST_SCALE:g} m.")
+        header.scales, header.offsets = scales, offsets
+        self.header = header
+
+    def _farthest(self, cloud: PointCloud) -> float:
+        """A bound of every point's movement, m."""
+        reach = np.abs(np.stack([cloud.minimum, cloud.maximum]) - self.movement.centre).max()
+        return float(np.abs(self.movement.shift).max() + 3 * np.abs(self.movement.turn).max() * reach) + 1.0
+
+    def moved(self, chunk: laspy.ScaleAwarePointRecord, time: np.ndarray, outside: str,
+              tally: _Tally) -> laspy.PackedPointRecord:
+        """The chunk's records with new coordinates."""
+        within = self.movement.within(time)
+        if outside == "refuse" and not within.all():
+            raise InputError(f"Points were measured at {time[~within][0]:.3f} s, outside the trajectory "
+                             f"({self.movement.time[0]:.3f} to {self.movement.time[-1]:.3f} s): give the trajectory of "
+                             "the whole survey, or let them be moved with the nearest pose.")
+        places = np.column_stack([chunk.x, chunk.y, chunk.z])
+        movement = self.movement.at(places, time)
+        if outside == "keep":
+            movement[~within] = 0.0
+        tally.add(movement, within, self.movement.in_gap(time))
+        records = self.layout.adapt(chunk, np.ones(len(chunk), bool)) if self.layout else chunk.array.copy()
+        same = np.array_equal(chunk.scales, self.header.scales) and np.array_equal(chunk.offsets, self.header.offsets)
+        for axis, name in enumerate("XYZ"):
+            if same:  # added in the file's own steps, nothing that does not move is rounded
+                values = chunk.array[name].astype(np.int64) + np.rint(movement[:, axis] / self.header.scales[axis])
+            else:
+                values = np.rint((places[:, axis] + movement[:, axis] - self.header.offsets[axis])
+                                 / self.header.scales[axis])
+            if len(values) and np.abs(values).max() > _LARGEST:
+                raise InputError("A point lies outside the bounds that the header of its file states: repair the "
+                                 "header (lasinfo -repair).")
+            records[name] = values.astype(np.int32)
+        return laspy.PackedPointRecord(records, self.header.point_format)
+
+
+def _evlrs(cloud: PointCloud) -> list:
+    """Extended records of all files, each once; those of COPC's octree hold no more."""
+    found = []
+    for path in cloud.paths:
+        with laspy.open(path) as reader:
+            for record in reader.evlrs or ():
+                twin = any(record.user_id == other.user_id and record.record_id == other.record_id
+                           and record.record_data_bytes() == other.record_data_bytes() for other in found)
+                if record.user_id not in _COPC and not twin:
+                    found.append(record)
+    return found
+
+
+def _write_evlrs(writer: laspy.LasWriter, records: list) -> None:
+    """Append extended records; the header is told where waveforms begin."""
+    if not records:
+        return
+    kept = laspy.vlrs.vlrlist.VLRList()
+    kept.extend(records)
+    writer.write_evlrs(kept)
+    place = writer.header.start_of_first_evlr
+    for record in records:
+        if record.user_id == "LASF_Spec" and record.record_id == 65535:
+            writer.header.start_of_waveform_data_packet_record = place
+        place += 60 + len(record.record_data_bytes())
+
+
+def _tell(moved: Moved, outside: str, progress: Progress) -> None:
+    if moved.outside:
+        done = "moved with its nearest pose" if outside == "move" else "left where they were"
+        progress.warn(f"{moved.outside:,} of {moved.points:,} points were measured outside the trajectory's time: they "
+                      f"were {done} and are not to be trusted.")
+    if moved.in_gaps:
+        progress.warn(f"{moved.in_gaps:,} of {moved.points:,} points were measured in gaps of the trajectory: they "
+                      "were moved by what lies between the gap's ends and are not to be trusted.")
