@@ -79,7 +79,7 @@ class Signals:
     elevation, azimuth : (n,) degrees; azimuth clockwise from GRID north, 0 to 360.
     residual : (n,) code minus range, satellite clock, group delay, troposphere and ionosphere, m: receiver clock,
         excess path and noise remain. Centred so that the median of each file is small (`clock_datum`).
-    sigma : (n,) standard deviation expected of a line-of-sight residual, m, by strength and elevation, clock left aside.
+    sigma : (n,) standard deviation expected of a line-of-sight residual (clock aside), m, by strength and elevation.
     troposphere, ionosphere : (n,) modelled delays that were taken off, m.
     age : (n,) seconds between the observation and the reference time of its ephemeris; 0 with precise orbits.
     clock_datum : (files,) m taken off the residuals of each observation file, so that they are small numbers.
