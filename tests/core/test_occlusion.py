@@ -13,7 +13,7 @@ from shapely.geometry import box
 from urbanmap_qgis.aerial import occlusion
 from urbanmap_qgis.aerial.camera import Camera, Distortion, Pose, project
 from urbanmap_qgis.aerial.occlusion import OcclusionSettings, occlusion_map, occlusion_mask
-from urbanmap_qgis.aerial.raised_surface import RaisedSurface, feet, steep_walls, with_low_parts
+from urbanmap_qgis.aerial.raised_surface import RaisedSurface, steep_walls, wall_shifts, with_low_parts
 from urbanmap_qgis.aerial.silhouette import Sides, fill, surface_sides
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
@@ -76,13 +76,13 @@ def test_walls_become_steep_and_roofs_stay():
     assert np.isnan(steep_walls(profile)[1, 7])
 
 
-def test_feet_stand_halfway_to_the_wall():
+def test_walls_stand_between_raised_and_low_cells():
     high = np.zeros((5, 5), bool)
     high[:, 3:] = True
-    east, north = feet(high, 2.0)
-    assert east[2].tolist() == [0, 0, 1, 0, 0] and not north.any()
-    east, north = feet(high.T, 2.0)
-    assert north[:, 2].tolist() == [0, 0, -1, 0, 0] and not east.any()
+    east, north = wall_shifts(high, 2.0)
+    assert east[2].tolist() == pytest.approx([0, 0, 1, -0.7, 0]) and not north.any()
+    east, north = wall_shifts(high.T, 2.0)
+    assert north[:, 2].tolist() == pytest.approx([0, 0, -1, 0.7, 0]) and not east.any()
 
 
 def test_low_parts_belong_to_what_stands_beside_them_but_vehicles_do_not():
@@ -116,12 +116,12 @@ def test_box_hides_what_its_roof_leans_over(tmp_path):
     """Seen from 1000 m above the origin a box of 40 m hides the ground from its near wall to 60 m / 0.96."""
     mask = mask_of(write_town(tmp_path, with_box(40.0)))
     columns = np.flatnonzero(mask[399])
-    # 5 pixels a metre; the roof's mesh ends at the centres of its last cells, 0.25 m inside.
+    # 5 pixels a metre; the roof's mesh ends 0.35 cells beyond the centres of its last cells, 0.075 m inside the wall.
     assert columns[0] == pytest.approx(449.5 + 5 * 50, abs=1)
-    assert columns[-1] == pytest.approx(449.5 + 5 * 59.75 / 0.96, abs=1)
+    assert columns[-1] == pytest.approx(449.5 + 5 * 59.925 / 0.96, abs=1)
     assert len(columns) == columns[-1] - columns[0] + 1
     rows = np.flatnonzero(mask[:, columns[-1] - 2])
-    assert (rows[0], rows[-1]) == pytest.approx((399.5 - 5 * 4.75 / 0.96, 399.5 + 5 * 4.75 / 0.96), abs=1)
+    assert (rows[0], rows[-1]) == pytest.approx((399.5 - 5 * 4.925 / 0.96, 399.5 + 5 * 4.925 / 0.96), abs=1)
 
 
 def test_walls_are_masked_from_the_foot_up(tmp_path):

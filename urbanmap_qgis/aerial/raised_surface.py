@@ -21,6 +21,13 @@ LOW_PART_WIDTH = 4.0
 LOW_PART_REACH = 15.0
 """How far a lower part may lie from something raised, m."""
 
+WALL_SHARE = 2 / 3
+"""Share of a wall's height above which a cell is taken for its top. Points on walls scatter, and a surface holds the
+highest of what lies in a place, so that half the height stands outside the wall."""
+
+TOP_OUTWARD = 0.35
+"""Cells that the top of a wall stands outside the last raised cell's centre; its foot stands at half a cell."""
+
 _BEYOND = np.float32(1e9)
 
 
@@ -96,13 +103,14 @@ def steep_walls(z: np.ndarray) -> np.ndarray:
     """Heights (m, n) in which walls drop from one cell to the next.
 
     Triangles between a roof and the ground give the cells between the two heights that are neither. Where the 3 x 3
-    neighbours differ by more than `STEP`, a cell takes the lowest or the highest of them, whichever is nearer.
+    neighbours differ by more than `STEP`, a cell takes the highest of them where it reaches `WALL_SHARE` of the
+    difference, and the lowest otherwise.
     """
     unknown, square = np.isnan(z), np.ones((3, 3), np.uint8)
     low = cv2.erode(np.where(unknown, _BEYOND, z), square, borderType=cv2.BORDER_REPLICATE)
     high = cv2.dilate(np.where(unknown, -_BEYOND, z), square, borderType=cv2.BORDER_REPLICATE)
     wall = ~unknown & (high - low > STEP)
-    return np.where(wall, np.where(z > (low + high) / 2, high, low), z)
+    return np.where(wall, np.where(z > low + np.float32(WALL_SHARE) * (high - low), high, low), z)
 
 
 def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarray:
@@ -127,14 +135,16 @@ def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarr
     return high | ((part > 0) & (cv2.dilate(high.astype(np.uint8), near) > 0))
 
 
-def feet(high: np.ndarray, cell: float) -> tuple[np.ndarray, np.ndarray]:
-    """Shifts in x and y, m, (m, n) each, that put the feet of walls where walls are.
+def wall_shifts(high: np.ndarray, cell: float) -> tuple[np.ndarray, np.ndarray]:
+    """Shifts in x and y, m, (m, n) each, that put walls where they are.
 
-    A wall stands somewhere between the last raised cell and the first low one: the low cell's vertex moves halfway
-    towards its raised neighbours.
+    A wall stands between the last raised cell and the first low one: the low cell's vertex, its foot, moves half a
+    cell towards its raised neighbours, the raised cell's, its top, `TOP_OUTWARD` towards its low ones.
     """
     flags = high.astype(np.float32)
+    # Moves from low to raised neighbours: a foot goes with them, a top against them.
     east = np.array([[-1, 0, 1]] * 3, np.float32)
+    step = np.where(high, np.float32(-TOP_OUTWARD * cell), np.float32(cell / 2))
     shifts = [cv2.filter2D(flags, -1, kernel, borderType=cv2.BORDER_REPLICATE) for kernel in (east, -east.T)]
-    longest = np.maximum(np.maximum(np.abs(shifts[0]), np.abs(shifts[1])), 1)
-    return tuple(np.where(high, 0, shift / longest * np.float32(cell / 2)) for shift in shifts)
+    step /= np.maximum(np.maximum(np.abs(shifts[0]), np.abs(shifts[1])), 1)
+    return shifts[0] * step, shifts[1] * step
