@@ -1,0 +1,1 @@
+"""Facades measured from the street: walls from a mobile survey (J 5.7)."""

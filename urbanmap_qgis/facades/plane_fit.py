@@ -1,0 +1,137 @@
+"""Robust planes through wall points, with the accuracy of their place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+_TUKEY = 4.685
+_LEAST_NOISE = 0.003
+_BLOCK = 1.0
+"""Points within a square of this side (m) share their errors: the accuracy counts squares, not points."""
+
+PASS_GAP = 20.0
+"""Seconds without a point between two passes."""
+
+
+@dataclass(frozen=True, eq=False)
+class WallPlane:
+    """An upright or nearly upright plane.
+
+    Attributes
+    ----------
+    point : (3,) the points' centroid, on the plane. normal : (3,) unit.
+    rmse : of the points that hold it, m. sigma : standard deviation of the plane's place at the centroid, m, from
+        the scatter of square metres (and passes), not of points; it does not know the error of the survey's own place.
+    points : number of points that hold it. passes : drives that saw it. pass_spread : standard deviation of the
+        place between passes, m; NaN with one.
+    """
+
+    point: np.ndarray
+    normal: np.ndarray
+    rmse: float
+    sigma: float
+    points: int
+    passes: int
+    pass_spread: float
+
+    def distance(self, points: np.ndarray) -> np.ndarray:
+        """Signed distances (n,) of points (n, 3), m."""
+        return (points - self.point) @ self.normal
+
+    @property
+    def axes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Unit vectors (3,) in the plane: level (to the right seen from in front) and up."""
+        along = np.array([-self.normal[1], self.normal[0], 0.0])
+        along /= np.linalg.norm(along)
+        return along, np.cross(self.normal, along)
+
+    @property
+    def tilt(self) -> float:
+        """Lean of the wall in degrees: 0 upright, above 0 where the wall leans back."""
+        return float(np.degrees(np.arcsin(np.clip(self.normal[2], -1.0, 1.0))))
+
+    def turned(self) -> WallPlane:
+        """The same plane, seen from the other side."""
+        return WallPlane(self.point, -self.normal, self.rmse, self.sigma, self.points, self.passes, self.pass_spread)
+
+
+def least_squares_plane(points: np.ndarray, weights: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Centroid (3,) and unit normal (3,) of the plane with the least weighted squares; level normal if `upright`."""
+    centre = weights @ points / weights.sum()
+    away = points - centre
+    size = 2 if upright else 3
+    covariance = (away[:, :size] * weights[:, None]).T @ away[:, :size]
+    normal = np.zeros(3)
+    normal[:size] = np.linalg.eigh(covariance)[1][:, 0]
+    return centre, normal
+
+
+def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilting: bool = True,
+                 rounds: int = 8) -> WallPlane | None:
+    """Plane through points (n, 3) by iterated weights (Tukey), its normal on the side of `normal`.
+
+    It is upright, unless the points tell a lean of more than a quarter of a degree and three standard deviations.
+    None with fewer than 10 points.
+    """
+    if len(points) < 10:
+        return None
+    plane = _fitted(points, time, normal, True, rounds)
+    if not tilting or np.ptp(points[:, 2]) < 2.0:
+        return plane
+    leaning = _fitted(points, time, normal, False, rounds)
+    height = points[:, 2].std()
+    sigma_lean = leaning.sigma / max(height, 0.1)
+    lean = abs(np.arcsin(leaning.normal[2]))
+    return leaning if lean > max(np.radians(0.25), 3 * sigma_lean) else plane
+
+
+def _fitted(points: np.ndarray, time: np.ndarray, side: np.ndarray, upright: bool, rounds: int) -> WallPlane:
+    weights = np.ones(len(points))
+    for _ in range(rounds):
+        centre, normal = least_squares_plane(points, weights, upright)
+        residual = (points - centre) @ normal
+        middle = np.median(residual[weights > 0])
+        scale = max(1.4826 * np.median(np.abs(residual[weights > 0] - middle)), _LEAST_NOISE)
+        relative = np.clip((residual - middle) / (_TUKEY * scale), -1.0, 1.0)
+        weights = (1 - relative**2) ** 2
+    if normal @ side < 0:
+        normal = -normal
+    residual = (points - centre) @ normal
+    held = weights > 0
+    passes = pass_numbers(time[held])
+    sigma, spread = _sigma(points[held], residual[held], passes, normal)
+    return WallPlane(centre, normal, float(np.sqrt(np.mean(residual[held] ** 2))), sigma, int(held.sum()),
+                     int(passes.max()) + 1, spread)
+
+
+def pass_numbers(time: np.ndarray) -> np.ndarray:
+    """Number of the drive (n,) that each point belongs to: a pause of `PASS_GAP` seconds parts two."""
+    if not np.isfinite(time).all():
+        return np.zeros(len(time), np.int64)
+    order = np.argsort(time, kind="stable")
+    number = np.zeros(len(time), np.int64)
+    number[order[1:]] = np.cumsum(np.diff(time[order]) > PASS_GAP)
+    return number
+
+
+def _sigma(points: np.ndarray, residual: np.ndarray, passes: np.ndarray, normal: np.ndarray) -> tuple[float, float]:
+    """Standard deviation of a plane's place, and of its place between passes."""
+    along = np.array([-normal[1], normal[0]]) / np.hypot(*normal[:2])
+    block = np.column_stack([np.floor(points[:, :2] @ along / _BLOCK), np.floor(points[:, 2] / _BLOCK), passes])
+    block = (block - block.min(axis=0)).astype(np.int64)
+    size = block.max(axis=0) + 1
+    code = (block[:, 0] * size[1] + block[:, 1]) * size[2] + block[:, 2]
+    _, of, count = np.unique(code, return_inverse=True, return_counts=True)
+    means = np.bincount(of.ravel(), residual) / count
+    full = count >= max(3, 0.1 * np.median(count))
+    blocks = int(full.sum())
+    scatter = means[full].std() if blocks > 1 else residual.std()
+    # A square is worth one observation, however many points it has.
+    sigma = max(scatter, residual.std()) / np.sqrt(max(blocks - 2, 1))
+    drives = [residual[passes == number].mean() for number in range(int(passes.max()) + 1)]
+    if len(drives) < 2:
+        return float(sigma), float("nan")
+    spread = float(np.std(drives, ddof=1))
+    return float(max(sigma, spread / np.sqrt(len(drives)))), spread

@@ -1,0 +1,29 @@
+"""Statistical outlier removal: points whose neighbours are far (J 5.7; Rusu et al. 2008)."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..errors import InputError
+
+NEIGHBOURS = 8
+DEVIATIONS = 3.0
+
+
+def outlying(places: np.ndarray, neighbours: int = NEIGHBOURS, deviations: float = DEVIATIONS) -> np.ndarray:
+    """Which places lie lonelier than the others, (n,) bool.
+
+    A place is outlying where the mean distance to its neighbours is above the mean of all such distances by more than
+    `deviations` standard deviations. With as few places as neighbours none is.
+
+    Parameters
+    ----------
+    places : (n, 3), m; points, or the centroids of voxels that stand for them.
+    """
+    if neighbours < 1 or not deviations > 0:
+        raise InputError("Outliers need at least one neighbour and a number of deviations above 0.")
+    if len(places) <= neighbours + 1:
+        return np.zeros(len(places), bool)
+    distance = cKDTree(places).query(places, neighbours + 1)[0][:, 1:].mean(axis=1)
+    return distance > distance.mean() + deviations * distance.std()

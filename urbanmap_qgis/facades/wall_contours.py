@@ -1,0 +1,192 @@
+"""Contours of walls: the concave hull of each segment in its plane, openings kept as holes (J 5.7).
+
+What a wall shows and hides is told: share of its rectangle (from end to end, from the ground up to its top or the
+greatest height) that is seen, share of openings, share not seen behind something that stands in front.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy import ndimage
+
+from ..errors import InputError
+from .plane_fit import WallPlane
+
+_THIN = 0.08
+"""One point in each square of this side (m) is enough for a hull."""
+
+_CELL = 0.25
+"""Cells on which shares are counted, m."""
+
+_SPACINGS = 3.0
+_NARROWEST, _WIDEST = 0.35, 1.2
+_IN_FRONT = 0.3
+_SIDEWARDS = 4
+_SIMPLER = 0.04
+
+
+@dataclass(frozen=True)
+class ContourSettings:
+    """How contours are drawn.
+
+    Parameters
+    ----------
+    least_area : smallest contour, m2. least_opening : smallest hole that is kept, m2; smaller ones are filled and
+        their share is told.
+    alpha : radius of the circle that no gap within the wall may hold, m; 0: three times the points' spacing.
+    """
+
+    least_area: float = 3.0
+    least_opening: float = 0.5
+    alpha: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not self.least_area > 0 or self.least_opening < 0 or self.alpha < 0:
+            raise InputError("The least area of a wall must be greater than 0, the least opening and alpha not below.")
+
+
+@dataclass(frozen=True, eq=False)
+class Contour:
+    """One contour on a wall's plane.
+
+    Attributes
+    ----------
+    polygon : in the plane's axes (along, up), m from the plane's point, holes kept. points : number of points in it.
+    filled : share of its area that are gaps too small to be kept as openings.
+    """
+
+    polygon: shapely.Polygon
+    points: int
+    filled: float
+
+    @property
+    def openings(self) -> float:
+        """Share of the outer contour's area that is holes."""
+        outer = shapely.area(shapely.polygons(self.polygon.exterior))
+        return 1.0 - self.polygon.area / outer
+
+
+@dataclass(frozen=True)
+class Seen:
+    """How much of a wall's rectangle was seen.
+
+    Attributes
+    ----------
+    area : of the rectangle, m2. coverage : share within the contour. hidden : share outside of it, or in its
+        openings, with something standing in front. beyond : share that neither is seen nor has anything in front.
+    """
+
+    area: float
+    coverage: float
+    hidden: float
+    beyond: float
+
+
+def in_plane(plane: WallPlane, points: np.ndarray) -> np.ndarray:
+    """Points (n, 3) in the plane's axes, (n, 2) m from its point."""
+    away = points - plane.point
+    return np.column_stack([away @ axis for axis in plane.axes])
+
+
+def on_map(plane: WallPlane, flat: shapely.Geometry) -> shapely.Geometry:
+    """A geometry in the plane's axes as one with x, y, z on the plane; counterclockwise seen from in front."""
+    along, up = plane.axes
+    return shapely.transform(shapely.force_3d(flat), lambda c: plane.point + c[:, :1] * along + c[:, 1:2] * up,
+                             include_z=True)
+
+
+def wall_contours(plane: WallPlane, points: np.ndarray,
+                  settings: ContourSettings = ContourSettings()) -> list[Contour]:
+    """Contours of a wall's points (n, 3), the largest first; empty where none is large enough."""
+    flat = in_plane(plane, points)
+    thin = _thinned(flat)
+    alpha = settings.alpha or default_alpha(thin)
+    hull = concave_hull(thin, alpha)
+    contours = []
+    for polygon in shapely.get_parts(hull):
+        if polygon.area < settings.least_area:
+            continue
+        polygon, filled = _without_small_holes(polygon, settings.least_opening)
+        shapely.prepare(polygon)
+        contours.append(Contour(polygon, int(shapely.contains_xy(polygon, *flat.T).sum()), filled))
+    return sorted(contours, key=lambda contour: -contour.polygon.area)
+
+
+def _thinned(flat: np.ndarray) -> np.ndarray:
+    """One point of each small square."""
+    place = np.floor((flat - flat.min(axis=0)) / _THIN).astype(np.int64)
+    return flat[np.unique(place[:, 0] * (int(place[:, 1].max()) + 1) + place[:, 1], return_index=True)[1]]
+
+
+def default_alpha(flat: np.ndarray) -> float:
+    """Three times the spacing of points (n, 2) where they are thin: the sparsest tenth of the filled half metres."""
+    place = np.floor((flat - flat.min(axis=0)) / 0.5).astype(np.int64)
+    _, count = np.unique(place[:, 0] * (int(place[:, 1].max()) + 1) + place[:, 1], return_counts=True)
+    spacing = 0.5 / math.sqrt(float(np.quantile(count, 0.2)))
+    return float(np.clip(_SPACINGS * spacing, _NARROWEST, _WIDEST))
+
+
+def concave_hull(flat: np.ndarray, alpha: float) -> shapely.Geometry:
+    """Polygons that points (n, 2) cover: Delaunay triangles with a circumradius below `alpha`, joined, simplified."""
+    from ..buildings.polygons.alpha_shape import alpha_shape
+
+    rings = alpha_shape(flat, alpha)
+    outer, holes = [], []
+    for ring in rings:
+        xy = flat[ring]
+        (outer if _turn(xy) > 0 else holes).append(shapely.Polygon(xy))
+    if not outer:
+        return shapely.MultiPolygon()
+    hull = shapely.union_all(shapely.make_valid(outer))
+    if holes:
+        hull = shapely.difference(hull, shapely.union_all(shapely.make_valid(holes)))
+    hull = shapely.simplify(hull, _SIMPLER)
+    parts = shapely.get_parts(hull if hull.is_valid else shapely.make_valid(hull))
+    return shapely.MultiPolygon([part for part in parts if part.geom_type == "Polygon"])
+
+
+def _turn(xy: np.ndarray) -> float:
+    away = xy - xy[0]
+    return float(np.dot(away[:, 0], np.roll(away[:, 1], -1)) - np.dot(away[:, 1], np.roll(away[:, 0], -1)))
+
+
+def _without_small_holes(polygon: shapely.Polygon, least: float) -> tuple[shapely.Polygon, float]:
+    """The polygon with small holes filled, and their share of its area."""
+    holes = [shapely.Polygon(ring) for ring in polygon.interiors]
+    kept = [hole.exterior for hole in holes if hole.area >= least]
+    filled = sum(hole.area for hole in holes if hole.area < least)
+    made = shapely.orient_polygons(shapely.Polygon(polygon.exterior, kept)) if hasattr(shapely, "orient_polygons") \
+        else shapely.geometry.polygon.orient(shapely.Polygon(polygon.exterior, kept))
+    return made, float(filled / made.area)
+
+
+def seen_share(plane: WallPlane, contours: list[Contour], foot: float, top: float, front: np.ndarray) -> Seen:
+    """How much of the wall between heights `foot` and `top` (m) its contours cover, and what stands before the rest.
+
+    Parameters
+    ----------
+    front : (k, 3) thinned places of everything near the building.
+    """
+    shape = shapely.union_all([contour.polygon for contour in contours])
+    left, low, right, high = shape.bounds
+    low, high = min(low, foot - plane.point[2]), max(high, top - plane.point[2])
+    columns = max(int(math.ceil((right - left) / _CELL)), 1)
+    rows = max(int(math.ceil((high - low) / _CELL)), 1)
+    u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * _CELL, low + (np.arange(rows) + 0.5) * _CELL)
+    shapely.prepare(shape)
+    seen = shapely.contains_xy(shape, u, v)
+    before = np.zeros_like(seen)
+    if len(front):
+        off = plane.distance(front)
+        flat = in_plane(plane, front[off > _IN_FRONT])
+        place = np.floor((flat - (left, low)) / _CELL).astype(np.int64)
+        inside = ((place >= 0) & (place < (columns, rows))).all(axis=1)
+        before[place[inside, 1], place[inside, 0]] = True
+        # It is seen aslant: what stands in front hides something to its sides and above.
+        before = ndimage.binary_dilation(before, np.ones((2 * _SIDEWARDS + 1, 2 * _SIDEWARDS + 1)))
+    covered, hidden = float(seen.mean()), float((before & ~seen).mean())
+    return Seen((right - left) * (high - low), covered, hidden, max(1.0 - covered - hidden, 0.0))

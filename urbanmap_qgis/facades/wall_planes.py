@@ -1,0 +1,257 @@
+"""Wall points of a building cut into planes (J 5.7).
+
+Planes grow from seeds: a voxel on a flat upright surface, then all that hangs together on its plane within a growing
+circle, fitted anew each time. Seeds that agree with an edge of the outline come first, but nothing binds them to it:
+bays, setbacks and walls that the outline does not have grow from the seeds that are left.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from ..errors import InputError
+from ..progress import SILENT, Progress
+from .normals import Voxels, voxel_normals
+from .plane_fit import WallPlane, least_squares_plane, robust_plane
+from .statistical_outliers import outlying
+
+_SEED_TURN = np.cos(np.radians(25.0))
+_EDGE_TURN = np.cos(np.radians(12.0))
+_GROWTH = (1.2, 2.5, 5.0, 10.0, 20.0, np.inf)
+_POINT_REACH = 0.12
+_SLICE = 20_000
+_SEEDS = 3000
+
+
+@dataclass(frozen=True)
+class PlaneSettings:
+    """How walls are told apart.
+
+    Parameters
+    ----------
+    tolerance : farthest distance of a voxel's centroid from its plane, m.
+    least_area : smallest wall, m2. gap : widest gap within one wall, m.
+    """
+
+    tolerance: float = 0.08
+    least_area: float = 3.0
+    gap: float = 1.5
+
+    def __post_init__(self) -> None:
+        if not (self.tolerance > 0 and self.least_area > 0 and self.gap >= 0):
+            raise InputError("Tolerance and least area of walls must be greater than 0.")
+
+
+@dataclass(frozen=True, eq=False)
+class Segment:
+    """Points of one wall: their plane, its normal outwards, and their numbers (k,)."""
+
+    plane: WallPlane
+    points: np.ndarray
+
+
+def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray,
+                  settings: PlaneSettings = PlaneSettings(), progress: Progress = SILENT) -> list[Segment]:
+    """Planes of a building's walls, the largest first.
+
+    Parameters
+    ----------
+    points : (n, 3) near the building, m. time : (n,) GPS seconds.
+    edges : (k, 2, 2) outline edges, m. outward : (k, 2) unit normals.
+    """
+    if len(points) < 10:
+        return []
+    voxels = voxel_normals(points)
+    wall = np.flatnonzero(voxels.upright)
+    if len(wall) < 3:
+        return []
+    wall = wall[~outlying(voxels.mean[wall])]
+    grown = _grow_all(voxels, wall, edges, outward, settings, progress)
+    if not grown:
+        return []
+    owner = _claim(points, voxels, grown, settings)
+    segments = []
+    for number, (_centre, normal, _mask) in enumerate(grown):
+        members = np.flatnonzero(owner == number)
+        plane = robust_plane(points[members], time[members], normal)
+        if plane is None:
+            continue
+        near = members[np.abs(plane.distance(points[members])) < max(4 * plane.rmse, 0.03)]
+        segments.append(Segment(plane, near))
+    return sorted(segments, key=lambda segment: -len(segment.points))
+
+
+@dataclass(eq=False)
+class _Mask:
+    """Cells of a plane that a wall covers: axes, lower corner, size of a cell and which are filled."""
+
+    axes: tuple[np.ndarray, np.ndarray]
+    low: np.ndarray
+    cell: float
+    filled: np.ndarray
+
+    def holds(self, points: np.ndarray) -> np.ndarray:
+        """Whether points (n, 3) lie over filled cells."""
+        place = np.floor((np.column_stack([points @ axis for axis in self.axes]) - self.low) / self.cell)
+        inside = ((place >= 0) & (place < self.filled.shape)).all(axis=1)
+        held = np.zeros(len(points), bool)
+        row, column = place[inside].astype(np.int64).T
+        held[inside] = self.filled[row, column]
+        return held
+
+
+def _grow_all(voxels: Voxels, wall: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
+              progress: Progress) -> list[tuple[np.ndarray, np.ndarray, _Mask]]:
+    """Planes (point, normal, mask) grown from seeds until no seed is left."""
+    mean, normal, weight = voxels.mean[wall], voxels.normal[wall], voxels.count[wall].astype(float)
+    free = np.ones(len(wall), bool)
+    tried = np.zeros(len(wall), bool)
+    guided = _agrees(mean, normal, edges, outward)
+    # The flattest first: half a centimetre is a class, within which more points win.
+    order = np.lexsort((-voxels.support[wall], np.round(voxels.thickness[wall] / 0.005), ~guided))
+    grown = []
+    tries = 0
+    for seed in order:
+        if not free[seed] or tried[seed]:
+            continue
+        tries += 1
+        if tries > _SEEDS:
+            break
+        progress.check()
+        found = _grow(seed, mean, normal, weight, free, settings, voxels.size)
+        tried[seed] = True
+        if found is None:
+            continue
+        centre, facing, members, mask = found
+        if _area(mask) < settings.least_area:
+            tried[members] = True
+            continue
+        free[members] = False
+        # What lies on the plane with another normal (edges, reveals) starts no wall of its own.
+        close = free & (np.abs((mean - centre) @ facing) < settings.tolerance)
+        close[close] = mask.holds(mean[close])
+        tried[close] = True
+        grown.append((centre, _outwards(centre, facing, mean[members], edges, outward), mask))
+    return grown
+
+
+def _agrees(mean: np.ndarray, normal: np.ndarray, edges: np.ndarray, outward: np.ndarray) -> np.ndarray:
+    """Whether the nearest outline edge of voxels faces as they do, (v,) bool."""
+    if not len(edges):
+        return np.zeros(len(mean), bool)
+    level = normal[:, :2] / np.maximum(np.hypot(*normal[:, :2].T), 1e-9)[:, None]
+    agrees = np.zeros(len(mean), bool)
+    for start in range(0, len(mean), _SLICE):
+        part = slice(start, start + _SLICE)
+        near = edge_distance(mean[part, :2], edges).argmin(axis=1)
+        agrees[part] = np.abs((level[part] * outward[near]).sum(axis=1)) > _EDGE_TURN
+    return agrees
+
+
+def edge_distance(xy: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """Distances (n, k) of places (n, 2) to edges (k, 2, 2), m."""
+    start, along = edges[:, 0], edges[:, 1] - edges[:, 0]
+    away = xy[:, None, :] - start
+    share = np.clip((away * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), 1e-12), 0.0, 1.0)
+    return np.linalg.norm(away - share[..., None] * along, axis=2)
+
+
+def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, free: np.ndarray,
+          settings: PlaneSettings, voxel: float):
+    """The plane that grows from a seed: point, normal, its voxels, its mask; None where it dies."""
+    centre, facing = mean[seed], normal[seed]
+    members = np.array([seed])
+    candidates = np.flatnonzero(free)
+    place, turned = mean[candidates], normal[candidates]
+    away = np.linalg.norm(place - mean[seed], axis=1)
+    for radius in (*_GROWTH, np.inf):
+        near = (np.abs((place - centre) @ facing) < settings.tolerance) & (away < radius)
+        near &= np.abs(turned @ facing) > _SEED_TURN
+        near = candidates[near]
+        if len(near) < 3:
+            return None
+        mask, members = _connected(seed, near, mean, facing, settings.gap, voxel)
+        if len(members) < 3:
+            return None
+        centre, facing = _fit(mean[members], weight[members])
+    return centre, facing, members, mask
+
+
+def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Plane of voxels: two rounds, the second without those far off."""
+    upright = np.ptp(places[:, 2]) < 3.0
+    centre, normal = least_squares_plane(places, weight, upright)
+    residual = np.abs((places - centre) @ normal)
+    held = residual <= max(3 * 1.4826 * np.median(residual), 0.01)
+    return least_squares_plane(places[held], weight[held], upright)
+
+
+def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray, gap: float,
+               voxel: float) -> tuple[_Mask, np.ndarray]:
+    """Those of `near` that hang together with the seed in the plane over gaps up to `gap`, and their cells."""
+    along = np.array([-facing[1], facing[0], 0.0])
+    along /= np.linalg.norm(along)
+    axes = along, np.cross(facing, along)
+    flat = np.column_stack([mean[near] @ axis for axis in axes])
+    cell = 1.5 * voxel
+    pad = int(np.ceil(gap / cell)) + 1
+    low = flat.min(axis=0) - pad * cell
+    place = np.floor((flat - low) / cell).astype(np.int64)
+    filled = np.zeros(tuple(place.max(axis=0) + pad + 1), bool)
+    filled[place[:, 0], place[:, 1]] = True
+    closed = filled
+    if gap > 0:
+        reach = ndimage.distance_transform_edt(~filled)
+        closed = reach * cell <= gap / 2 + cell / 2
+    label, _ = ndimage.label(closed, np.ones((3, 3)))
+    here = label[place[:, 0], place[:, 1]]
+    start = here[np.searchsorted(near, seed)] if seed in near else here[0]
+    chosen = here == start
+    own = np.zeros_like(filled)
+    own[place[chosen, 0], place[chosen, 1]] = True
+    return _Mask(axes, low, cell, own), near[chosen]
+
+
+def _area(mask: _Mask) -> float:
+    """Area of a mask's filled cells, m2."""
+    return float(mask.filled.sum()) * mask.cell**2
+
+
+def _outwards(centre: np.ndarray, facing: np.ndarray, places: np.ndarray, edges: np.ndarray,
+              outward: np.ndarray) -> np.ndarray:
+    """The plane's normal, turned as most of the outline edges near the wall face."""
+    if not len(edges):
+        return facing
+    some = places[:: max(1, len(places) // 200), :2]
+    near = edge_distance(some, edges)
+    vote = (outward @ facing[:2])[near.argmin(axis=1)]
+    # Edges across the wall say nothing: only those that run with it have a vote.
+    vote = vote[np.abs(vote) > 0.7]
+    if not len(vote):
+        best = np.argmin(near.mean(axis=0) - np.abs(outward @ facing[:2]) * 2.0)
+        vote = outward[best] @ facing[:2]
+    return facing if np.sum(np.sign(vote)) >= 0 else -facing
+
+
+def _claim(points: np.ndarray, voxels: Voxels, grown: list, settings: PlaneSettings) -> np.ndarray:
+    """Number of the plane that each point lies on, (n,), -1 for none: the nearest of those that cover its place."""
+    owner = np.full(len(points), -1, np.int32)
+    best = np.full(len(points), _POINT_REACH)
+    order = np.argsort(voxels.of_point, kind="stable")
+    starts = np.concatenate([[0], np.cumsum(voxels.count)])
+    for number, (centre, normal, mask) in enumerate(grown):
+        reach = _POINT_REACH + voxels.size
+        near = np.flatnonzero(np.abs((voxels.mean - centre) @ normal) < reach)
+        grownmask = _Mask(mask.axes, mask.low, mask.cell, ndimage.binary_dilation(mask.filled, np.ones((3, 3))))
+        near = near[grownmask.holds(voxels.mean[near])]
+        if not len(near):
+            continue
+        members = np.concatenate([order[starts[voxel]:starts[voxel + 1]] for voxel in near])
+        distance = np.abs((points[members] - centre) @ normal)
+        closer = distance < best[members]
+        members, distance = members[closer], distance[closer]
+        owner[members], best[members] = number, distance
+    return owner

@@ -1,0 +1,236 @@
+"""Walls of all buildings from a mobile survey: points, planes, contours and what is known of each (J 5.7)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+from functools import partial
+
+import numpy as np
+import shapely
+
+from ..execution import in_order
+from ..io.pointcloud import PointCloud
+from ..io.raster import RasterSampler
+from ..progress import SILENT, Progress
+from .building_plans import BuildingPlans, outline_edges
+from .facade_points import FacadePoints, FacadeSettings, facade_points
+from .plane_fit import WallPlane
+from .wall_contours import Contour, ContourSettings, Seen, in_plane, on_map, seen_share, wall_contours
+from .wall_planes import PlaneSettings, edge_distance, wall_segments
+
+OK, ROUGH, PARTLY = "ok", "rough", "partly seen"
+"""Status of a wall: sound; its points scatter more than a flat wall's; less than half of it was seen."""
+
+_ROUGH = 0.05
+_HALF = 0.5
+_ALONG = 0.966
+"""Cosine of the largest angle between a wall and the outline's edge that it belongs to: 15 degrees."""
+
+
+@dataclass(frozen=True)
+class WallSettings:
+    """All settings of the stage."""
+
+    facade: FacadeSettings = field(default_factory=FacadeSettings)
+    planes: PlaneSettings = field(default_factory=PlaneSettings)
+    contours: ContourSettings = field(default_factory=ContourSettings)
+
+
+@dataclass(frozen=True, eq=False)
+class Wall:
+    """One contour on one plane of a building.
+
+    Attributes
+    ----------
+    building_id : the building. plane : its plane, the normal outwards.
+    contour : polygon with z on the plane, counterclockwise seen from in front, holes are openings.
+    points, openings, filled : see `Contour`. seen : of the whole plane's rectangle.
+    edge : number of the outline edge it runs along, -1 for none. offset : distance outwards from that edge, m.
+    height_known : whether the building's top was known, to which the rectangle reaches.
+    status, note : in words.
+    """
+
+    building_id: int
+    plane: WallPlane
+    contour: shapely.Polygon
+    points: int
+    openings: float
+    filled: float
+    seen: Seen
+    edge: int
+    offset: float
+    height_known: bool
+    status: str
+    note: str
+
+
+@dataclass(frozen=True)
+class WallCounts:
+    """What became of the buildings: those near points, with walls; points near them and on walls."""
+
+    near: int
+    with_walls: int
+    points: int
+    wall_points: int
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """A building to work on."""
+
+    building_id: int
+    plan: shapely.Geometry
+    top: float
+    points: FacadePoints
+
+
+def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings = WallSettings(),
+               ground: RasterSampler | None = None, executor: Executor | None = None,
+               progress: Progress = SILENT) -> tuple[list[Wall], WallCounts]:
+    """Walls of buildings from a survey that lies on the map.
+
+    Parameters
+    ----------
+    cloud : the survey. plans : the buildings, in its CRS. ground : heights of the ground, m.
+
+    Raises
+    ------
+    InsufficientDataError : no point lies near any building.
+    """
+    walls: list[Wall] = []
+    near = with_walls = points = 0
+    with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
+        work = partial(_walls_of, settings=settings, check=progress if executor is None else SILENT)
+        counted = _pieces(buildings, plans, progress.part(0.5, 1.0))
+        for found, count in in_order(work, counted, executor, progress.check):
+            progress.check()
+            near += 1
+            with_walls += bool(found)
+            points += count
+            walls.extend(found)
+    return walls, WallCounts(near, with_walls, points, sum(wall.points for wall in walls))
+
+
+def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans, progress: Progress) -> Iterator[_Piece]:
+    for row, points in buildings:
+        progress.step(row / len(plans))
+        if points.thinned < 1:
+            progress.warn(f"Building {plans.ids[row]}: only {100 * points.thinned:.0f} % of its points were used, "
+                          "as there are more than fit into memory.")
+        yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points)
+
+
+def _walls_of(piece: _Piece, settings: WallSettings, check: Progress) -> tuple[list[Wall], int]:
+    """Walls of one building, and the number of its points."""
+    ends, outward = outline_edges(piece.plan)
+    given = piece.points
+    walls: list[Wall] = []
+    for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check):
+        own = given.points[segment.points]
+        contours = wall_contours(segment.plane, own, settings.contours)
+        if contours:
+            walls.extend(_described(piece, segment.plane, contours, ends, outward, settings))
+    return walls, len(given.points)
+
+
+def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray, outward: np.ndarray,
+               settings: WallSettings) -> list[Wall]:
+    """The contours of one plane with all that is known of them."""
+    edge, offset = _edge_of(plane, contours, ends, outward)
+    walls = []
+    for contour in contours:
+        polygon = on_map(plane, contour.polygon)
+        z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
+        foot, top = _span(piece, plane, z, settings.facade.max_height)
+        seen = seen_share(plane, [contour], foot, top, piece.points.front)
+        status, note = _status(plane, seen)
+        walls.append(Wall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled, seen,
+                          edge, offset, bool(np.isfinite(piece.top)), status, note))
+    return walls
+
+
+def _span(piece: _Piece, plane: WallPlane, z: np.ndarray, max_height: float) -> tuple[float, float]:
+    """Heights between which a wall could have been seen, m."""
+    given = piece.points
+    if np.isfinite(given.ground[0]):
+        foot = float(plane.point[2] - given.height(plane.point[None])[0])
+        limit = foot + max_height
+    else:
+        foot, limit = float(z.min()), float(z.max())
+    top = min(piece.top, limit) if np.isfinite(piece.top) else float(z.max())
+    # A wall over a podium starts at the podium's roof; the contour's own foot is then the better guess.
+    return min(foot, float(z.min())), max(top, float(z.min()) + 0.1)
+
+
+def _edge_of(plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray,
+             outward: np.ndarray) -> tuple[int, float]:
+    """Outline edge that a wall runs along: the nearest that faces as it does; and how far the wall stands before it."""
+    facing = outward @ plane.normal[:2]
+    alike = np.flatnonzero(facing > _ALONG)
+    if not len(alike):
+        return -1, float("nan")
+    along = plane.axes[0][:2]
+    spans = [contour.polygon.bounds[0::2] for contour in contours]
+    places = np.concatenate([np.linspace(*span, 21) for span in spans])
+    xy = plane.point[:2] + places[:, None] * along
+    distance = edge_distance(xy, ends[alike])
+    edge = int(alike[distance.mean(axis=0).argmin()])
+    if np.median(edge_distance(xy, ends[edge:edge + 1])) > 3.0:
+        return -1, float("nan")
+    return edge, float(np.mean((xy - ends[edge, 0]) @ outward[edge]))
+
+
+def _status(plane: WallPlane, seen: Seen) -> tuple[str, str]:
+    """Status of a wall and the reason."""
+    if plane.rmse > _ROUGH:
+        return ROUGH, f"its points scatter by {100 * plane.rmse:.0f} cm: no flat wall, or drives that disagree"
+    if seen.coverage < _HALF:
+        why = "something stands in front" if seen.hidden > seen.beyond else "the survey did not see the rest"
+        return PARTLY, f"{100 * seen.coverage:.0f} % of it was seen; {why}"
+    return OK, ""
+
+
+WALL_COLUMNS: tuple[tuple[str, str], ...] = (
+    ("building_id", "int"), ("wall_id", "int"), ("status", "text"), ("note", "text"), ("area", "real"),
+    ("height", "real"), ("length", "real"), ("azimuth", "real"), ("tilt", "real"), ("normal_x", "real"),
+    ("normal_y", "real"), ("normal_z", "real"), ("points", "int"), ("passes", "int"), ("rmse", "real"),
+    ("sigma", "real"), ("pass_spread", "real"), ("coverage", "real"), ("hidden", "real"), ("unseen", "real"),
+    ("openings", "real"), ("filled", "real"), ("edge", "int"), ("offset", "real"),
+)
+"""Names and kinds of the columns of a layer of walls, in order."""
+
+
+def wall_columns(walls: Sequence[Wall]) -> dict[str, list]:
+    """Columns of `WALL_COLUMNS`; walls are numbered within their building from 1, the largest plane first."""
+    columns: dict[str, list] = {name: [] for name, _ in WALL_COLUMNS}
+    number: dict[int, int] = {}
+    for wall in walls:
+        number[wall.building_id] = number.get(wall.building_id, 0) + 1
+        for name, value in _row(wall, number[wall.building_id]).items():
+            columns[name].append(value)
+    return columns
+
+
+def _row(wall: Wall, number: int) -> dict:
+    plane, seen = wall.plane, wall.seen
+    outer = in_plane(plane, shapely.get_coordinates(wall.contour.exterior, include_z=True))
+    length, height = np.ptp(outer, axis=0)
+    return {
+        "building_id": wall.building_id, "wall_id": number, "status": wall.status, "note": wall.note,
+        "area": shapely_area(plane, wall.contour), "height": float(height), "length": float(length),
+        "azimuth": float(np.degrees(np.arctan2(plane.normal[0], plane.normal[1])) % 360.0), "tilt": plane.tilt,
+        "normal_x": float(plane.normal[0]), "normal_y": float(plane.normal[1]), "normal_z": float(plane.normal[2]),
+        "points": wall.points, "passes": plane.passes, "rmse": plane.rmse, "sigma": plane.sigma,
+        "pass_spread": plane.pass_spread, "coverage": seen.coverage, "hidden": seen.hidden, "unseen": seen.beyond,
+        "openings": wall.openings, "filled": wall.filled, "edge": wall.edge if wall.edge >= 0 else None,
+        "offset": wall.offset,
+    }
+
+
+def shapely_area(plane: WallPlane, contour: shapely.Polygon) -> float:
+    """Area of a contour in its plane, m2."""
+    flat = [in_plane(plane, shapely.get_coordinates(ring, include_z=True)) for ring in (
+        contour.exterior, *contour.interiors)]
+    return float(shapely.Polygon(flat[0], flat[1:]).area)
