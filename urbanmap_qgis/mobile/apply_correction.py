@@ -157,7 +157,7 @@ class _Writing:
         for number in reversed([k for k, vlr in enumerate(header.vlrs) if vlr.user_id in _COPC]):
             header.vlrs.pop(number)
         self.coarse = header.scales > COARSEST_SCALE
-        farthest = self._farthest(cloud)
+        farthest = movement.farthest(np.stack([cloud.minimum, cloud.maximum])) + 1.0
         scales = np.where(self.coarse, COARSEST_SCALE, header.scales)
         offsets = header.offsets.copy()
         low, high = cloud.minimum - farthest, cloud.maximum + farthest
@@ -171,11 +171,6 @@ class _Writing:
                           f"correction: they are written in steps of {COARSEST_SCALE:g} m.")
         header.scales, header.offsets = scales, offsets
         self.header = header
-
-    def _farthest(self, cloud: PointCloud) -> float:
-        """A bound of every point's movement, m."""
-        reach = np.abs(np.stack([cloud.minimum, cloud.maximum]) - self.movement.centre).max()
-        return float(np.abs(self.movement.shift).max() + 3 * np.abs(self.movement.turn).max() * reach) + 1.0
 
     def moved(self, chunk: laspy.ScaleAwarePointRecord, time: np.ndarray, outside: str,
               tally: _Tally) -> laspy.PackedPointRecord:

@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import InputError
 from .trajectory import Trajectory, gaps, interpolate, rotations
 
-STEP = 0.1
+STEP = 0.02
 """Longest step of the table, s: between its entries a movement is linear, where poses are linear before they meet."""
 
 
@@ -21,15 +21,13 @@ class Movement:
     ----------
     time : (k,) s, increasing.
     centre : (3,) m, near the trajectory.
-    turn : (k, 3, 3) rotation less the identity.
-    shift : (k, 3) m.
+    table : (k, 12) float32; for east, north, up the row of the rotation less the identity, then the shift, m.
     gaps : (g, 2) spans of time, s, in which a trajectory has no epochs.
     """
 
     time: np.ndarray
     centre: np.ndarray
-    turn: np.ndarray
-    shift: np.ndarray
+    table: np.ndarray
     gaps: np.ndarray
 
     def within(self, time: np.ndarray) -> np.ndarray:
@@ -50,15 +48,19 @@ class Movement:
         """
         step, share = self._steps(time)
         local = (points - self.centre).astype(np.float32)
-        table = np.concatenate([self.turn.reshape(-1, 9), self.shift], axis=1).astype(np.float32)
-        slope = np.diff(table, axis=0)
         moved = np.empty(local.shape, np.float32)
         for axis in range(3):
-            columns = [3 * axis, 3 * axis + 1, 3 * axis + 2, 9 + axis]
-            values = table[:-1, columns][step]
-            values += slope[:, columns][step] * share[:, None]
+            row = np.ascontiguousarray(self.table[:, 4 * axis:4 * axis + 4])
+            values = row[step]
+            values += np.diff(row, axis=0)[step] * share[:, None]
             moved[:, axis] = np.einsum("ij,ij->i", values[:, :3], local) + values[:, 3]
         return moved
+
+    def farthest(self, points: np.ndarray) -> float:
+        """A bound of every movement inside the box of points (m, 3), m."""
+        reach = np.abs(points - self.centre).max()
+        turn, shift = np.abs(self.table[:, [0, 1, 2, 4, 5, 6, 8, 9, 10]]), np.abs(self.table[:, 3::4])
+        return float(shift.max() + 3 * turn.max() * reach)
 
     def _steps(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number of the table's entry before each time, and the share of the step to the next."""
@@ -82,10 +84,18 @@ def movement_between(reported: Trajectory, corrected: Trajectory) -> Movement:
                          "survey.")
     time = _times(reported.time, corrected.time, start, end)
     before, after = interpolate(reported, time), interpolate(corrected, time)
-    turn = rotations(after.angles) @ np.swapaxes(rotations(before.angles), 1, 2) - np.eye(3)
+    turn = _turns(before.angles, after.angles)
     centre = before.place.mean(axis=0)
     shift = after.place - before.place - np.einsum("kij,kj->ki", turn, before.place - centre)
-    return Movement(time, centre, turn, shift, np.concatenate([gaps(reported), gaps(corrected)]))
+    table = np.concatenate([turn, shift[:, :, None]], axis=2).reshape(-1, 12).astype(np.float32)
+    return Movement(time, centre, table, np.concatenate([gaps(reported), gaps(corrected)]))
+
+
+def _turns(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Rotations (k, 3, 3) from one attitude to another, less the identity; exactly none where both are alike."""
+    turn = rotations(after) @ np.swapaxes(rotations(before), 1, 2) - np.eye(3)
+    turn[(before == after).all(axis=1)] = 0.0
+    return turn
 
 
 def _times(first: np.ndarray, second: np.ndarray, start: float, end: float) -> np.ndarray:
