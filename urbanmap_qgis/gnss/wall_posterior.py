@@ -1,0 +1,231 @@
+"""Offsets of walls from votes whose errors are one-sided and partly shared.
+
+A vote's own error is Gaussian noise; with some probability an exponential delay on top (a detour more than the one
+traced: always late); or the vote speaks of another way altogether (anything within tens of metres). How often and how
+much is learnt from all votes. Offsets of all walls and the latent errors of all passes are estimated together, so
+that an error shared by the votes of a pass widens the sigma of every wall that they speak of.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.special import log_ndtr, logsumexp
+
+from .wall_votes import Votes
+
+_STRAY_SPAN = 80.0
+"""Strays are spread evenly over this length, m."""
+
+_GRID = np.arange(-4.0, 4.0001, 0.02)
+"""Offsets that are tried for each wall, m."""
+
+_ROUNDS = 60
+
+
+@dataclass(frozen=True)
+class ErrorModel:
+    """Error of a vote: `sigma` (m, besides the vote's own variance), share and mean (m) of late ones, share of strays.
+    """
+
+    sigma: float = 0.6
+    late_share: float = 0.2
+    late_mean: float = 4.0
+    stray_share: float = 0.1
+
+    def log_parts(self, error: np.ndarray, variance: np.ndarray) -> np.ndarray:
+        """(3, ...) logarithms of the densities of errors: on time, late, stray, each with its share."""
+        sigma = np.sqrt(self.sigma**2 + variance)
+        rate = 1.0 / self.late_mean
+        on_time = -0.5 * (error / sigma) ** 2 - np.log(np.sqrt(2 * np.pi) * sigma)
+        late = np.log(rate) + 0.5 * (sigma * rate) ** 2 - rate * error + log_ndtr(error / sigma - sigma * rate)
+        stray = np.full(error.shape, -np.log(_STRAY_SPAN))
+        return np.stack([on_time + np.log(1 - self.late_share - self.stray_share), late + np.log(self.late_share),
+                         stray + np.log(self.stray_share)])
+
+    def shares(self, error: np.ndarray, variance: np.ndarray) -> np.ndarray:
+        """(3, n) probabilities that errors are on time, late, stray."""
+        logs = self.log_parts(error, variance)
+        return np.exp(logs - logsumexp(logs, axis=0))
+
+
+@dataclass(frozen=True)
+class Offsets:
+    """Estimates for the walls that have votes.
+
+    Attributes
+    ----------
+    wall : (k,) their numbers.  offset : (k,) outwards, m.  sigma : (k,) m.
+    own_sigma : (k,) part of sigma that does not come from errors shared within passes, m.
+    rival : (k,) share of the probability that lies nearer to another maximum than to the best one.
+    on_time : (v,) probability that each vote is neither late nor a stray.
+    error : (v,) what is left of each vote, m.
+    model : the error model learnt.
+    """
+
+    wall: np.ndarray
+    offset: np.ndarray
+    sigma: np.ndarray
+    own_sigma: np.ndarray
+    rival: np.ndarray
+    on_time: np.ndarray
+    error: np.ndarray
+    model: ErrorModel
+
+
+def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel = ErrorModel(), learn: bool = True
+                     ) -> Offsets:
+    """Offsets of all walls with votes.
+
+    Parameters
+    ----------
+    prior_sigma : how far walls are off before anything is measured, m (normal about 0).
+    learn : whether the error model is fitted to the votes; else it is taken as it is.
+    """
+    system = _System.of(votes, prior_sigma)
+    offset, latent = system.start(model), [np.zeros(share.shape[1]) for share in system.share]
+    for number in range(_ROUNDS):
+        error = system.errors(offset, latent)
+        if learn:
+            model = _learnt(model, model.shares(error, votes.variance), error, votes.variance)
+        new_offset, latent, covariance = system.improved(offset, latent, model)
+        jumped = system.best_on_grid(latent, model)
+        far = np.abs(jumped - new_offset) > 0.25
+        new_offset = np.where(far & (number < _ROUNDS // 2), jumped, new_offset)
+        moved = np.abs(new_offset - offset).max(initial=0.0)
+        offset = new_offset
+        if moved < 1e-3 and number > 5:
+            break
+    return system.summary(offset, latent, model, covariance)
+
+
+def _learnt(model: ErrorModel, share: np.ndarray, error: np.ndarray, variance: np.ndarray) -> ErrorModel:
+    """The error model that fits errors best, one step of expectation and maximisation, with weak priors.
+
+    The priors count as 20 votes, so that a handful of votes does not make a model of its own.
+    """
+    count, weight = share.shape[1], 20.0
+    on_time, late, stray = share.sum(axis=1)
+    total = count + weight
+    spread = (share[0] * np.maximum(error**2 - variance, 0.0)).sum() + weight * 0.6**2
+    beyond = (share[1] * np.maximum(error, 0.0)).sum() + weight * 0.2 * 4.0
+    return replace(model, sigma=float(np.clip(np.sqrt(spread / (on_time + weight)), 0.3, 6.0)),
+                   late_share=float((late + 0.2 * weight) / total), stray_share=float((stray + 0.1 * weight) / total),
+                   late_mean=float(np.clip(beyond / (late + 0.2 * weight), 1.0, 15.0)))
+
+
+@dataclass(frozen=True)
+class _System:
+    """Votes with walls numbered 0 to k-1 and latent errors scaled to unit variance."""
+
+    votes: Votes
+    walls: np.ndarray
+    wall: np.ndarray
+    of_pass: tuple[np.ndarray, ...]
+    share: tuple[np.ndarray, ...]
+    prior: float
+
+    @classmethod
+    def of(cls, votes: Votes, prior: float) -> _System:
+        walls, wall = np.unique(votes.wall, return_inverse=True)
+        of_pass, share = [], []
+        for number, (rows, covariance) in enumerate(zip(votes.share, votes.covariance)):
+            members = np.flatnonzero(votes.source == number)
+            if not len(members):
+                continue
+            of_pass.append(members)
+            # What matters of the latent errors is what reaches the votes: their principal parts.
+            u, size, _ = np.linalg.svd(rows @ np.linalg.cholesky(covariance), full_matrices=False)
+            kept = size > 1e-3 * size.max(initial=0.0)
+            share.append(u[:, kept] * size[kept])
+        return cls(votes, walls, wall.ravel(), tuple(of_pass), tuple(share), prior)
+
+    def errors(self, offset: np.ndarray, latent: list[np.ndarray]) -> np.ndarray:
+        """(v,) what offsets and latent errors leave of the votes."""
+        return self.votes.value - self.shared(latent) + 2 * self.votes.slope * offset[self.wall]
+
+    def shared(self, latent: list[np.ndarray]) -> np.ndarray:
+        """(v,) what the latent errors add to the votes."""
+        added = np.zeros(len(self.votes))
+        for members, share, value in zip(self.of_pass, self.share, latent):
+            added[members] = share @ value
+        return added
+
+    def log_posterior(self, latent: list[np.ndarray], model: ErrorModel) -> np.ndarray:
+        """(k, grid) log probability of each offset of the grid for each wall, latent errors held."""
+        rest = self.votes.value - self.shared(latent)
+        error = rest[:, None] + 2 * self.votes.slope[:, None] * _GRID
+        each = logsumexp(model.log_parts(error, self.votes.variance[:, None]), axis=0)
+        log = np.zeros((len(self.walls), len(_GRID)))
+        np.add.at(log, self.wall, each)
+        return log - 0.5 * (_GRID / self.prior) ** 2
+
+    def best_on_grid(self, latent: list[np.ndarray], model: ErrorModel) -> np.ndarray:
+        """(k,) most probable offset of each wall."""
+        return _GRID[self.log_posterior(latent, model).argmax(axis=1)]
+
+    def start(self, model: ErrorModel) -> np.ndarray:
+        return self.best_on_grid([np.zeros(share.shape[1]) for share in self.share], model)
+
+    def improved(self, offset, latent, model):
+        """One Newton step for all offsets and latent errors; and the covariance of the offsets."""
+        error = self.errors(offset, latent)
+        slope, curvature = _derivatives(model, error, self.votes.variance)
+        push = 2 * self.votes.slope
+        normal = np.diag(np.bincount(self.wall, push**2 * curvature) + self.prior**-2.0)
+        right = -np.bincount(self.wall, push * slope) - offset / self.prior**2
+        blocks = []
+        for members, share, value in zip(self.of_pass, self.share, latent):
+            weight = curvature[members]
+            own = (share * weight[:, None]).T @ share + np.eye(share.shape[1])
+            cross = np.zeros((len(offset), share.shape[1]))
+            np.add.at(cross, self.wall[members], -(push[members] * weight)[:, None] * share)
+            pull = share.T @ slope[members] - value
+            inverse = np.linalg.inv(own)
+            normal -= cross @ inverse @ cross.T
+            right -= cross @ (inverse @ pull)
+            blocks.append((inverse, cross, pull))
+        covariance = np.linalg.inv(normal)
+        step = np.clip(covariance @ right, -0.5, 0.5)
+        latent = [value + inverse @ (pull - cross.T @ step) for value, (inverse, cross, pull) in zip(latent, blocks)]
+        return offset + step, latent, covariance
+
+    def summary(self, offset, latent, model, covariance) -> Offsets:
+        """Offsets with sigma: spread of the posterior, widened by what the shared errors add."""
+        log = self.log_posterior(latent, model)
+        density = np.exp(log - log.max(axis=1, keepdims=True))
+        density /= density.sum(axis=1, keepdims=True)
+        mean = density @ _GRID
+        spread = np.einsum("kg,kg->k", density, (_GRID - mean[:, None]) ** 2)
+        error = self.errors(offset, latent)
+        _, curvature = _derivatives(model, error, self.votes.variance)
+        alone = 1.0 / (np.bincount(self.wall, (2 * self.votes.slope) ** 2 * curvature) + self.prior**-2.0)
+        shared = np.maximum(np.diag(covariance) - alone, 0.0)
+        return Offsets(self.walls, mean, np.sqrt(spread + shared), np.sqrt(spread), _rival(density),
+                       model.shares(error, self.votes.variance)[0], error, model)
+
+
+def _derivatives(model: ErrorModel, error: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """First derivative of -log density by the error, and a positive curvature (that of expectation-maximisation)."""
+    share = model.shares(error, variance)
+    sigma = np.sqrt(model.sigma**2 + variance)
+    x = error / sigma - sigma / model.late_mean
+    hazard = np.exp(-0.5 * x**2 - 0.5 * np.log(2 * np.pi) - log_ndtr(x))
+    slope = share[0] * error / sigma**2 + share[1] * (1.0 / model.late_mean - hazard / sigma)
+    return slope, share[0] / sigma**2 + share[1] * np.maximum(hazard * (hazard + x), 0.0) / sigma**2 + 1e-9
+
+
+def _rival(density: np.ndarray) -> np.ndarray:
+    """(k,) probability beyond the valleys around the highest maximum."""
+    rival = np.zeros(len(density))
+    for row, values in enumerate(density):
+        top = int(values.argmax())
+        left = top
+        while left > 0 and values[left - 1] <= values[left]:
+            left -= 1
+        right = top
+        while right < len(values) - 1 and values[right + 1] <= values[right]:
+            right += 1
+        rival[row] = values[:left].sum() + values[right + 1:].sum()
+    return rival
