@@ -149,7 +149,7 @@ def _read_one(path: str | os.PathLike) -> NavigationRecords:
     file = read_rinex(path)
     if file.kind == "O":
         raise InputError(f"{file.name} holds observations: give a navigation file here.")
-    if file.version < 3 and file.kind not in _KINDS_2 or file.version >= 3 and file.kind != "N":
+    if file.kind not in (_KINDS_2 if file.version < 3 else "N"):
         raise InputError(f"{file.name} is a RINEX file but no navigation file: give one of type N.")
     records = defaultdict(list)
     broken = 0
