@@ -15,6 +15,7 @@ NOT_CONVERGED: the iteration did not come to rest. Corrections of the last two a
 
 STATUS_NAMES = ("registered", "weak", "ambiguous", "no markings", "not converged")
 
+_PAINTED = 0.1  # of the ground near markings
 MODES = 3
 """Places given for a window at most."""
 
@@ -106,6 +107,11 @@ class RegistrationSettings:
             raise InputError("The expected share of outliers must lie between 0 and 1.")
         if self.longest_window < self.window_patches:
             raise InputError("The longest window must not be shorter than the smallest one.")
+
+    @property
+    def background(self) -> float:
+        """What stands for points off the markings beside the share of paint, 0 to 1, where they are."""
+        return _PAINTED * self.outlier_share / (1.0 - self.outlier_share)
 
     @classmethod
     def paper(cls, **changes: object) -> RegistrationSettings:

@@ -1,0 +1,104 @@
+"""The smooth course of the correction along the path, that all windows are adjusted about.
+
+A course is a shift and a turn for each patch. It is the most likely one under the points' scores and an error that
+wanders slowly with the way driven (a random walk): a banded system, solved at once for the whole stretch.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import solveh_banded
+
+from .ndt_match import turn_matrix
+from .patch_points import PatchPoints
+from .patch_sums import PatchSums
+
+DRIFT = np.array([0.03, 0.03, 0.03, 6e-4, 6e-4, 6e-4])
+"""Wander of an error in the root of a metre driven: m, and radians (0.03 degrees)."""
+
+_LIKELY = np.array([3.0, 3.0, 5.0, 0.01, 0.01, 0.01])  # standard deviation of the whole error, m and radians
+_SMOOTHED = 20  # patches over which curvatures are averaged before they are made safe
+
+
+@dataclass(frozen=True)
+class Course:
+    """Correction of n patches that follow each other.
+
+    Attributes
+    ----------
+    way : (n,) m, of the patches' middles. shift : (n, 3) m. turn : (n, 3) rotation vectors in the map's axes, radians.
+    """
+
+    way: np.ndarray
+    shift: np.ndarray
+    turn: np.ndarray
+
+    def moved(self, points: PatchPoints) -> np.ndarray:
+        """(m, 3) the points as this course corrects them."""
+        before = np.clip(np.searchsorted(self.way, points.way) - 1, 0, max(len(self.way) - 2, 0))
+        after = np.minimum(before + 1, len(self.way) - 1)
+        span = np.maximum(self.way[after] - self.way[before], 1e-9)
+        share = np.clip((points.way - self.way[before]) / span, 0, 1)[:, None]
+        shift = self.shift[before] + share * (self.shift[after] - self.shift[before])
+        turn = self.turn[before] + share * (self.turn[after] - self.turn[before])
+        side = np.cross(turn, points.arm)
+        return points.place + shift + side + 0.5 * np.cross(turn, side)
+
+    def plus(self, step: np.ndarray) -> Course:
+        """After small movements (n, 6) about the corrected places."""
+        small = np.abs(self.turn).max(initial=0.0) + np.abs(step[:, 3:]).max(initial=0.0) < 0.02
+        turn = self.turn + step[:, 3:] if small else _composed(step[:, 3:], self.turn)
+        return Course(self.way, self.shift + step[:, :3], turn)
+
+
+def _composed(second: np.ndarray, first: np.ndarray) -> np.ndarray:
+    """Rotation vectors of turns (n, 3) one after another."""
+    matrix = turn_matrix(second) @ turn_matrix(first)
+    cosine = np.clip((np.trace(matrix, axis1=1, axis2=2) - 1) / 2, -1, 1)
+    axis = np.stack([matrix[:, 2, 1] - matrix[:, 1, 2], matrix[:, 0, 2] - matrix[:, 2, 0],
+                     matrix[:, 1, 0] - matrix[:, 0, 1]], axis=1) / 2
+    return axis / np.sinc(np.arccos(cosine) / np.pi)[:, None]
+
+
+def course_step(course: Course, sums: PatchSums, active: tuple[int, ...], drift: np.ndarray = DRIFT) -> np.ndarray:
+    """(n, 6) movements of the patches about their corrected places, towards the most likely course.
+
+    Parameters
+    ----------
+    sums : of the patches, each about its own corrected place. active : the parameters that move.
+    """
+    count, parameters = len(course.way), list(active)
+    width = len(parameters)
+    state = np.concatenate([course.shift, course.turn], axis=1)[:, parameters]
+    stiff = 1.0 / (drift[parameters] ** 2 * np.maximum(np.diff(course.way), 1e-3)[:, None])
+    hold = 1.0 / (_LIKELY[parameters] ** 2 * max(count, 1))
+    gradient = sums.gradient[:, parameters] - hold * state
+    pull = stiff * np.diff(state, axis=0)
+    gradient[:-1] += pull
+    gradient[1:] -= pull
+    blocks = safe_curvature(sums.information[:, parameters][:, :, parameters])
+    diagonal = np.zeros((count, width)) + hold
+    diagonal[:-1] += stiff
+    diagonal[1:] += stiff
+    banded = np.zeros((width + 1, count * width))
+    for a in range(width):
+        for b in range(a, width):
+            banded[width - (b - a), np.arange(count) * width + b] = blocks[:, a, b]
+        banded[width, np.arange(count) * width + a] += diagonal[:, a]
+        banded[0, np.arange(1, count) * width + a] = -stiff[:, a]
+    step = np.zeros((count, 6))
+    step[:, parameters] = solveh_banded(banded, gradient.ravel(), check_finite=False).reshape(count, width)
+    return step
+
+
+def safe_curvature(information: np.ndarray) -> np.ndarray:
+    """Curvatures (n, p, p) averaged over neighbouring patches and without negative directions."""
+    half = min(_SMOOTHED // 2, (len(information) - 1) // 2)
+    running = np.concatenate([np.zeros((1, *information.shape[1:])), np.cumsum(information, axis=0)])
+    low = np.maximum(np.arange(len(information)) - half, 0)
+    high = np.minimum(np.arange(len(information)) + half + 1, len(information))
+    mean = (running[high] - running[low]) / (high - low)[:, None, None]
+    values, vectors = np.linalg.eigh(mean)
+    return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors)

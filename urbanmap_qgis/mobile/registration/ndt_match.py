@@ -1,0 +1,244 @@
+"""Matching points to normal distributions: Gaussian plus uniform mixture, exact derivatives, Newton's method.
+
+J eq. 8 to 12 and chapter 4 eq. 4 to 7 after Magnusson (2009), in 2D (x, y, heading) and 3D (six parameters).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .ndt_map import NdtMap
+
+
+@dataclass(frozen=True)
+class Mixture:
+    """Gaussian and uniform distribution together, approximated by a Gaussian: value = height exp(-sharpness q / 2).
+
+    J eq. 10 and 11: `height` is -d1 and `sharpness` d2 of Magnusson 2009, eq. 6.8 and after.
+    """
+
+    height: float
+    sharpness: float
+
+    @classmethod
+    def of(cls, outlier_share: float, cell: float, dimensions: int) -> Mixture:
+        """For an expected share of outliers and cells of a side, m."""
+        inlier, outlier = 10.0 * (1.0 - outlier_share), outlier_share / cell ** dimensions
+        floor = -math.log(outlier)
+        height = -math.log(inlier + outlier) - floor
+        middle = -math.log(inlier * math.exp(-0.5) + outlier) - floor
+        return cls(-height, -2.0 * math.log(middle / height))
+
+
+@dataclass(frozen=True)
+class PointTerms:
+    """What each point adds to the score when it is moved.
+
+    Attributes
+    ----------
+    value : (m,). gradient : (m, d) by the point's coordinates, 1/m. hessian : (m, d, d), 1/m2.
+    """
+
+    value: np.ndarray
+    gradient: np.ndarray
+    hessian: np.ndarray
+
+
+def ndt_terms(ndt: NdtMap, points: np.ndarray, mixture: Mixture, neighbours: bool = True, bound: bool = False
+              ) -> PointTerms:
+    """Score of points (m, d) in the map with its exact first and second derivatives (J eq. 11, summed over cells).
+
+    With `bound` the second derivatives are those of the parabola that touches the score from below: never curved
+    upwards, so that a step to its top never makes the score worse.
+    """
+    d = ndt.dimensions
+    local = points - ndt.origin
+    flat = ndt.cells_of(local)
+    value, gradient = np.zeros(len(points)), np.zeros((d, len(points)))
+    pairs = [(a, b) for a in range(d) for b in range(a, d)]
+    hessian = {pair: np.zeros(len(points)) for pair in pairs}
+    if not len(ndt):
+        return _terms(value, gradient, hessian)
+    sharp = mixture.sharpness
+    last = len(ndt.number) - 1
+    for step in ndt.neighbour_steps(neighbours):
+        number = ndt.number[np.clip(flat + step, 0, last)]
+        here = np.flatnonzero(number >= 0)
+        if not len(here):
+            continue
+        number = number[here]
+        off = [local[here, a] - ndt.mean[number, a] for a in range(d)]
+        inverse = {pair: ndt.inverse[number, pair[0], pair[1]] for pair in pairs}
+        pull = [sum(inverse[min(a, b), max(a, b)] * off[b] for b in range(d)) for a in range(d)]
+        distance = sum(off[a] * pull[a] for a in range(d))
+        weight = mixture.height * np.exp(-0.5 * sharp * distance)
+        value[here] += weight
+        weight *= sharp
+        for a in range(d):
+            gradient[a, here] -= weight * pull[a]
+        for a, b in pairs:
+            hessian[a, b][here] += weight * ((0.0 if bound else sharp * pull[a] * pull[b]) - inverse[a, b])
+    return _terms(value, gradient, hessian)
+
+
+def _terms(value: np.ndarray, gradient: np.ndarray, hessian: dict) -> PointTerms:
+    d = len(gradient)
+    full = np.empty((len(value), d, d))
+    for (a, b), values in hessian.items():
+        full[:, a, b] = full[:, b, a] = values
+    return PointTerms(value, gradient.T, full)
+
+
+@dataclass(frozen=True)
+class Derivatives:
+    """Score of a set of points as a function of its movement.
+
+    Attributes
+    ----------
+    value : the score. gradient : (p,). hessian : (p, p). p = 3 (x, y, turn about up) or 6 (x, y, z, turns about the
+    three axes of the map), m and radians, about a centre.
+    """
+
+    value: float
+    gradient: np.ndarray
+    hessian: np.ndarray
+
+
+def rigid_derivatives(points: np.ndarray, centre: np.ndarray, terms: PointTerms) -> Derivatives:
+    """Exact derivatives by a rigid movement: points go to centre + shift + exp(turn) (point - centre), at rest."""
+    r = points - centre
+    g, h = terms.gradient, terms.hessian
+    if points.shape[1] == 2:
+        turn = np.stack([-r[:, 1], r[:, 0]], axis=1)
+        bent = np.einsum("nij,nj->ni", h, turn)
+        gradient = np.concatenate([g.sum(axis=0), [np.einsum("ni,ni->", g, turn)]])
+        hessian = np.zeros((3, 3))
+        hessian[:2, :2] = h.sum(axis=0)
+        hessian[:2, 2] = hessian[2, :2] = bent.sum(axis=0)
+        hessian[2, 2] = np.einsum("ni,ni->", bent, turn) - np.einsum("ni,ni->", g, r)
+        return Derivatives(float(terms.value.sum()), gradient, hessian)
+    turn = cross_matrices(r)
+    bent = np.einsum("nij,njk->nik", h, turn)
+    gradient = np.concatenate([g.sum(axis=0), np.einsum("ni,nij->j", g, turn)])
+    hessian = np.zeros((6, 6))
+    hessian[:3, :3] = h.sum(axis=0)
+    hessian[:3, 3:] = bent.sum(axis=0)
+    hessian[3:, :3] = hessian[:3, 3:].T
+    outer = np.einsum("na,nb->ab", g, r)
+    hessian[3:, 3:] = (np.einsum("nji,njk->ik", turn, bent) + (outer + outer.T) / 2
+                       - np.trace(outer) * np.eye(3))
+    return Derivatives(float(terms.value.sum()), gradient, hessian)
+
+
+def cross_matrices(r: np.ndarray) -> np.ndarray:
+    """(m, 3, 3) by which a small turn (3,) moves points at r (m, 3): turn x r."""
+    zero = np.zeros(len(r))
+    x, y, z = r.T
+    return np.stack([np.stack([zero, z, -y], axis=1), np.stack([-z, zero, x], axis=1),
+                     np.stack([y, -x, zero], axis=1)], axis=1)
+
+
+def turn_matrix(turn: np.ndarray) -> np.ndarray:
+    """(..., 3, 3) rotation by a vector (..., 3), radians (Rodrigues)."""
+    turn = np.asarray(turn, dtype=np.float64)
+    angle = np.linalg.norm(turn, axis=-1)[..., None, None]
+    x, y, z = np.moveaxis(turn, -1, 0)
+    zero = np.zeros_like(x)
+    cross = np.stack([np.stack([zero, -z, y], -1), np.stack([z, zero, -x], -1), np.stack([-y, x, zero], -1)], -2)
+    return np.eye(3) + np.sinc(angle / np.pi) * cross + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (cross @ cross)
+
+
+@dataclass(frozen=True)
+class Pose:
+    """A rigid movement of points about a centre: centre + shift + turn (p - centre).
+
+    Attributes
+    ----------
+    centre : (d,) m. shift : (d,) m. turn : (d, d) rotation.
+    """
+
+    centre: np.ndarray
+    shift: np.ndarray
+    turn: np.ndarray
+
+    @classmethod
+    def at_rest(cls, centre: np.ndarray, shift: np.ndarray | None = None) -> Pose:
+        """No turn; by default no shift either."""
+        centre = np.asarray(centre, dtype=np.float64)
+        return cls(centre, np.zeros(len(centre)) if shift is None else np.asarray(shift, float), np.eye(len(centre)))
+
+    def moved(self, points: np.ndarray) -> np.ndarray:
+        """Points (m, d) after the movement."""
+        return (points - self.centre) @ self.turn.T + (self.centre + self.shift)
+
+    def after(self, step: np.ndarray) -> Pose:
+        """This movement, then a small one (3 or 6 parameters) about the moved centre."""
+        d = len(self.centre)
+        turn = turn_matrix(np.array([0.0, 0.0, step[2]]))[:2, :2] if d == 2 else turn_matrix(step[3:])
+        return Pose(self.centre, self.shift + step[:d], turn @ self.turn)
+
+
+@dataclass(frozen=True)
+class Match:
+    """Where Newton's method came to rest.
+
+    Attributes
+    ----------
+    pose : the movement. derivatives : at it. steps : taken. converged : whether it came to rest.
+    """
+
+    pose: Pose
+    derivatives: Derivatives
+    steps: int
+    converged: bool
+
+
+_REST = np.array([5e-4, 5e-4, 5e-4, 2e-5, 2e-5, 2e-5])  # m and radians
+_LONGEST = 0.5  # of a cell
+
+
+def match_points(points: np.ndarray, start: Pose, ndt: NdtMap, mixture: Mixture, iterations: int = 30,
+                 neighbours: bool = True) -> Match:
+    """Move points (m, d) so that their score in the map is largest: Newton's method with line search (J eq. 12)."""
+    pose = start
+    count = 3 if ndt.dimensions == 2 else 6
+    rest = _REST[[0, 1, 3]] if count == 3 else _REST
+    reach = max(float(np.sqrt(((points - start.centre) ** 2).sum(axis=1).mean())), 1.0) if len(points) else 1.0
+
+    def at(pose: Pose) -> Derivatives:
+        moved = pose.moved(points)
+        return rigid_derivatives(moved, pose.centre + pose.shift, ndt_terms(ndt, moved, mixture, neighbours))
+
+    now = at(pose)
+    for done in range(iterations):
+        step = uphill_step(now.gradient, now.hessian, reach)
+        longest = np.abs(step[:-1] if count == 3 else step[:3]).max()
+        step *= min(1.0, _LONGEST * ndt.cell / max(longest, 1e-12))
+        for _ in range(6):
+            trial = pose.after(step)
+            there = at(trial)
+            if there.value >= now.value:
+                break
+            step = step / 2
+        else:
+            return Match(pose, now, done, bool((np.abs(step) < 64 * rest).all()))
+        pose, now = trial, there
+        if (np.abs(step) < rest).all():
+            return Match(pose, now, done + 1, True)
+    return Match(pose, now, iterations, False)
+
+
+def uphill_step(gradient: np.ndarray, hessian: np.ndarray, reach: float = 1.0) -> np.ndarray:
+    """Newton's step towards a maximum; where the score is not curved downwards, curvatures are turned about.
+
+    `reach` : m, size of the point set, which makes turns and shifts comparable.
+    """
+    d = 2 if len(gradient) == 3 else 3
+    scale = np.concatenate([np.ones(d), np.full(len(gradient) - d, 1.0 / reach)])
+    values, vectors = np.linalg.eigh(-(hessian * scale * scale[:, None]))
+    least = 1e-4 * max(np.abs(values).max(), 1e-12)
+    inverse = 1.0 / np.maximum(np.abs(values), least)
+    return scale * (vectors @ (inverse * (vectors.T @ (scale * gradient))))

@@ -1,0 +1,144 @@
+"""Registration of a survey's marking points to the aerial reference, window by window (J 3.2.4 and chapter 4).
+
+Three steps: the best way through the scores of all shifts gives the start; on stretches of a few hundred metres the
+correction's course is adjusted, first to normal distributions (NDT) from coarse to fine, then to the sub-pixel
+coverage; last, each patch's window is adjusted as a rigid body about that course and tells how well it is determined.
+"""
+
+from __future__ import annotations
+
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...execution import in_order
+from ...progress import SILENT, Progress
+from ..trajectory import Trajectory
+from .correlation_start import CELL, EVIDENCE_AREA, best_way, centred, score_image, shift_scores
+from .patch_points import PatchPoints, thin_points
+from .patches import Patches, cut_patches
+from .reference import Reference
+from .results import MarkingPoints, RegistrationSettings, WindowResults
+from .rows import Start, assemble
+from .single_windows import register_single
+from .stretch import Stretch, adjust_stretch
+from .windows import Windows, choose_windows
+
+BLOCK = 5
+"""Patches of a block, whose scores of shifts are found together."""
+
+_STRETCH = 400  # patches of a stretch's core
+_AROUND = 10  # patches more than its windows need
+_DRIFT = 0.05  # m in the root of a metre, what the start lets the error wander by
+_LIKELY = 2.5  # m
+_FURTHEST_HEIGHT = 5.0  # m: beyond this the heights belong to another datum
+
+
+def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
+                     settings: RegistrationSettings | None = None, progress: Progress = SILENT,
+                     executor: Executor | None = None) -> WindowResults:
+    """Correction of every patch of a survey.
+
+    Parameters
+    ----------
+    markings : points on paint, in the reference's CRS (m); what was measured outside the trajectory is left out.
+    trajectory : the reported one. reference : markings, and heights where `settings.three_d`.
+    executor : stretches are worked on by it; results do not depend on it.
+
+    Raises
+    ------
+    InputError : the reference has no heights in 3D, or heights belong to another datum.
+    InsufficientDataError : no marking point lies within the trajectory's time, or no reference marking near the path.
+    """
+    settings = settings or RegistrationSettings()
+    if settings.three_d and not reference.has_heights:
+        raise InputError("A registration in 3D needs the ground's heights: give a ground raster or marking polygons "
+                         "with z.")
+    patches = cut_patches(trajectory, settings.patch_length)
+    usable = trajectory.within(markings.time) & np.isfinite(markings.x + markings.y + markings.z)
+    if not usable.any():
+        raise InsufficientDataError("No marking point was measured within the trajectory's time: check that both are "
+                                    "of one survey.")
+    markings = markings.take(usable)
+    windows = choose_windows(markings.x, markings.y, patches.number_at(markings.time), len(patches), settings,
+                             to_the_end=not settings.shared_windows)
+    points = thin_points(markings, trajectory, patches, settings.subsampling)
+    progress.step(0.1)
+    start = _start(points, patches, reference, settings, progress.part(0.1, 0.4), executor)
+    progress.step(0.4)
+    if not settings.shared_windows:
+        return register_single(points, patches, windows, start, reference, settings, progress.part(0.4, 1.0))
+    stretches = list(_stretches(points, patches, windows, start))
+    work = partial(adjust_stretch, reference=reference, settings=settings)
+    adjusted = []
+    for result in in_order(work, stretches, executor, progress.check):
+        adjusted.append(result)
+        progress.step(0.4 + 0.6 * len(adjusted) / len(stretches))
+    return assemble(patches, windows, start, adjusted, settings)
+
+
+@dataclass(frozen=True)
+class _Blocks:
+    """Some blocks of the path with their points: what one piece of work of the start gets."""
+
+    first: int
+    count: int
+    points: PatchPoints
+
+
+def _start(points: PatchPoints, patches: Patches, reference: Reference, settings: RegistrationSettings,
+           progress: Progress, executor: Executor | None) -> Start:
+    """Shifts of all blocks by correlation (or none, with what fits there all the same)."""
+    blocks = -(-len(patches) // BLOCK)
+    step = max(_STRETCH // BLOCK, 1)
+    pieces = [_Blocks(first, min(step, blocks - first), points.of_patches(first * BLOCK, (first + step) * BLOCK - 1))
+              for first in range(0, blocks, step)]
+    scores, markings = [], 0
+    work = partial(_block_scores, reference=reference, settings=settings)
+    for score, near in in_order(work, pieces, executor, progress.check):
+        scores.append(score)
+        markings += near
+        progress.step(len(scores) / len(pieces))
+    if not markings:
+        raise InsufficientDataError("There is no reference marking near the survey: check the CRS of both and that the "
+                                    "reference covers the drive.")
+    scores = np.concatenate(scores)
+    way = best_way(scores, _DRIFT, BLOCK * patches.length, _LIKELY)
+    shift = way.shift if settings.start else np.zeros_like(way.shift)
+    return Start(BLOCK, shift * CELL, centred(scores, way.shift), way.beaten, way.shift)
+
+
+def _block_scores(piece: _Blocks, reference: Reference, settings: RegistrationSettings) -> tuple[np.ndarray, int]:
+    """Scores of all shifts of each block (b, s, s), and how many reference cells are markings."""
+    reach = int(np.ceil(settings.search / CELL))
+    size = 2 * reach + 1
+    scores = np.zeros((piece.count, size, size), dtype=np.float32)
+    if not len(piece.points):
+        return scores, 0
+    x, y = piece.points.place[:, 0], piece.points.place[:, 1]
+    around = settings.search + 2.0
+    coverage = reference.coverage(x.min() - around, y.min() - around, x.max() + around, y.max() + around)
+    image = score_image(coverage, settings.background)
+    evidence = piece.points.weight * settings.subsampling ** 2 / EVIDENCE_AREA
+    start = np.searchsorted(piece.points.patch // BLOCK, piece.first + np.arange(piece.count + 1))
+    for number in range(piece.count):
+        part = slice(start[number], start[number + 1])
+        if part.stop > part.start:
+            scores[number] = shift_scores(x[part], y[part], evidence[part], image, reach)
+    return scores, int((coverage.share > 0).sum())
+
+
+def _stretches(points: PatchPoints, patches: Patches, windows: Windows, start: Start):
+    """Pieces of the path with the points of all windows in them."""
+    for core_first in range(0, len(patches), _STRETCH):
+        core_last = min(core_first + _STRETCH, len(patches)) - 1
+        core = slice(core_first, core_last + 1)
+        first = max(int(windows.first[core].min()) - _AROUND, 0)
+        last = min(int(windows.last[core].max()) + _AROUND, len(patches) - 1)
+        here = np.arange(first, last + 1)
+        yield Stretch(first, core_first - first, core_last - first, patches.way[here], patches.place[here],
+                      start.shift_at(here), windows.first[core] - first, windows.last[core] - first,
+                      points.of_patches(first, last))

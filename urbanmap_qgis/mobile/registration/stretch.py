@@ -1,0 +1,298 @@
+"""One stretch of the path: the course of its correction, and the windows about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InputError
+from .correlation_start import EVIDENCE_AREA
+from .course import Course, course_step
+from .ndt_map import NdtMap, build_ndt
+from .ndt_match import Mixture, ndt_terms
+from .patch_points import PatchPoints
+from .patch_sums import PLANE, SPACE, PatchSums, by_patch, point_gradients, sum_points, window_sums
+from .reference import Coverage, GroundPart, Reference
+from .results import RegistrationSettings
+from .subpixel import FieldTerms, MarkingField, field_terms
+
+_AROUND = 3.0  # m of reference beyond where points can come to lie
+_LEVELS = (2.0, 1.0, 0.5)  # of the NDT grid
+_BLURS = (0.15, 0.0)  # m, of the sub-pixel field
+_REST = np.array([0.002, 0.002, 0.002, 1e-4, 1e-4, 1e-4])  # m and radians
+_LONGEST = np.array([0.3, 0.3, 0.5, 0.01, 0.01, 0.01])  # step of the course
+_CLUSTER = 2.0  # m: markings nearer than this share their errors
+_CLUSTER_PATCHES = 4
+_HEIGHT_SIGMA = 0.05  # m, of a point's height against the ground
+_HEIGHT_ROBUST = 0.15  # m
+_OTHER_DATUM = 5.0  # m
+_WEAK_PRIOR = np.array([2.0, 2.0, 2.0, 0.01, 0.01, 0.01])  # of a window about the course
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """Patches that follow each other, those of the core with their windows.
+
+    Attributes
+    ----------
+    first : number of the first patch in the survey. core_first, core_last : of the core, counted from `first`.
+    way : (n,) m. place : (n, 3) m, reported. shift : (n, 2) m, where to start.
+    window_first, window_last : (k,) of the core's windows, counted from `first`.
+    points : thinned marking points of these patches.
+    """
+
+    first: int
+    core_first: int
+    core_last: int
+    way: np.ndarray
+    place: np.ndarray
+    shift: np.ndarray
+    window_first: np.ndarray
+    window_last: np.ndarray
+    points: PatchPoints
+
+
+@dataclass(frozen=True)
+class AdjustedStretch:
+    """What came out for the k patches of a stretch's core.
+
+    Attributes
+    ----------
+    shift, turn : (k, 3) the windows' corrections (m; rotation vectors in the map's axes, radians).
+    covariance : (k, 6, 6) without the reference's floor, m and radians; 0 in what was not estimated.
+    course : (k, 6) the course they were adjusted about. information, pull : of the patches' own points about it.
+    score, overlap : (k,). points : (k,) in the window. near : (k,) how many of them lie near any reference marking.
+    rest : (k,) m, last movement of the window in plan that was not yet applied to the course.
+    """
+
+    shift: np.ndarray
+    turn: np.ndarray
+    covariance: np.ndarray
+    course: np.ndarray
+    information: np.ndarray
+    pull: np.ndarray
+    score: np.ndarray
+    overlap: np.ndarray
+    points: np.ndarray
+    converged: bool
+
+
+def adjust_stretch(stretch: Stretch, reference: Reference, settings: RegistrationSettings) -> AdjustedStretch:
+    """Course of the stretch, and its windows about it."""
+    count = len(stretch.way)
+    course = Course(stretch.way, np.column_stack([stretch.shift, np.zeros(count)]), np.zeros((count, 3)))
+    points = stretch.points
+    if not len(points):
+        return _empty(stretch, course)
+    scene = _Scene.of(stretch, reference, settings)
+    if settings.three_d:
+        course = _level(course, scene)
+    levels = _LEVELS if settings.multi_resolution else (1.0,)
+    for level in levels:
+        course, converged = _settle(course, scene, _ndt_sums(scene, level * settings.ndt_grid), settings.iterations)
+    if settings.refinement:
+        for blur in _BLURS:
+            course, converged = _settle(course, scene, _field_sums(scene, blur), settings.iterations)
+    return _windows_about(course, converged, stretch, scene)
+
+
+@dataclass(frozen=True)
+class _Scene:
+    """What is needed throughout a stretch."""
+
+    stretch: Stretch
+    settings: RegistrationSettings
+    coverage: Coverage
+    ground: GroundPart | None
+    patch: np.ndarray
+    origin: np.ndarray
+    evidence: np.ndarray
+    active: tuple[int, ...]
+
+    @classmethod
+    def of(cls, stretch: Stretch, reference: Reference, settings: RegistrationSettings) -> _Scene:
+        points = stretch.points
+        around = settings.search + _AROUND
+        x_min, y_min = points.place[:, :2].min(axis=0) - around
+        x_max, y_max = points.place[:, :2].max(axis=0) + around
+        ground = reference.ground_part(x_min, y_min, x_max, y_max) if settings.three_d else None
+        evidence = points.weight * settings.subsampling ** 2 / EVIDENCE_AREA
+        return cls(stretch, settings, reference.coverage(x_min, y_min, x_max, y_max), ground,
+                   points.patch - stretch.first, points.place.mean(axis=0), evidence,
+                   SPACE if settings.three_d else PLANE)
+
+    @property
+    def patches(self) -> int:
+        return len(self.stretch.way)
+
+    def sums(self, moved: np.ndarray, gradient: tuple, hessian: dict) -> PatchSums:
+        return sum_points(moved - self.origin, gradient, hessian, self.patch, self.patches)
+
+
+def _settle(course: Course, scene: _Scene, sums, iterations: int) -> tuple[Course, bool]:
+    """Newton's method on the course until it rests."""
+    for _ in range(iterations):
+        total = sums(course)
+        arms = scene.stretch.place + course.shift - scene.origin
+        step = np.clip(course_step(course, total.about(arms), scene.active), -_LONGEST, _LONGEST)
+        course = course.plus(step)
+        if (np.abs(step) < _REST).all():
+            return course, True
+    return course, False
+
+
+def _ndt_sums(scene: _Scene, grid: float):
+    """Sums of the score in the normal distributions of the reference."""
+    places = scene.coverage.points()
+    if scene.settings.three_d:
+        height = scene.ground.at(places[:, 0], places[:, 1])
+        known = np.isfinite(height)
+        places = np.column_stack([places, height])[known]
+    ndt = build_ndt(places, grid, scene.coverage.grid.cell / np.sqrt(12))
+    mixture = Mixture.of(scene.settings.outlier_share, grid, ndt.dimensions)
+
+    def sums(course: Course) -> PatchSums:
+        moved = course.moved(scene.stretch.points)
+        return _sums_of_ndt(scene, ndt, mixture, moved)
+
+    return sums
+
+
+def _sums_of_ndt(scene: _Scene, ndt: NdtMap, mixture: Mixture, moved: np.ndarray) -> PatchSums:
+    terms = ndt_terms(ndt, moved[:, :ndt.dimensions], mixture, scene.settings.neighbours, bound=True)
+    axes = range(ndt.dimensions)
+    gradient = tuple(terms.gradient[:, a] * scene.evidence if a in axes else None for a in range(3))
+    hessian = {(a, b): terms.hessian[:, a, b] * scene.evidence for a in axes for b in axes if a <= b}
+    return scene.sums(moved, gradient, hessian)
+
+
+def _field_sums(scene: _Scene, blur: float):
+    """Sums of the score in the coverage field and, in 3D, of the heights over the ground."""
+    field = MarkingField.of(scene.coverage, blur, scene.settings.background)
+
+    def sums(course: Course) -> PatchSums:
+        moved = course.moved(scene.stretch.points)
+        terms = field_terms(field, moved[:, 0], moved[:, 1])
+        total = scene.sums(moved, *_plan_terms(terms, scene.evidence))
+        if scene.settings.three_d:
+            total = total + scene.sums(moved, *_height_terms(scene, moved))
+        return total
+
+    return sums
+
+
+def _plan_terms(terms: FieldTerms, evidence: np.ndarray) -> tuple[tuple, dict]:
+    hessian = {(0, 0): terms.hxx * evidence, (0, 1): terms.hxy * evidence, (1, 1): terms.hyy * evidence}
+    return (terms.gx * evidence, terms.gy * evidence, None), hessian
+
+
+def _height_terms(scene: _Scene, moved: np.ndarray) -> tuple[tuple, dict]:
+    """Heights of points over the ground, robust (Geman and McClure)."""
+    off = scene.ground.at(moved[:, 0], moved[:, 1]) - moved[:, 2]
+    known = np.isfinite(off)
+    off = np.where(known, off, 0.0)
+    weight = known * scene.evidence / (_HEIGHT_SIGMA * (1 + (off / _HEIGHT_ROBUST) ** 2)) ** 2
+    return (None, None, weight * off), {(2, 2): -weight}
+
+
+def _level(course: Course, scene: _Scene) -> Course:
+    """Height of the course: the middle difference to the ground.
+
+    Raises
+    ------
+    InputError : it is so large that the heights belong to another datum.
+    """
+    moved = course.moved(scene.stretch.points)
+    off = scene.ground.at(moved[:, 0], moved[:, 1]) - moved[:, 2]
+    known = np.isfinite(off)
+    if not known.any():
+        return course
+    middle = float(np.median(off[known]))
+    if abs(middle) > _OTHER_DATUM:
+        raise InputError(f"The survey lies {abs(middle):.1f} m {'below' if middle > 0 else 'above'} the reference's "
+                         "ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the "
+                         "two.")
+    shift = course.shift.copy()
+    shift[:, 2] = middle
+    return Course(course.way, shift, course.turn)
+
+
+def _windows_about(course: Course, converged: bool, stretch: Stretch, scene: _Scene) -> AdjustedStretch:
+    """Each window as a rigid body about the course, and what the patches say on their own."""
+    settings, points, active = scene.settings, stretch.points, list(scene.active)
+    field = MarkingField.of(scene.coverage, 0.0, settings.background)
+    moved = course.moved(points)
+    terms = field_terms(field, moved[:, 0], moved[:, 1])
+    gradient, hessian = _plan_terms(terms, scene.evidence)
+    sums = scene.sums(moved, gradient, hessian)
+    if settings.three_d:
+        height_gradient, height_hessian = _height_terms(scene, moved)
+        sums = sums + scene.sums(moved, height_gradient, height_hessian)
+        gradient = (gradient[0], gradient[1], height_gradient[2])
+    scatter = _scatter(moved, gradient, scene)
+    core = slice(stretch.core_first, stretch.core_last + 1)
+    arms = (stretch.place + course.shift - scene.origin)
+    first, last = stretch.window_first, stretch.window_last
+    window = sums.windows(first, last).about(arms[core])
+    spread = PatchSums(np.zeros((len(first), 6)), window_sums(scatter, first, last)).about(arms[core]).information
+    step, covariance = _solve(window, spread, active)
+    own = sums.about(arms)
+    shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.share > 0.5]), scene.patch,
+                      scene.patches)
+    counted = window_sums(shares, first, last)
+    rows = course.plus(_padded(step, stretch, scene.patches))
+    with np.errstate(invalid="ignore"):
+        score, overlap = counted[:, 1] / counted[:, 0], counted[:, 2] / counted[:, 0]
+    return AdjustedStretch(rows.shift[core], rows.turn[core], covariance,
+                           np.column_stack([course.shift, course.turn])[core], own.information[core],
+                           own.gradient[core], score, overlap, counted[:, 0].astype(np.int64), converged)
+
+
+def _padded(step: np.ndarray, stretch: Stretch, patches: int) -> np.ndarray:
+    whole = np.zeros((patches, 6))
+    whole[stretch.core_first:stretch.core_last + 1] = step
+    return whole
+
+
+def _scatter(moved: np.ndarray, gradient: tuple, scene: _Scene) -> np.ndarray:
+    """(n, 6, 6) squares of the gradients of clusters of points, by patch: how uneven the evidence really is."""
+    group = scene.patch // _CLUSTER_PATCHES
+    cell = np.floor(moved[:, :2] / _CLUSTER).astype(np.int64)
+    cell -= cell.min(axis=0)
+    key = (group * (cell[:, 1].max() + 1) + cell[:, 1]) * (cell[:, 0].max() + 1) + cell[:, 0]
+    order = np.argsort(key, kind="stable")
+    start = np.flatnonzero(np.r_[True, np.diff(key[order]) != 0])
+    total = np.add.reduceat(point_gradients(moved - scene.origin, gradient)[order], start, axis=0)
+    patch = np.minimum(group[order][start] * _CLUSTER_PATCHES + _CLUSTER_PATCHES // 2, scene.patches - 1)
+    squares = np.einsum("ni,nj->nij", total, total)
+    return by_patch(squares, patch, scene.patches)
+
+
+def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]) -> tuple[np.ndarray, np.ndarray]:
+    """Movements of windows (k, 6) and their covariances (k, 6, 6), NaN where nothing determines them."""
+    count, width = len(window.gradient), len(active)
+    information = window.information[:, active][:, :, active]
+    gradient = window.gradient[:, active]
+    prior = np.diag(1.0 / _WEAK_PRIOR[active] ** 2)
+    values, vectors = np.linalg.eigh(information)
+    positive = np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors) + prior
+    inverse = np.linalg.inv(positive)
+    solution = np.einsum("nij,nj->ni", inverse, gradient)
+    scatter = scatter[:, active][:, :, active]
+    excess = np.einsum("nij,nji->n", scatter, inverse) / width
+    covariance = inverse * np.maximum(excess, 0.0)[:, None, None]
+    step = np.zeros((count, 6))
+    step[:, active] = solution
+    full = np.zeros((count, 6, 6))
+    full[np.ix_(np.arange(count), active, active)] = covariance
+    return step, full
+
+
+def _empty(stretch: Stretch, course: Course) -> AdjustedStretch:
+    core = slice(stretch.core_first, stretch.core_last + 1)
+    count = core.stop - core.start
+    nothing = np.full(count, np.nan)
+    return AdjustedStretch(course.shift[core], course.turn[core], np.full((count, 6, 6), np.nan),
+                           np.zeros((count, 6)), np.zeros((count, 6, 6)), np.zeros((count, 6)), nothing, nothing,
+                           np.zeros(count, dtype=np.int64), False)
