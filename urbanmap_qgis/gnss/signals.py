@@ -136,11 +136,17 @@ _COLUMNS = ("epoch", "time", "satellite", "system", "code", "cn0", "place", "dir
 def join(parts: Sequence[Signals]) -> Signals:
     """Signals of several drives in one, files and epochs numbered on; all must lie in the same CRS.
 
-    The geoid separation of the whole is the mean of the parts', weighted by their signals; each part's residuals
-    keep what they were computed with.
+    Estimated geoid separations are brought to their mean, weighted by their sigmas; given ones stay as they are.
     """
     if len(parts) == 1:
         return parts[0]
+    sigmas = np.array([part.geoid_sigma for part in parts])
+    separation, sigma = float(np.mean([part.geoid_separation for part in parts])), float("nan")
+    if np.isfinite(sigmas).all():
+        weights = 1 / np.maximum(sigmas, 0.01) ** 2
+        separation = float(np.average([part.geoid_separation for part in parts], weights=weights))
+        sigma = float(1 / np.sqrt(weights.sum()))
+        parts = [part.raised(separation - part.geoid_separation) for part in parts]
     first_epoch = np.cumsum([0, *(len(part.epochs) for part in parts)])
     first_file = np.cumsum([0, *(len(part.clock_datum) for part in parts)])
     epochs = Epochs(*(np.concatenate([getattr(part.epochs, item.name) for part in parts]) for item in fields(Epochs)
@@ -148,14 +154,12 @@ def join(parts: Sequence[Signals]) -> Signals:
                     np.concatenate([part.epochs.source + start for part, start in zip(parts, first_file)]))
     columns = {name: np.concatenate([getattr(part, name) for part in parts]) for name in _COLUMNS}
     columns["epoch"] = np.concatenate([part.epoch + start for part, start in zip(parts, first_epoch)])
-    weights = np.array([len(part) for part in parts], float)
     left_out: dict[str, int] = {}
     for part in parts:
         for reason, count in part.left_out.items():
             left_out[reason] = left_out.get(reason, 0) + count
     return Signals(epochs, **columns, clock_datum=np.concatenate([part.clock_datum for part in parts]),
-                   geoid_separation=float(np.average([part.geoid_separation for part in parts], weights=weights)),
-                   geoid_sigma=float(np.max([part.geoid_sigma for part in parts])), left_out=left_out,
+                   geoid_separation=separation, geoid_sigma=sigma, left_out=left_out,
                    notes=tuple(note for part in parts for note in part.notes))
 
 

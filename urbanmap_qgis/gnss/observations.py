@@ -1,0 +1,291 @@
+"""From observation and navigation files and a trajectory to signals: code residuals with all known terms taken off.
+
+A code range is the geometric range (with the turn of the earth during the travel), plus the receiver's clock, minus the
+satellite's clock, plus group delay, troposphere, ionosphere, excess path of a reflection, and noise (J 5.6).
+"""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..errors import InputError, InsufficientDataError
+from ..mobile.trajectory import Trajectory, body_to_map, gaps
+from ..progress import SILENT, Progress
+from .atmosphere import ionosphere, nearest_model, troposphere
+from .ephemeris import NO_EPHEMERIS, UNHEALTHY, Navigation, States, read_navigation, signal_paths, turned_with_earth
+from .frames import EarthPlaces, MapFrame, directions, elevation_azimuth
+from .gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text
+from .receiver_clock import estimate_height, grouped_median, strong_signals
+from .rinex_observations import Observations, read_observations
+from .signals import SPEED_OF_LIGHT, SYSTEM_NAMES, Epochs, Signals, SignalSettings
+
+HEIGHT_LIMIT = 12.0
+"""Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights."""
+
+_GLONASS_FACTOR = 1.5
+_NO_CN0 = 38.0
+
+
+def load_observations(observation_paths: Sequence[str | os.PathLike], navigation_paths: Sequence[str | os.PathLike],
+                      trajectory: Trajectory, crs_wkt: str, geoid_separation: float | None = None,
+                      settings: SignalSettings | None = None, progress: Progress = SILENT) -> Signals:
+    """Read observations and model everything but the receiver's clock.
+
+    Parameters
+    ----------
+    observation_paths : RINEX 2.11 or 3.x observation files, each of one receiver on the trajectory.
+    navigation_paths : RINEX navigation files and SP3 orbits that cover them.
+    trajectory : times in seconds of GPS week, full GPS seconds, adjusted standard GPS time or Unix time.
+    crs_wkt : of the trajectory's places.
+    geoid_separation : ellipsoidal less map height, m, 0 where the trajectory has ellipsoidal heights. None: it is
+        estimated from the signals (with an antenna height the trajectory does not have), which is told in the notes;
+        once it is known which signals are in line of sight, `receiver_clock.estimate_height` and
+        `Signals.raised` make it better.
+
+    Raises
+    ------
+    InputError : a file cannot be used; observations, navigation and trajectory are not of one time; the heights
+        differ from what the satellites say by tens of metres.
+    InsufficientDataError : no signal is left.
+    """
+    settings = settings or SignalSettings()
+    if not observation_paths:
+        raise InputError("No observation file is given: give the receiver's RINEX observation files.")
+    files = [read_observations(path, settings.systems, progress.part(0.3 * i / len(observation_paths), 0.3 * (
+        i + 1) / len(observation_paths))) for i, path in enumerate(observation_paths)]
+    navigation = read_navigation(navigation_paths)
+    _check_same_days(files, navigation)
+    progress.step(0.35)
+    shift = trajectory_shift(trajectory, [(file.time[0], file.time[-1]) for file in files])
+    parts = []
+    for number, file in enumerate(files):
+        part = _measured(file, navigation, trajectory, shift, crs_wkt, settings)
+        parts.append(part)
+        progress.step(0.35 + 0.4 * (number + 1) / len(files))
+    signals = _gathered(parts, files, navigation, crs_wkt, geoid_separation or 0.0, settings)
+    signals = _with_height(signals, geoid_separation, settings, lambda value: _gathered(
+        parts, files, navigation, crs_wkt, value, settings))
+    progress.step(1.0)
+    for note in signals.notes:
+        progress.message(note)
+    return signals
+
+
+def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]]) -> float:
+    """Seconds to add to the trajectory's time to get GPS seconds since 1980-01-06.
+
+    `spans` : first and last GPS time of the observations. Weeks, full GPS seconds, adjusted standard GPS time and
+    Unix time are tried; the one that brings the trajectory together with the observations is taken.
+
+    Raises
+    ------
+    InputError : none does.
+    """
+    first, last = float(trajectory.time[0]), float(trajectory.time[-1])
+    start, end = min(span[0] for span in spans), max(span[1] for span in spans)
+    week = WEEK * np.floor(start / WEEK)
+    unix = -UNIX_START + float(leap_seconds(np.array([start]))[0])
+    for shift in (week, week - WEEK, 0.0, STANDARD_OFFSET, unix):
+        if any(min(last + shift, high) - max(first + shift, low) >= 0 for low, high in spans):
+            return float(shift)
+    told = (f"{first:.0f} to {last:.0f} s of week" if last < 2 * WEEK else
+            span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
+    raise InputError(f"Trajectory and observations are not of one time: the trajectory covers {told}, the observations "
+                     f"cover {span_text(start, end)} GPS time ({start - week:.0f} to {end - week:.0f} s of week).")
+
+
+def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> None:
+    first, last = navigation.span()
+    for file in files:
+        if file.time[-1] < first or file.time[0] > last:
+            raise InputError(f"{file.name} was observed {span_text(file.time[0], file.time[-1])} GPS time, but the "
+                             f"navigation files are good for {span_text(first, last)}: give those of the same day.")
+
+
+@dataclass(frozen=True)
+class _Measured:
+    """Observations of one file that have a place and a satellite; rows n, epochs e."""
+
+    time: np.ndarray
+    gps_time: np.ndarray
+    place: np.ndarray
+    epoch: np.ndarray
+    satellite: np.ndarray
+    code: np.ndarray
+    cn0: np.ndarray
+    states: States
+    bands: dict[str, str]
+    left_out: Counter
+
+
+def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory, shift: float, crs_wkt: str,
+              settings: SignalSettings) -> _Measured:
+    """Epochs of a file that the trajectory covers, with the satellites at transmission."""
+    left_out: Counter = Counter()
+    time = file.time - shift
+    covered = _covered(trajectory, time, settings.longest_gap)
+    _count(left_out, "outside the trajectory or in a gap of it", ~covered[file.epoch])
+    rows = np.flatnonzero(covered[file.epoch])
+    weak = file.cn0[rows] < settings.least_cn0
+    _count(left_out, f"weaker than {settings.least_cn0:g} dB-Hz", weak)
+    rows = rows[~weak]
+    number = np.cumsum(covered) - 1
+    time, gps_time, epoch = time[covered], file.time[covered], number[file.epoch[rows]]
+    arm = np.asarray(settings.lever_arm, float)
+    place = body_to_map(trajectory, time, arm)
+    frame = MapFrame(crs_wkt)
+    here = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
+    satellite, code = file.satellite[rows], file.code[rows]
+    paths = signal_paths(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
+    for status, reason in ((NO_EPHEMERIS, "without an ephemeris"), (UNHEALTHY, "of unhealthy satellites")):
+        _count(left_out, reason, paths.states.status == status)
+    good = np.isfinite(paths.distance)
+    # The clock is told by the codes themselves; at the true time of reception the antenna was a little back.
+    rough = code - paths.distance + SPEED_OF_LIGHT * (paths.states.clock - paths.states.delay)
+    clock = grouped_median(rough[good], epoch[good], len(time))
+    late = np.where(np.isfinite(clock) & (np.abs(clock) < 0.05 * SPEED_OF_LIGHT), clock, 0.0) / SPEED_OF_LIGHT
+    received = np.clip(time - late, trajectory.time[0], trajectory.time[-1])
+    place = body_to_map(trajectory, received, arm)
+    states = States(*(getattr(paths.states, name)[good] for name in States.__dataclass_fields__))
+    return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], states,
+                     file.bands, left_out)
+
+
+def _covered(trajectory: Trajectory, time: np.ndarray, longest_gap: float) -> np.ndarray:
+    """Which times lie in the trajectory and not in a gap of it."""
+    covered = trajectory.within(time)
+    spans = gaps(trajectory, longest_gap)
+    if len(spans):
+        gap = np.searchsorted(spans[:, 0], time, side="left") - 1
+        within = (gap >= 0) & (time < spans[np.maximum(gap, 0), 1])
+        covered &= ~within
+    return covered
+
+
+def _count(left_out: Counter, reason: str, mask: np.ndarray) -> None:
+    if mask.any():
+        left_out[reason] += int(mask.sum())
+
+
+def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigation: Navigation, crs_wkt: str,
+              separation: float, settings: SignalSettings) -> Signals:
+    """Signals of all files with a geoid separation."""
+    frame = MapFrame(crs_wkt, separation)
+    model = nearest_model(navigation.ionosphere, float(np.median(np.concatenate([file.time for file in files]))))
+    first = np.cumsum([0, *(len(part.time) for part in parts)])
+    columns, datum, left_out = [], [], Counter()
+    for number, part in enumerate(parts):
+        left_out.update(part.left_out)
+        table, low, base = _modelled(part, frame, model, separation, settings)
+        _count(left_out, f"below {settings.elevation_mask:g} degrees of elevation", low)
+        table["epoch"] = table["epoch"] + first[number]
+        columns.append(table)
+        datum.append(base)
+    joined = {name: np.concatenate([table[name] for table in columns]) for name in columns[0]}
+    if not len(joined["epoch"]):
+        reasons = ", ".join(f"{count} {reason}" for reason, count in left_out.items())
+        raise InsufficientDataError(f"No observation can be used ({reasons or 'the files hold none'}): check that "
+                                    "observations, navigation and trajectory belong together.")
+    epochs = Epochs(np.concatenate([part.time for part in parts]), np.concatenate([part.gps_time for part in parts]),
+                    np.concatenate([part.place for part in parts]),
+                    np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
+    row = joined["epoch"]
+    notes = _notes(files, navigation, model, parts)
+    return Signals(epochs=epochs, time=epochs.time[row], place=epochs.place[row],
+                   system=joined["satellite"].astype("U1"), clock_datum=np.array(datum), geoid_separation=separation,
+                   left_out=dict(left_out), notes=notes, **joined)
+
+
+def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
+              settings: SignalSettings) -> tuple[dict[str, np.ndarray], np.ndarray, float]:
+    """Columns of `Signals` for a file, which rows were below the mask, and the datum of its clock."""
+    if not len(part.epoch):
+        empty = np.zeros(0)
+        names = ("code", "cn0", "elevation", "azimuth", "residual", "sigma", "troposphere", "ionosphere", "age")
+        return {**dict.fromkeys(names, empty), "epoch": np.zeros(0, int), "satellite": np.zeros(0, "U3"),
+                "direction": np.zeros((0, 3))}, np.zeros(0, bool), 0.0
+    site: EarthPlaces = frame.places(part.place)
+    epoch = part.epoch
+    vector, distance = turned_with_earth(part.states.place, site.earth_fixed[epoch])
+    direction = directions(site.axes[epoch], vector)
+    elevation, azimuth = elevation_azimuth(direction)
+    above = np.degrees(elevation) >= settings.elevation_mask
+    kept = np.flatnonzero(above)
+    epoch, elevation, azimuth = epoch[kept], elevation[kept], azimuth[kept]
+    system = part.satellite[kept].astype("U1")
+    latitude, longitude = site.latitude[epoch], site.longitude[epoch]
+    wet = troposphere(latitude, part.place[epoch, 2], elevation, settings.humidity)
+    free = (np.zeros(len(kept)) if model is None else
+            ionosphere(model, system, part.bands, latitude, longitude, azimuth + site.convergence[epoch], elevation,
+                       part.gps_time[epoch]))
+    clock = SPEED_OF_LIGHT * (part.states.clock[kept] - part.states.delay[kept])
+    residual = part.code[kept] - distance[kept] + clock - wet - free
+    datum = float(np.median(residual)) if len(kept) else 0.0
+    sigma = expected_sigma(part.cn0[kept], elevation, system, free, model is None)
+    return {"epoch": epoch, "satellite": part.satellite[kept], "code": part.code[kept], "cn0": part.cn0[kept],
+            "direction": direction[kept], "elevation": np.degrees(elevation), "azimuth": np.degrees(azimuth),
+            "residual": residual - datum, "sigma": sigma, "troposphere": wet, "ionosphere": free,
+            "age": part.states.age[kept]}, ~above, datum
+
+
+def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, delay: np.ndarray,
+                   without_ionosphere: bool = False) -> np.ndarray:
+    """Standard deviation of a line-of-sight code residual, m, clock aside.
+
+    Code noise grows as the strength falls; broadcast orbits and clocks err by most of a metre, the troposphere's
+    model by a tenth of a metre at the zenith, the ionosphere's by 30 % of the delay; GLONASS's channels are delayed
+    differently in a receiver.
+
+    Parameters
+    ----------
+    cn0 : (n,) dB-Hz, NaN counts as a weak signal.  elevation : (n,) rad.  system : (n,) letters.
+    delay : (n,) modelled delay in the ionosphere, m.
+    """
+    strength = np.where(np.isfinite(cn0), cn0, _NO_CN0)
+    noise = np.sqrt(0.25 ** 2 + 1500.0 * 10 ** (-strength / 10))
+    noise = np.where(system == "R", _GLONASS_FACTOR * noise + 1.0, noise)
+    air = 0.1 / np.sin(elevation)
+    free = np.full(len(air), 5.0) / np.sin(elevation + 0.2) if without_ionosphere else 0.3 * delay
+    return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + free ** 2)
+
+
+def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: Sequence[_Measured]) -> tuple[str, ...]:
+    notes = [note for file in files for note in file.notes] + list(navigation.notes)
+    if model is None:
+        notes.append("The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not "
+                     "taken off; give a navigation file of GPS.")
+    for system in sorted({name for file in files for name in file.bands}):
+        seen = any((file.satellite.astype("U1") == system).any() for file in files)
+        if seen and not any((part.satellite.astype("U1") == system).any() for part in parts):
+            notes.append(f"No satellite of {SYSTEM_NAMES[system]} can be placed: its signals are left out; give its "
+                         "navigation file.")
+    return tuple(notes)
+
+
+def _with_height(signals: Signals, given: float | None, settings: SignalSettings, again) -> Signals:
+    """Signals with a geoid separation that fits; where it was given, it is checked."""
+    if given is not None and not settings.check_height:
+        return signals
+    try:
+        offset, sigma = estimate_height(signals, strong_signals(signals))
+    except InsufficientDataError as error:
+        if given is None:
+            raise error
+        return signals
+    if given is None:
+        signals = again(offset)
+        further, sigma = estimate_height(signals, strong_signals(signals))
+        note = (f"The geoid separation was not given; by the satellites the antenna is {offset + further:.1f} m above "
+                f"the heights of the trajectory (sigma {sigma:.1f} m), which is used. The official value is better.")
+        return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, note))
+    if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
+        raise InputError(f"By the satellites the antenna is {abs(offset):.0f} m {'higher' if offset > 0 else 'lower'} "
+                         f"than the trajectory with a geoid separation of {given:g} m says: heights above sea level "
+                         f"and above the ellipsoid seem to be mixed up; a separation of about {given + offset:.0f} m "
+                         "would fit.")
+    return signals

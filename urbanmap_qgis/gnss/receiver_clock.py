@@ -1,0 +1,241 @@
+"""The receiver's clock from signals in line of sight, and what their residuals tell about the antenna's height.
+
+A residual is clock + noise for a signal in line of sight. The clock changes from epoch to epoch; between the systems
+there is an offset that a receiver keeps for hours. Late signals that passed for line of sight would pull a mean:
+the start is a median and later estimates weigh a residual down the farther off it lies.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InsufficientDataError
+from .signals import Clocks, ClockSettings, Signals
+
+_ROUNDS = 12
+_TUKEY = 4.7
+_MAD = 1.4826
+_BLOCK = 60.0
+_LOW_LOSS = 7.0
+_FADING = 4.0
+_COARSE = np.array([40.0, 20.0, 10.0, 6.0, 4.0, 3.0, 3.0, 3.0, 3.0, 3.0])
+
+
+def estimate_clocks(signals: Signals, line_of_sight: np.ndarray, settings: ClockSettings | None = None) -> Clocks:
+    """Clock and its sigma for every signal, from those in line of sight.
+
+    Parameters
+    ----------
+    line_of_sight : (n,) bool, signals whose direct way is free.
+
+    Returns NaN where an epoch has too few signals in line of sight (`ClockSettings.least_satellites`).
+    """
+    settings = settings or ClockSettings()
+    groups = _groups(signals, line_of_sight, settings)
+    rows = np.flatnonzero(line_of_sight)
+    size = len(signals)
+    if not len(rows):
+        nothing = np.full(size, np.nan)
+        return Clocks(nothing, nothing.copy(), np.zeros(size, int), nothing.copy(), 1.0)
+    group, part = groups.clock[rows], groups.offset[rows]
+    value, sigma = signals.residual[rows], signals.sigma[rows]
+    offset = groups.start.copy()
+    clock = grouped_median(value - offset[part], group, groups.count)
+    unit = 1.0
+    for _ in range(_ROUNDS):
+        left = value - offset[part] - clock[group]
+        unit = _unit_weight(left, sigma, group, groups.count)
+        weight = tukey(left / (sigma * unit)) / sigma ** 2
+        clock, offset = _solve(value, weight, group, part, groups)
+    left = value - offset[part] - clock[group]
+    weight = tukey(left / (sigma * unit)) / sigma ** 2
+    used = np.bincount(group, weight > 0, groups.count)
+    total = np.bincount(group, weight, groups.count)
+    with np.errstate(divide="ignore"):
+        clock_sigma = unit / np.sqrt(total)
+    # A group without enough signals, or one in which they contradict each other, gives no clock.
+    bad = used < settings.least_satellites
+    clock, clock_sigma = np.where(bad, np.nan, clock), np.where(bad, np.nan, clock_sigma)
+    mine = clock[groups.clock] + offset[groups.offset]
+    return Clocks(mine, clock_sigma[groups.clock], used[groups.clock].astype(int), signals.residual - mine, unit)
+
+
+@dataclass(frozen=True)
+class _Groups:
+    """Which clock (n,) and which offset (n,) a signal has; count of clocks; offsets at the start (k,), m."""
+
+    clock: np.ndarray
+    offset: np.ndarray
+    count: int
+    start: np.ndarray
+
+
+def _groups(signals: Signals, line_of_sight: np.ndarray, settings: ClockSettings) -> _Groups:
+    """Group signals by the clock they share: an epoch of linked systems, or of one system."""
+    letters, system = np.unique(signals.system, return_inverse=True)
+    system = system.ravel()
+    kinds = max(len(letters), 1)
+    file = signals.epochs.source[signals.epoch]
+    part = file * kinds + system
+    own = signals.epoch * kinds + system
+    start = np.zeros((int(signals.epochs.source.max(initial=0)) + 1) * kinds)
+    linked = np.zeros(len(start), bool)
+    if settings.joined:
+        linked, start = _links(signals, line_of_sight, own, kinds, start, settings.own_offset)
+    # A clock of its own has a number beyond those of the epochs.
+    joint = np.where(linked[part], signals.epoch * kinds, own + len(signals.epochs) * kinds)
+    names, clock = np.unique(joint, return_inverse=True)
+    return _Groups(clock.ravel(), part, len(names), start)
+
+
+def _links(signals: Signals, line_of_sight: np.ndarray, own: np.ndarray, kinds: int, start: np.ndarray,
+           least: int) -> tuple[np.ndarray, np.ndarray]:
+    """Which systems of which file are linked (k,), and their offsets (k,) against the file's fullest system, m."""
+    rows = np.flatnonzero(line_of_sight)
+    count = len(signals.epochs) * kinds
+    median = grouped_median(signals.residual[rows], own[rows], count).reshape(-1, kinds)
+    linked, start = np.zeros(len(start), bool), start.copy()
+    for file in range(len(start) // kinds):
+        table = median[signals.epochs.source == file]
+        there = np.isfinite(table)
+        if not there.any():
+            continue
+        main = int(np.argmax(np.bincount(own[rows][signals.epochs.source[signals.epoch[rows]] == file] % kinds,
+                                         minlength=kinds)))
+        linked[file * kinds + main] = True
+        for other in range(kinds):
+            both = there[:, main] & there[:, other]
+            if other != main and both.sum() >= least:
+                linked[file * kinds + other] = True
+                start[file * kinds + other] = np.median(table[both, other] - table[both, main])
+    return linked, start
+
+
+def _solve(value: np.ndarray, weight: np.ndarray, group: np.ndarray, part: np.ndarray,
+           groups: _Groups) -> tuple[np.ndarray, np.ndarray]:
+    """Clocks and offsets by weighted least squares; the clocks are eliminated."""
+    kinds = len(groups.start)
+    total = np.bincount(group, weight, groups.count)
+    used = np.unique(part)
+    column = np.searchsorted(used, part)
+    cells = np.bincount(group * len(used) + column, weight, groups.count * len(used)).reshape(-1, len(used))
+    sums = np.bincount(group, weight * value, groups.count)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        share = np.where(total[:, None] > 0, cells / total[:, None], 0.0)
+        mean = np.where(total > 0, sums / total, 0.0)
+    normal = np.diag(np.bincount(column, weight, len(used))) - cells.T @ share
+    right = np.bincount(column, weight * value, len(used)) - cells.T @ mean
+    # One offset of each set of linked systems is free: the least change from the start settles it.
+    change = np.linalg.lstsq(normal, right - normal @ groups.start[used], rcond=1e-9)[0]
+    offset = np.zeros(kinds)
+    offset[:] = groups.start
+    offset[used] += change
+    clock = mean - share @ offset[used]
+    clock[total <= 0] = np.nan
+    return clock, offset
+
+
+def _unit_weight(left: np.ndarray, sigma: np.ndarray, group: np.ndarray, count: int) -> float:
+    """Scatter of residuals against what their sigma says, robust; residuals of small groups are widened."""
+    weight = 1 / sigma ** 2
+    share = weight / np.bincount(group, weight, count)[group]
+    free = share < 0.6
+    if free.sum() < 10:
+        return 1.0
+    return max(float(_MAD * np.nanmedian(np.abs(left[free]) / (sigma[free] * np.sqrt(1 - share[free])))), 0.1)
+
+
+def tukey(scaled: np.ndarray) -> np.ndarray:
+    """Tukey's weights: 1 at 0, 0 from 4.7 sigma on; 0 for NaN."""
+    return np.where(np.abs(scaled) < _TUKEY, (1 - (scaled / _TUKEY) ** 2) ** 2, 0.0)
+
+
+def grouped_median(value: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
+    """(count,) median of the values of each group; NaN for empty ones."""
+    order = np.lexsort((value, group))
+    value, group = value[order], group[order]
+    size = np.bincount(group, minlength=count)
+    first = np.concatenate([[0], np.cumsum(size)[:-1]])
+    median = np.full(count, np.nan)
+    full = size > 0
+    low, high = first[full] + (size[full] - 1) // 2, first[full] + size[full] // 2
+    median[full] = 0.5 * (value[low] + value[high])
+    return median
+
+
+def strong_signals(signals: Signals) -> np.ndarray:
+    """(n,) bool: signals as strong as a free line of sight lets them be, judged without a map.
+
+    The strongest tenth of a system's signals, each raised by what the elevation costs (about 7 dB from the zenith to
+    the horizon), sets the measure; 4 dB below it, more than fading takes and less than a reflection costs, is the limit.
+    """
+    raised = signals.cn0 + _LOW_LOSS * (1.0 - signals.direction[:, 2])
+    strong = np.zeros(len(signals), bool)
+    for name in np.unique(signals.system):
+        own = (signals.system == name) & np.isfinite(raised)
+        if own.any():
+            strong[own] = raised[own] >= np.percentile(raised[own], 90) - _FADING
+    return strong
+
+
+def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -> tuple[float, float]:
+    """By how much the satellites see the antenna higher than it was put, and sigma, m.
+
+    A height too low by h makes every residual smaller by h times the sine of the elevation. Signals of one system
+    and epoch share a clock. Without `line_of_sight` (n,) all signals are used, late ones weighed down. Neighbouring
+    epochs err alike: the sigma counts a satellite's minute as one observation.
+    Signals that are late but pass for line of sight make the height too large: they come from low satellites.
+
+    Raises
+    ------
+    InsufficientDataError : too few signals or too little difference of elevation.
+    """
+    rows = np.arange(len(signals)) if line_of_sight is None else np.flatnonzero(line_of_sight)
+    letters, system = np.unique(signals.system[rows], return_inverse=True)
+    group = np.unique(signals.epoch[rows] * len(letters) + system.ravel(), return_inverse=True)[1].ravel()
+    count = int(group.max(initial=-1)) + 1
+    lift = signals.direction[rows, 2]
+    value, sigma = signals.residual[rows], signals.sigma[rows]
+    spread = lift - (np.bincount(group, lift, count) / np.bincount(group, minlength=count))[group]
+    if len(rows) < 100 or np.sqrt(np.mean(spread ** 2)) < 0.05:
+        raise InsufficientDataError("Too few satellites at different elevations tell the height of the antenna: "
+                                    "give the geoid separation.")
+    height, weight = _height_steps(value, sigma, lift, group, count)
+    mean = _centre(lift, weight, group, count)
+    left = value + height * lift
+    left = left - _centre(left, weight, group, count)[group]
+    slope = lift - mean[group]
+    information = np.sum(weight * slope ** 2)
+    block = np.floor(signals.time[rows] / _BLOCK)
+    _, cluster = np.unique(np.column_stack([signals.satellite[rows].astype("U3").view(np.uint32).reshape(-1, 3) @ [
+        10 ** 6, 10 ** 3, 1], block]), axis=0, return_inverse=True)
+    score = np.bincount(cluster.ravel(), weight * slope * left)
+    return height, float(np.sqrt(np.sum(score ** 2)) / information)
+
+
+def _centre(value: np.ndarray, weight: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
+    total = np.bincount(group, weight, count)
+    return np.bincount(group, weight * value, count) / np.where(total > 0, total, 1.0)
+
+
+def _height_steps(value: np.ndarray, sigma: np.ndarray, lift: np.ndarray, group: np.ndarray,
+                  count: int) -> tuple[float, np.ndarray]:
+    """Height and final weights; the robust scale falls from tens of metres, so that a geoid mix-up is followed."""
+    height = 0.0
+    weight = 1 / sigma ** 2
+    for scale in _COARSE:
+        left = value + height * lift
+        left = left - grouped_median(left, group, count)[group]
+        for _ in range(6):
+            weight = tukey(left / (np.maximum(sigma, 0.5) * scale)) / sigma ** 2
+            slope = lift - _centre(lift, weight, group, count)[group]
+            centred = value - _centre(value, weight, group, count)[group]
+            step = -np.sum(weight * slope * centred) / np.sum(weight * slope ** 2)
+            height, change = step, step - height
+            left = value + height * lift
+            left = left - _centre(left, weight, group, count)[group]
+            if abs(change) < 1e-3:
+                break
+    return float(height), weight
