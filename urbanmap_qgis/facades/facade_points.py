@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 import shapely
 from scipy import ndimage
@@ -48,7 +49,7 @@ class FacadeSettings:
     Parameters
     ----------
     max_height : highest height above ground, m (J 5.7: 20 m).
-    reach : farthest distance from an outline, m: how far outlines may be off.
+    reach : farthest distance outside an outline, m: how far outlines may be off. Inside, all points count: setbacks.
     most_points : a building with more points is thinned at random to about so many, and says so.
     """
 
@@ -86,17 +87,20 @@ class FacadePoints:
 
 
 class NearestOutline:
-    """Looks up the nearest outline of points within `reach`, in rasters made tile by tile."""
+    """Looks up the building that points lie in, or within `reach` of, in rasters made tile by tile."""
 
     def __init__(self, plans: BuildingPlans, reach: float):
         self.reach = reach
         self.rows = np.flatnonzero(~shapely.is_missing(plans.plan))
-        self.lines = shapely.boundary(plans.plan[self.rows])
-        self.tree = shapely.STRtree(self.lines)
+        self.plans = plans.plan[self.rows]
+        self.tree = shapely.STRtree(self.plans)
         self._tiles: OrderedDict[tuple[int, int], tuple[np.ndarray, np.ndarray] | None] = OrderedDict()
 
     def of(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Row of the nearest building (n,), -1 beyond reach, and the distance (n,) to a cell's width, inf beyond."""
+        """Row of the building (n,), -1 beyond reach, and the distance outside of it (n,), to a cell's width.
+
+        A place within reach of several belongs to the one whose outline is nearest.
+        """
         column, line = (np.floor(axis / CELL).astype(np.int64) for axis in (x, y))
         tile_x, tile_y = column // TILE, line // TILE
         row, distance = np.full(len(x), -1, np.int64), np.full(len(x), np.inf, np.float32)
@@ -131,16 +135,26 @@ class NearestOutline:
         near = np.sort(self.tree.query(box, predicate="intersects"))
         if not len(near):
             return None
-        owner = np.full((size, size), -1, np.int32)
+        outline, inside = np.full((size, size), -1, np.int32), np.full((size, size), -1, np.int32)
         for number in near[::-1]:
-            dense = shapely.segmentize(shapely.intersection(self.lines[number], box), CELL / 2)
+            clipped = shapely.intersection(self.plans[number], box)
+            dense = shapely.segmentize(shapely.intersection(shapely.boundary(self.plans[number]), box), CELL / 2)
             cells = np.floor(shapely.get_coordinates(dense) / CELL).astype(np.int64) - low
             cells = cells[((cells >= 0) & (cells < size)).all(axis=1)]
-            owner[cells[:, 1], cells[:, 0]] = self.rows[number]
-        distance, place = ndimage.distance_transform_edt(owner < 0, return_indices=True)
-        inside = slice(pad, pad + TILE), slice(pad, pad + TILE)
-        distance = (distance[inside] * CELL).astype(np.float32)
-        nearest = owner[place[0][inside], place[1][inside]]
+            outline[cells[:, 1], cells[:, 0]] = self.rows[number]
+            rings = [np.floor(shapely.get_coordinates(ring) / CELL).astype(np.int64) - low
+                     for part in shapely.get_parts(clipped) if part.geom_type == "Polygon"
+                     for ring in shapely.get_rings(part)]
+            if rings:
+                cv2.fillPoly(inside, [ring.astype(np.int32) for ring in rings], int(self.rows[number]))
+        distance, place = ndimage.distance_transform_edt(outline < 0, return_indices=True)
+        own = slice(pad, pad + TILE), slice(pad, pad + TILE)
+        distance = (distance[own] * CELL).astype(np.float32)
+        nearest, inside = outline[place[0][own], place[1][own]], inside[own]
+        deep = (inside >= 0) & (distance > CELL)
+        # Far from all outlines of this tile the nearest one is not known; inside a building that does not matter.
+        nearest = np.where(deep & ((nearest == inside) | (distance > self.reach)), inside, nearest)
+        distance[deep & (nearest == inside)] = 0.0
         beyond = distance > self.reach
         return np.where(beyond, -1, nearest), np.where(beyond, np.inf, distance)
 

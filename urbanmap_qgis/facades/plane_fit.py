@@ -8,6 +8,9 @@ import numpy as np
 
 _TUKEY = 4.685
 _LEAST_NOISE = 0.003
+_ENOUGH = 20_000
+"""Points on which a plane is found; the last two rounds take all."""
+
 _BLOCK = 1.0
 """Points within a square of this side (m) share their errors: the accuracy counts squares, not points."""
 
@@ -88,22 +91,31 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilti
 
 
 def _fitted(points: np.ndarray, time: np.ndarray, side: np.ndarray, upright: bool, rounds: int) -> WallPlane:
-    weights = np.ones(len(points))
-    for _ in range(rounds):
-        centre, normal = least_squares_plane(points, weights, upright)
-        residual = (points - centre) @ normal
-        middle = np.median(residual[weights > 0])
-        scale = max(1.4826 * np.median(np.abs(residual[weights > 0] - middle)), _LEAST_NOISE)
-        relative = np.clip((residual - middle) / (_TUKEY * scale), -1.0, 1.0)
-        weights = (1 - relative**2) ** 2
+    some = points[::max(1, len(points) // _ENOUGH)]
+    middle, scale = 0.0, np.inf
+    centre, normal = least_squares_plane(some, np.ones(len(some)), upright)
+    for number in range(rounds):
+        if number == rounds - 2:
+            some = points
+        residual = (some - centre) @ normal
+        held = residual[np.abs(residual - middle) < _TUKEY * scale]
+        middle = float(np.median(held))
+        scale = max(1.4826 * float(np.median(np.abs(held - middle))), _LEAST_NOISE)
+        centre, normal = least_squares_plane(some, _weights(residual, middle, scale), upright)
     if normal @ side < 0:
         normal = -normal
     residual = (points - centre) @ normal
-    held = weights > 0
+    held = np.abs(residual) < _TUKEY * scale
     passes = pass_numbers(time[held])
     sigma, spread = _sigma(points[held], residual[held], passes, normal)
     return WallPlane(centre, normal, float(np.sqrt(np.mean(residual[held] ** 2))), sigma, int(held.sum()),
                      int(passes.max()) + 1, spread)
+
+
+def _weights(residual: np.ndarray, middle: float, scale: float) -> np.ndarray:
+    """Tukey's weights (n,)."""
+    relative = np.clip((residual - middle) / (_TUKEY * scale), -1.0, 1.0)
+    return (1 - relative**2) ** 2
 
 
 def pass_numbers(time: np.ndarray) -> np.ndarray:

@@ -16,7 +16,7 @@ from scipy import ndimage
 from ..errors import InputError
 from .plane_fit import WallPlane
 
-_THIN = 0.08
+_THIN = 0.12
 """One point in each square of this side (m) is enough for a hull."""
 
 _CELL = 0.25
@@ -174,8 +174,8 @@ def seen_share(plane: WallPlane, contours: list[Contour], foot: float, top: floa
     shape = shapely.union_all([contour.polygon for contour in contours])
     left, low, right, high = shape.bounds
     low, high = min(low, foot - plane.point[2]), max(high, top - plane.point[2])
-    columns = max(int(math.ceil((right - left) / _CELL)), 1)
-    rows = max(int(math.ceil((high - low) / _CELL)), 1)
+    columns = max(math.ceil((right - left) / _CELL), 1)
+    rows = max(math.ceil((high - low) / _CELL), 1)
     u, v = np.meshgrid(left + (np.arange(columns) + 0.5) * _CELL, low + (np.arange(rows) + 0.5) * _CELL)
     shapely.prepare(shape)
     seen = shapely.contains_xy(shape, u, v)

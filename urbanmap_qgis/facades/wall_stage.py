@@ -20,11 +20,14 @@ from .plane_fit import WallPlane
 from .wall_contours import Contour, ContourSettings, Seen, in_plane, on_map, seen_share, wall_contours
 from .wall_planes import PlaneSettings, edge_distance, wall_segments
 
-OK, ROUGH, PARTLY = "ok", "rough", "partly seen"
-"""Status of a wall: sound; its points scatter more than a flat wall's; less than half of it was seen."""
+OK, ROUGH, PARTLY, FEW, INSIDE = "ok", "rough", "partly seen", "few points", "inside"
+"""Status of a wall: sound; its points scatter more than a flat wall's; less than half of it was seen; too few points
+to trust it; deep inside the outline, a setback or a room seen through a window."""
 
 _ROUGH = 0.05
 _HALF = 0.5
+_FEW = 30
+_DEEP = 1.0
 _ALONG = 0.966
 """Cosine of the largest angle between a wall and the outline's edge that it belongs to: 15 degrees."""
 
@@ -113,7 +116,8 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     return walls, WallCounts(near, with_walls, points, sum(wall.points for wall in walls))
 
 
-def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans, progress: Progress) -> Iterator[_Piece]:
+def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
+            progress: Progress) -> Iterator[_Piece]:
     for row, points in buildings:
         progress.step(row / len(plans))
         if points.thinned < 1:
@@ -145,7 +149,7 @@ def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], end
         z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
         foot, top = _span(piece, plane, z, settings.facade.max_height)
         seen = seen_share(plane, [contour], foot, top, piece.points.front)
-        status, note = _status(plane, seen)
+        status, note = _status(plane, contour.points, seen, _depth(piece.plan, plane, contour.polygon))
         walls.append(Wall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled, seen,
                           edge, offset, bool(np.isfinite(piece.top)), status, note))
     return walls
@@ -182,10 +186,21 @@ def _edge_of(plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray,
     return edge, float(np.mean((xy - ends[edge, 0]) @ outward[edge]))
 
 
-def _status(plane: WallPlane, seen: Seen) -> tuple[str, str]:
+def _depth(plan: shapely.Geometry, plane: WallPlane, flat: shapely.Polygon) -> float:
+    """How deep inside the plan the middle of a wall lies, m; 0 outside."""
+    left, _, right, _ = flat.bounds
+    middle = shapely.Point(plane.point[:2] + (left + right) / 2 * plane.axes[0][:2])
+    return float(shapely.distance(middle, shapely.boundary(plan))) if shapely.contains(plan, middle) else 0.0
+
+
+def _status(plane: WallPlane, points: int, seen: Seen, depth: float) -> tuple[str, str]:
     """Status of a wall and the reason."""
+    if points < _FEW:
+        return FEW, f"only {points} points lie on it"
     if plane.rmse > _ROUGH:
         return ROUGH, f"its points scatter by {100 * plane.rmse:.0f} cm: no flat wall, or drives that disagree"
+    if depth > _DEEP:
+        return INSIDE, f"it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window"
     if seen.coverage < _HALF:
         why = "something stands in front" if seen.hidden > seen.beyond else "the survey did not see the rest"
         return PARTLY, f"{100 * seen.coverage:.0f} % of it was seen; {why}"
