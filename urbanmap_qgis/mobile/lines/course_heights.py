@@ -1,0 +1,198 @@
+"""Heights of a trajectory from the ground along its course (Z 3.2, vertical registration).
+
+Where the vehicle is, its body's origin lies a known height above the ground: o_z' = ground(o_x, o_y) + h. Samples are
+taken at equal distances along the course. What stands on the ground in a surface model (vehicles, bridges, crowns) is
+recognised by its step against the samples around; the error of height is a random walk in time through the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import cho_solve_banded, cholesky_banded
+from scipy.ndimage import median_filter
+from scipy.optimize import minimize
+
+from ...errors import InsufficientDataError
+from ...progress import SILENT, Progress
+from ..trajectory import Trajectory, driven_way
+
+SPACING = 2.0
+"""m along the course between samples."""
+
+LARGEST_ERROR = 5.0
+"""m: ground farther from where it should be is not believed to be the vehicle's ground."""
+
+_WINDOW = 51  # samples
+_LEAST_STEP = 0.15  # m
+_SIGMAS = 4.0
+_FEWEST = 5
+_EXPECTED = np.log([0.01, 0.03])  # m per square root of a second, m
+_SPREAD = np.log([4.0, 4.0])
+
+
+@dataclass(frozen=True)
+class CourseHeights:
+    """Errors of height along a course.
+
+    Attributes
+    ----------
+    error : (n,) at the epochs, m: to be added.  sigma : (n,) m.
+    sensor_height : of the body's origin above the ground, m, given or found.
+    found : it was found: then the mean height stayed as reported.
+    before, after : root mean square of the samples used, against the ground, m.
+    sample_sigma : of a sample, m.
+    samples, left_out : how many samples had a ground, and how many of them stand out.
+    covered : share of the course with a ground, 0 to 1.
+    used_time, used_error : (k,) the samples used.
+    """
+
+    error: np.ndarray
+    sigma: np.ndarray
+    sensor_height: float
+    found: bool
+    before: float
+    after: float
+    sample_sigma: float
+    samples: int
+    left_out: int
+    covered: float
+    used_time: np.ndarray
+    used_error: np.ndarray
+
+
+def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndarray], np.ndarray],
+                   sensor_height: float | None, progress: Progress = SILENT) -> CourseHeights:
+    """Errors of height of a trajectory that is right in plan.
+
+    Parameters
+    ----------
+    ground : gives heights (k,) at places x, y (k,), NaN where there are none.
+    sensor_height : of the body's origin above the ground, m; None takes the one that leaves the mean height as it is.
+
+    Raises
+    ------
+    InsufficientDataError : hardly any of the course has a ground.
+    """
+    row = _samples(trajectory)
+    place = trajectory.place[row]
+    height = np.asarray(ground(place[:, 0], place[:, 1]), float)
+    there = np.isfinite(height)
+    if np.count_nonzero(there) < _FEWEST:
+        raise InsufficientDataError("The ground does not reach the trajectory's course: give a ground of the same "
+                                    "place and coordinate reference system.")
+    time, above = trajectory.time[row[there]], (place[:, 2] - height)[there]
+    found = sensor_height is None
+    error = (float(np.median(above)) if found else sensor_height) - above
+    believed = np.abs(error) <= LARGEST_ERROR
+    if np.count_nonzero(believed) < _FEWEST:
+        raise InsufficientDataError(f"The trajectory lies {np.median(above):.1f} m above the ground (median), not "
+                                    f"{sensor_height:.1f} m: check the origin's height and both height systems.")
+    progress.check()
+    kept = np.flatnonzero(believed)[_standing_in_line(error[believed])]
+    walk, used = _fitted(time[kept], error[kept])
+    kept = kept[used]
+    value, variance = walk.at(trajectory.time)
+    left = error[kept] - np.interp(time[kept], trajectory.time, value)
+    return CourseHeights(value, np.sqrt(variance), float(np.median(above)) if found else float(sensor_height), found,
+                         _rms(error[kept]), _rms(left), walk.sigma, len(time), len(time) - len(kept),
+                         float(there.mean()), time[kept], error[kept])
+
+
+def _samples(trajectory: Trajectory) -> np.ndarray:
+    """Epochs at equal distances along the course."""
+    way = driven_way(trajectory)
+    row = np.searchsorted(way, np.arange(0.0, way[-1] + 1e-9, SPACING))
+    return np.unique(np.minimum(row, len(way) - 1))
+
+
+def _standing_in_line(error: np.ndarray) -> np.ndarray:
+    """Mask (k,) of samples that do not stand out from those around."""
+    middle = median_filter(error, min(_WINDOW, len(error) // 2 * 2 + 1), mode="nearest")
+    away = np.abs(error - middle)
+    return away <= max(_SIGMAS * 1.4826 * float(np.median(away)), _LEAST_STEP)
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(values**2)))
+
+
+@dataclass(frozen=True)
+class _HeightWalk:
+    """A random walk through samples: values and variances at nodes, and covariances with the next."""
+
+    time: np.ndarray
+    value: np.ndarray
+    variance: np.ndarray
+    lag: np.ndarray
+    pace: float
+    sigma: float
+
+    def at(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Value and variance at times (m,), linear between nodes and held outside."""
+        before = np.clip(np.searchsorted(self.time, time, side="right") - 1, 0, len(self.time) - 2)
+        length = self.time[before + 1] - self.time[before]
+        u = np.clip((time - self.time[before]) / length, 0.0, 1.0)
+        outside = np.maximum(self.time[0] - time, 0.0) + np.maximum(time - self.time[-1], 0.0)
+        variance = ((1 - u) ** 2 * self.variance[before] + u**2 * self.variance[before + 1]
+                    + 2 * u * (1 - u) * self.lag[before] + self.pace**2 * (length * u * (1 - u) + outside))
+        return np.interp(time, self.time, self.value), variance
+
+
+def _fitted(time: np.ndarray, error: np.ndarray) -> tuple[_HeightWalk, np.ndarray]:
+    """The most likely walk through samples, and which of them it used: those within four sigmas of a first walk."""
+    pace, sigma = _most_likely(time, error)
+    value = _solve(time, error, pace, sigma)[0]
+    used = np.abs(error - value) <= max(_SIGMAS * sigma, _LEAST_STEP / 2)
+    time, error = time[used], error[used]
+    pace, sigma = _most_likely(time, error)
+    value, factor, _ = _solve(time, error, pace, sigma)
+    left = error - value
+    # What neighbours share of their deviations (a ground's smooth errors) does not average out.
+    alike = float(np.clip((left[1:] @ left[:-1]) / max(left @ left, 1e-12), 0.0, 0.95))
+    inflation = (1 + alike) / (1 - alike)
+    variance, lag = _inverse_bands(factor)
+    return _HeightWalk(time, value, variance * inflation, lag * inflation, pace, sigma), used
+
+
+def _solve(time: np.ndarray, error: np.ndarray, pace: float, sigma: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """Values of the walk, factor of its information, and the logarithm of its likelihood."""
+    weight = pace**-2 / np.diff(time)
+    band = np.zeros((2, len(time)))
+    band[1] = sigma**-2
+    band[1, :-1] += weight
+    band[1, 1:] += weight
+    band[0, 1:] = -weight
+    factor = cholesky_banded(band)
+    value = cho_solve_banded((factor, False), error / sigma**2)
+    misfit = float(error @ (error - value)) / sigma**2
+    likelihood = 0.5 * (np.log(weight).sum() - misfit) - np.log(factor[1]).sum() - len(time) * np.log(sigma)
+    return value, factor, likelihood
+
+
+def _most_likely(time: np.ndarray, error: np.ndarray) -> tuple[float, float]:
+    """Pace of the walk and sigma of the samples."""
+    def unlikely(logs: np.ndarray) -> float:
+        logs = np.clip(logs, -12.0, 5.0)
+        return 0.5 * float((((logs - _EXPECTED) / _SPREAD) ** 2).sum()) - _solve(time, error, *np.exp(logs))[2]
+
+    found = minimize(unlikely, _EXPECTED, method="Nelder-Mead", options={"xatol": 0.05, "fatol": 0.05, "maxiter": 80})
+    pace, sigma = np.exp(np.clip(found.x, -12.0, 5.0))
+    return float(pace), float(sigma)
+
+
+def _inverse_bands(factor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Diagonal (k,) and first off-diagonal (k - 1,) of the inverse of U'U with a bidiagonal U (Takahashi)."""
+    diagonal, above = factor[1], factor[0, 1:]
+    own, lag = np.empty(len(diagonal)), np.empty(len(above))
+    own[-1] = diagonal[-1] ** -2.0
+    ratio = (above / diagonal[:-1]).tolist()
+    inverse = (diagonal**-2.0).tolist()
+    last = float(own[-1])
+    for k in range(len(above) - 1, -1, -1):
+        lag[k] = -ratio[k] * last
+        last = inverse[k] - ratio[k] * lag[k]
+        own[k] = last
+    return own, lag

@@ -1,0 +1,311 @@
+"""Rectification of a trajectory by tie points and the ground (Z 3): position and heading first, then height.
+
+The tie points are looked through for contradictions, the drift between them is found in one of three ways, and where
+a ground is given the heights follow it along the rectified course. Roll and pitch stay, as in Z 3.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...progress import SILENT, Progress
+from ..trajectory import Trajectory, interpolate
+from .course_heights import CourseHeights, course_heights
+from .drift_adjustment import SIGMA, DriftModel, Pairs, Walk, fit_drift, predicted_misfits
+from .ground_truths import misfit, set_drift, turned
+from .relative_motion import adjust_relative_motion
+from .tie_points import TiePoints, usable
+
+METHODS = ("drift", "relative", "iterative")
+"""Best estimate of a wandering drift; relative motions adjusted in closed form; the same by the paper's iteration."""
+
+USED, POSITION_ONLY, CONTRADICTING, SUSPECT = "used", "position only", "contradicting", "suspect"
+"""What became of a set: the last two are left out."""
+
+HELD, BETWEEN = 0, 1
+"""Of an epoch: before the first or after the last set, where the correction is only carried on; between two sets."""
+
+Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+_CONTRADICTION = 5.0  # sigmas of the misfit within a set
+_SUSPECT = 6.0  # times the usual misfit against the neighbours
+_LARGEST_TURN = np.radians(10.0)
+_FEWEST_TO_COMPARE = 5
+_FEWEST_FOR_SIGMA = 4
+_SHORT_SHARE = 0.5
+
+
+@dataclass(frozen=True)
+class RectifySettings:
+    """How a trajectory is rectified.
+
+    Attributes
+    ----------
+    method : one of `METHODS`.
+    tie_sigma : standard deviation of a tie point's coordinate, m; None finds it.
+    heading_sigma : expected error of the heading, degrees: what is known where the pairs of a set lie close together.
+    keep_suspects : use sets although they do not fit their neighbours.
+    sensor_height : of the body's origin above the ground, m; None leaves the mean height as it is.
+    """
+
+    method: str = "drift"
+    tie_sigma: float | None = None
+    heading_sigma: float = 1.0
+    keep_suspects: bool = False
+    sensor_height: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.method not in METHODS:
+            raise InputError(f"The method must be one of {', '.join(METHODS)}.")
+        if (self.tie_sigma is not None and not self.tie_sigma > 0) or not self.heading_sigma > 0:
+            raise InputError("The standard deviations of tie points and heading must be greater than 0.")
+
+
+@dataclass(frozen=True)
+class TieSet:
+    """A set of tie points and what it showed.
+
+    Attributes
+    ----------
+    name : as given.  time : mean, s.  place : (3,) of the vehicle as reported then.  pairs : used of `given`.
+    shift : (2,) m east and north, and `turn`, degrees clockwise: what the result adds to position and heading there.
+    before, after : mean distance of its pairs from the reference, m, as reported and rectified.
+    fit : largest misfit within the set, m.  predicted : how far off it would lie without itself, m (NaN: not known).
+    status : one of `USED`, `POSITION_ONLY`, `CONTRADICTING`, `SUSPECT`.
+    """
+
+    name: str
+    time: float
+    place: np.ndarray
+    pairs: int
+    given: int
+    shift: np.ndarray
+    turn: float
+    before: float
+    after: float
+    fit: float
+    predicted: float
+    status: str
+
+    @property
+    def is_used(self) -> bool:
+        return self.status in (USED, POSITION_ONLY)
+
+
+@dataclass(frozen=True)
+class Rectified:
+    """A rectified trajectory and how good it is.
+
+    Attributes
+    ----------
+    trajectory : same epochs.
+    sets : in the order of time.
+    drift : the model of all tie points, from which the sigmas come.
+    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees.
+    status : (n,) `HELD` or `BETWEEN`.
+    heights : None where no ground was given.
+    settings : as used.
+    """
+
+    trajectory: Trajectory
+    sets: tuple[TieSet, ...]
+    drift: DriftModel
+    plan_sigma: np.ndarray
+    heading_sigma: np.ndarray
+    status: np.ndarray
+    heights: CourseHeights | None
+    settings: RectifySettings
+
+    @property
+    def used(self) -> list[TieSet]:
+        """The sets that count."""
+        return [item for item in self.sets if item.is_used]
+
+
+def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = None,
+            settings: RectifySettings | None = None, progress: Progress = SILENT) -> Rectified:
+    """Rectify a trajectory.
+
+    Parameters
+    ----------
+    ground : heights (k,) of the ground at x, y (k,), NaN where there are none; None leaves heights as they are.
+
+    Raises
+    ------
+    InputError : no tie point lies within the trajectory's time.
+    InsufficientDataError : all sets contradict themselves, or the ground does not reach the course.
+    """
+    settings = settings or RectifySettings()
+    ties = usable(ties, trajectory, progress)
+    names, number = ties.numbers()
+    place = interpolate(trajectory, ties.time).place[:, :2]
+    keep, status = _consistent(ties, names, number, place, settings, progress)
+    progress.step(0.1)
+    model = _model(ties, number, place, keep, status, names, settings, progress)
+    progress.step(0.5)
+    status[_weak(ties, number, place, keep, status, model.walk)] = POSITION_ONLY
+    made = _corrected(trajectory, ties, number, place, keep, model, settings)
+    _tell_reach(trajectory, model, progress)
+    progress.step(0.7)
+    heights = None
+    if ground is not None:
+        heights = course_heights(made, ground, settings.sensor_height, progress)
+        made = Trajectory(made.time, made.place + np.outer(heights.error, [0.0, 0.0, 1.0]), made.angles)
+    variance = model.variances(trajectory.time)
+    between = (trajectory.time >= model.time[0]) & (trajectory.time <= model.time[-1])
+    sets = _sets(trajectory, made, ties, names, number, place, keep, status, model)
+    progress.step(1.0)
+    return Rectified(made, sets, model, np.sqrt(variance[:, :2].mean(axis=1)), np.degrees(np.sqrt(variance[:, 2])),
+                     np.where(between, BETWEEN, HELD), heights, settings)
+
+
+def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np.ndarray, settings: RectifySettings,
+                progress: Progress) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs to use (n,) and status of the sets (s,): pairs and sets that contradict themselves are left out."""
+    keep = np.ones(len(ties), bool)
+    status = np.full(len(names), USED, dtype=object)
+    limit = _misfit_limit(ties, number, place, settings)
+    for own in (np.flatnonzero(number == k) for k in range(len(names))):
+        name = names[number[own[0]]]
+        left, fit = _without_blunders(ties, place, own, limit)
+        if len(left) < len(own) and fit <= limit:
+            progress.warn(f"Set {name}: {len(own) - len(left)} of {len(own)} pairs contradict the others and are left "
+                          "out.")
+            keep[np.setdiff1d(own, left)] = False
+        reason = f"its pairs do not fit each other by {fit:.2f} m" if fit > limit else ""
+        turn = _turn(ties, place, left, settings)
+        if not reason and abs(turn) > _LARGEST_TURN + 3 * np.radians(settings.heading_sigma):
+            reason = f"it would turn the vehicle by {np.degrees(turn):.0f} degrees; its points may be swapped"
+        if reason:
+            progress.warn(f"Set {name} contradicts itself and is left out: {reason}.")
+            keep[own], status[number[own[0]]] = False, CONTRADICTING
+    if not keep.any():
+        raise InsufficientDataError(f"All {len(names)} sets of tie points contradict themselves: check which place "
+                                    "belongs to which, and the coordinate reference system.")
+    return keep, status
+
+
+def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settings: RectifySettings) -> float:
+    """Largest misfit within a set, m: five sigmas of it, which are what most sets show."""
+    if settings.tie_sigma is not None:
+        return _CONTRADICTION * np.sqrt(2.0) * settings.tie_sigma
+    least = _CONTRADICTION * np.sqrt(2.0) * SIGMA
+    sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
+    shown = [misfit(place[own], ties.measured[own], ties.reference[own]).max() for own in sets if len(own) > 1]
+    usual = 1.4826 * float(np.median(shown)) if len(shown) >= _FEWEST_FOR_SIGMA else 0.0
+    return max(least, _CONTRADICTION * usual)
+
+
+def _without_blunders(ties: TiePoints, place: np.ndarray, own: np.ndarray,
+                      limit: float) -> tuple[np.ndarray, float]:
+    """Pairs of a set that fit each other, and their largest misfit: of more than two the worst are taken out."""
+    def fit(rows: np.ndarray) -> float:
+        return float(misfit(place[rows], ties.measured[rows], ties.reference[rows]).max())
+
+    worst = fit(own)
+    while worst > limit and len(own) > 2:
+        worst, own = min(((fit(rest), rest) for rest in (np.delete(own, k) for k in range(len(own)))),
+                         key=lambda found: found[0])
+    return own, worst
+
+
+def _turn(ties: TiePoints, place: np.ndarray, own: np.ndarray, settings: RectifySettings) -> float:
+    """Turn of a set, radians, with what is expected of it."""
+    return set_drift(place[own], ties.measured[own], ties.reference[own], settings.tie_sigma or SIGMA,
+                     np.radians(settings.heading_sigma)).turn
+
+
+def _pairs(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray) -> tuple[Pairs, np.ndarray]:
+    """Observations of the pairs kept, and the sets that they are of."""
+    sets, own = np.unique(number[keep], return_inverse=True)
+    return Pairs(ties.measured[keep] - place[keep], ties.reference[keep] - place[keep], ties.time[keep],
+                 own.ravel()), sets
+
+
+def _model(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, status: np.ndarray,
+           names: list[str], settings: RectifySettings, progress: Progress) -> DriftModel:
+    """The drift of all tie points; sets that do not fit their neighbours are left out of it (`keep`, `status`)."""
+    start = Walk(sigma=settings.tie_sigma or SIGMA, heading_sigma=np.radians(settings.heading_sigma))
+    while True:
+        pairs, sets = _pairs(ties, number, place, keep)
+        model = fit_drift(pairs, start, fixed_sigma=settings.tie_sigma is not None)
+        if len(sets) < _FEWEST_TO_COMPARE or settings.keep_suspects:
+            return model
+        away, sigmas = predicted_misfits(pairs, model)
+        usual = max(float(np.median(sigmas)), 1.0)
+        worst = int(np.argmax(sigmas))
+        # At most a quarter of the sets: more would be no blunders but a drift that jumps.
+        if sigmas[worst] <= _SUSPECT * usual or np.count_nonzero(status == SUSPECT) >= len(names) // 4:
+            return model
+        progress.warn(f"Set {names[sets[worst]]} lies {away[worst]:.2f} m from where the other sets put it and is left "
+                      "out: check that survey and reference show the same place.")
+        keep[number == sets[worst]], status[sets[worst]] = False, SUSPECT
+        progress.check()
+
+
+def _weak(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, status: np.ndarray,
+          walk: Walk) -> np.ndarray:
+    """Mask (s,) of sets used whose pairs tell the heading worse than what is expected of it."""
+    weak = np.zeros(len(status), bool)
+    for k in np.flatnonzero(status == USED):
+        own = np.flatnonzero((number == k) & keep)
+        seen = ties.measured[own] - place[own]
+        spread = np.sqrt(((seen - seen.mean(axis=0)) ** 2).sum())
+        weak[k] = walk.sigma >= walk.heading_sigma * spread
+    return weak
+
+
+def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
+               model: DriftModel, settings: RectifySettings) -> Trajectory:
+    """Position and heading rectified by the method wanted."""
+    if settings.method == "drift":
+        drift = model.at(trajectory.time)
+        angles = trajectory.angles - np.degrees(drift[:, 2:]) * [0.0, 0.0, 1.0]
+        shift = np.column_stack([drift[:, :2], np.zeros(len(drift))])
+        return Trajectory(trajectory.time, trajectory.place + shift, angles)
+    epochs, drift = [], []
+    for k in np.unique(number[keep]):
+        own = np.flatnonzero((number == k) & keep)
+        found = set_drift(place[own], ties.measured[own], ties.reference[own], model.walk.sigma,
+                          model.walk.heading_sigma)
+        epochs.append(int(np.abs(trajectory.time - ties.time[own].mean()).argmin()))
+        drift.append([*found.shift, found.turn])
+    # Sets that fall on one epoch count together.
+    once, which = np.unique(epochs, return_inverse=True)
+    mean = np.array([np.mean([drift[k] for k in np.flatnonzero(which.ravel() == e)], axis=0) for e in range(len(once))])
+    return adjust_relative_motion(trajectory, once, mean, iterate=settings.method == "iterative")
+
+
+def _tell_reach(trajectory: Trajectory, model: DriftModel, progress: Progress) -> None:
+    """Warn where much of the course has no set on both sides."""
+    covered = (model.time[-1] - model.time[0]) / max(trajectory.duration, 1e-9)
+    if covered < _SHORT_SHARE:
+        progress.warn(f"The tie points lie within {model.time[-1] - model.time[0]:.0f} of {trajectory.duration:.0f} s: "
+                      "the rest of the course is only moved along with them, and its sigma grows; add sets there.")
+
+
+def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[str], number: np.ndarray,
+          place: np.ndarray, keep: np.ndarray, status: np.ndarray, model: DriftModel) -> tuple[TieSet, ...]:
+    """The sets with what they showed before and after."""
+    pose, was = interpolate(after, ties.time), interpolate(before, ties.time)
+    turn = np.radians(was.angles[:, 2] - pose.angles[:, 2])
+    moved = pose.place[:, :2] + turned(ties.measured - place, turn)
+    off_before, off_after = (np.hypot(*(ties.reference - where).T) for where in (ties.measured, moved))
+    pairs, used = _pairs(ties, number, place, keep)
+    predicted = dict(zip(used.tolist(), predicted_misfits(pairs, model)[0]))
+    made = []
+    for k, name in enumerate(names):
+        own = np.flatnonzero(number == k)
+        left = own[keep[own]]
+        some = left if len(left) else own
+        fit = float(misfit(place[some], ties.measured[some], ties.reference[some]).max())
+        made.append(TieSet(name, float(ties.time[some].mean()), was.place[some].mean(axis=0), len(left), len(own),
+                           (pose.place - was.place)[some, :2].mean(axis=0), -float(np.degrees(turn[some].mean())),
+                           float(off_before[some].mean()), float(off_after[some].mean()), fit,
+                           float(predicted.get(k, np.nan)), str(status[k])))
+    return tuple(made)
+

@@ -1,0 +1,106 @@
+"""Drift spread over the epochs between two ground truths by adjusting the relative motions (Z 3.1, eq. 8 to 10).
+
+Poses in plan are T = (x, y, kappa), kappa anticlockwise from east; t_ij = T_i^-1 T_j is the way from i to j as the
+vehicle sees it. When T_s is true and T_e should be T_e', every step between them takes its part of the error: eq. 8
+closes the loop through the adjusted steps, the map motion C = T_e' T_e^-1 seen from epoch i, T_i^-1 C T_i, of which
+each of the e - s steps takes its part. (The print leaves out primes and an inverse of eq. 8; as it stands it is no
+correction.) The part is taken of the motion's three numbers, so the loop is not closed at once and eq. 9 is repeated.
+
+In closed form the parts are powers of C: T_k' = C^u T_k with u from 0 at s to 1 at e. That is what the iteration
+tends to, in one step.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...errors import InputError
+from ..trajectory import Trajectory
+
+CLOSED, CLOSED_TURN = 1e-5, 1e-8
+"""The iteration ends when the loop is closed to this many metres and radians."""
+
+MOST_ROUNDS = 50
+
+
+def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np.ndarray,
+                           iterate: bool = False) -> Trajectory:
+    """The trajectory through ground truths, its relative motions changed as little as they must be (Z 3.1).
+
+    Rigid before the first and after the last ground truth. Heights, roll and pitch stay.
+
+    Parameters
+    ----------
+    epochs : (k,) numbers of epochs, increasing.  drift : (k, 3) what must be added there: east, north (m) and turn
+        anticlockwise (radians).
+    iterate : the paper's iteration instead of the closed form.
+
+    Raises
+    ------
+    InputError : epochs do not increase.
+    """
+    epochs = np.asarray(epochs)
+    if len(epochs) < 1 or np.any(np.diff(epochs) <= 0):
+        raise InputError("Ground truths must be at different epochs, in the order of time.")
+    origin = complex(*trajectory.place[epochs[0], :2])
+    place = trajectory.place[:, 0] + 1j * trajectory.place[:, 1] - origin
+    kappa = np.radians(90.0 - trajectory.angles[:, 2])
+    true_place = place[epochs] + drift[:, 0] + 1j * drift[:, 1]
+    true_kappa = kappa[epochs] + drift[:, 2]
+    first = epochs[0]
+    place, kappa = _moved(place, kappa, *_motion(place[first], kappa[first], true_place[0], true_kappa[0]))
+    spread = _iterated if iterate else _powers
+    for start, end, to_place, to_kappa in zip(epochs[:-1], epochs[1:], true_place[1:], true_kappa[1:]):
+        turn, shift = _motion(place[end], kappa[end], to_place, to_kappa)
+        between = slice(start, end + 1)
+        after = _moved(place[end:], kappa[end:], turn, shift)
+        place[between], kappa[between] = spread(trajectory.time[between], place[between], kappa[between], to_place,
+                                                to_kappa)
+        place[end:], kappa[end:] = after
+    place = place + origin
+    return Trajectory(trajectory.time, np.column_stack([place.real, place.imag, trajectory.place[:, 2]]),
+                      np.column_stack([trajectory.angles[:, :2], 90.0 - np.degrees(kappa)]))
+
+
+def _motion(place: complex, kappa: float, to_place: complex, to_kappa: float) -> tuple[float, complex]:
+    """The map's motion T' T^-1 as a turn and a shift: z goes to exp(i turn) z + shift."""
+    turn = to_kappa - kappa
+    return turn, to_place - np.exp(1j * turn) * place
+
+
+def _moved(place: np.ndarray, kappa: np.ndarray, turn: float, shift: complex) -> tuple[np.ndarray, np.ndarray]:
+    return np.exp(1j * turn) * place + shift, kappa + turn
+
+
+def _powers(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: complex,
+            to_kappa: float) -> tuple[np.ndarray, np.ndarray]:
+    """Closed form: C^u T_k, u by time."""
+    share = (time - time[0]) / (time[-1] - time[0])
+    turn, shift = _motion(place[-1], kappa[-1], to_place, to_kappa)
+    # C^u z = z + (e^(iu turn) - 1) / (e^(i turn) - 1) (C z - z); the quotient is u where hardly anything turns.
+    whole = np.exp(1j * turn) - 1.0
+    part = share if abs(whole) < 1e-12 else (np.exp(1j * turn * share) - 1.0) / whole
+    return place + part * (whole * place + shift), kappa + share * turn
+
+
+def _iterated(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: complex,
+              to_kappa: float) -> tuple[np.ndarray, np.ndarray]:
+    """The paper's iteration (eq. 8, 9): every step takes its part of the open loop, as seen from where it starts."""
+    part = np.diff(time) / (time[-1] - time[0])
+    best = np.inf
+    kept = place, kappa
+    for _ in range(MOST_ROUNDS):
+        turn, shift = _motion(place[-1], kappa[-1], to_place, to_kappa)
+        open_loop = abs(to_place - place[-1]) + abs(turn) * CLOSED / CLOSED_TURN
+        if open_loop >= best:
+            break
+        best, kept = open_loop, (place, kappa)
+        if abs(to_place - place[-1]) < CLOSED and abs(turn) < CLOSED_TURN:
+            break
+        back = np.exp(-1j * kappa[:-1])
+        step, bend = back * np.diff(place), np.diff(kappa)
+        whole = back * ((np.exp(1j * turn) - 1.0) * place[:-1] + shift)
+        step = part * whole + np.exp(1j * part * turn) * step
+        kappa = kappa[0] + np.concatenate([[0.0], np.cumsum(bend + part * turn)])
+        place = place[0] + np.concatenate([[0.0], np.cumsum(np.exp(1j * kappa[:-1]) * step)])
+    return kept

@@ -1,0 +1,140 @@
+"""Tie points: places that the survey and a reference both show (Z 3.2).
+
+A set is two or more places near each other, measured within some seconds: `set,time,x_mms,y_mms,x_ref,y_ref`. The time
+is when the survey measured the place; with it the place moves with the trajectory.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ...errors import InputError
+from ...progress import SILENT, Progress
+from ..trajectory import Trajectory, gaps
+
+COLUMNS = ("set", "time", "x_mms", "y_mms", "x_ref", "y_ref")
+
+LONGEST_GAP = 1.0
+"""s: tie points between epochs farther apart are not used."""
+
+_FARTHEST = 200.0
+
+
+@dataclass(frozen=True)
+class TiePoints:
+    """Pairs of places, (n,) in the order of time.
+
+    Attributes
+    ----------
+    sets : (n,) names of the sets, str.
+    time : (n,) s.
+    measured, reference : (n, 2) easting and northing in the survey and in the reference, m.
+    """
+
+    sets: np.ndarray
+    time: np.ndarray
+    measured: np.ndarray
+    reference: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def of(self, keep: np.ndarray) -> TiePoints:
+        """The pairs that a mask (n,) marks."""
+        return TiePoints(self.sets[keep], self.time[keep], self.measured[keep], self.reference[keep])
+
+    def numbers(self) -> tuple[list[str], np.ndarray]:
+        """Names of the sets in the order of time, and of every pair the number of its set (n,)."""
+        names, first, number = np.unique(self.sets, return_index=True, return_inverse=True)
+        order = np.argsort(first)
+        rank = np.empty(len(names), int)
+        rank[order] = np.arange(len(names))
+        return [str(name) for name in names[order]], rank[number.ravel()]
+
+
+def read_tie_points(path: str | os.PathLike) -> TiePoints:
+    """Tie points of a CSV with the columns `COLUMNS`, separated by comma, semicolon or tabulator.
+
+    Raises
+    ------
+    InputError : it cannot be read, a column is missing, or a value is no number.
+    """
+    path = Path(path)
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path.name} cannot be read as tie points (CSV): {error}.") from error
+    header = text.split("\n", 1)[0]
+    rows = [row for row in csv.reader(text.splitlines(), delimiter=max(",;\t", key=header.count)) if any(row)]
+    if not rows or any(len(row) != len(rows[0]) for row in rows):
+        raise InputError(f"{path.name}: not every row has as many values as the header; the file may be cut off.")
+    return tie_points_from_columns(dict(zip(rows[0], zip(*rows[1:]))) if len(rows) > 1 else
+                                   dict.fromkeys(rows[0], ()), path.name)
+
+
+def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The tie points") -> TiePoints:
+    """Tie points of named columns (`COLUMNS`, in any case).
+
+    Raises
+    ------
+    InputError : a column is missing, a value is no number, there are none, or a pair is more than 200 m apart.
+    """
+    known = {str(key).strip().lower(): key for key in columns}
+    missing = [column for column in COLUMNS if column not in known]
+    if missing:
+        raise InputError(f"{name} has no column {', '.join(missing)}: tie points need {','.join(COLUMNS)}.")
+    try:
+        table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS[1:]]).T
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} holds a value that is no number ({error}): correct it.") from error
+    if not len(table):
+        raise InputError(f"{name} holds no tie points: give at least one set of two pairs.")
+    bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
+    if len(bad):
+        raise InputError(f"{name} has no number in row {bad[0] + 2}: correct or remove it.")
+    order = np.argsort(table[:, 0], kind="stable")
+    sets = np.array([str(columns[known["set"]][row]).strip() for row in order])
+    time, measured, reference = table[order, 0], table[order, 1:3], table[order, 3:5]
+    apart = np.hypot(*(reference - measured).T)
+    if apart.max() > _FARTHEST:
+        worst = int(apart.argmax())
+        raise InputError(f"{name}: in set {sets[worst]} survey and reference are {apart[worst]:,.0f} m apart; "
+                         "both must be in the survey's coordinate reference system.")
+    return TiePoints(sets, time, measured, reference)
+
+
+def usable(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT) -> TiePoints:
+    """The pairs within the trajectory's time and outside its gaps; the others are told as a warning.
+
+    Raises
+    ------
+    InputError : no pair lies within the trajectory's time.
+    """
+    inside = trajectory.within(ties.time)
+    if not inside.any():
+        raise InputError(f"The tie points were measured from {ties.time[0]:.1f} to {ties.time[-1]:.1f} s, but the "
+                         f"trajectory runs from {trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s: give those of "
+                         "one survey.")
+    if not inside.all():
+        progress.warn(f"{np.count_nonzero(~inside)} tie points lie outside the trajectory's time and are left out "
+                      f"(set {_some(ties.sets[~inside])}).")
+    for start, end in gaps(trajectory, LONGEST_GAP):
+        hole = inside & (ties.time > start) & (ties.time < end)
+        if hole.any():
+            inside &= ~hole
+            progress.warn(f"The tie points of set {_some(ties.sets[hole])} lie in a gap of the trajectory and are left "
+                          "out.")
+    if not inside.any():
+        raise InputError("All tie points lie in gaps of the trajectory: choose others.")
+    return ties.of(inside)
+
+
+def _some(sets: np.ndarray) -> str:
+    names = list(dict.fromkeys(sets.tolist()))
+    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
