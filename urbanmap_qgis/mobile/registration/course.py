@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.linalg import solveh_banded
+from scipy.linalg import LinAlgError, solveh_banded
 
 from .ndt_match import turn_matrix
 from .patch_points import PatchPoints
@@ -19,7 +19,6 @@ DRIFT = np.array([0.03, 0.03, 0.03, 6e-4, 6e-4, 6e-4])
 """Wander of an error in the root of a metre driven: m, and radians (0.03 degrees)."""
 
 _LIKELY = np.array([3.0, 3.0, 5.0, 0.01, 0.01, 0.01])  # standard deviation of the whole error, m and radians
-_SMOOTHED = 20  # patches over which curvatures are averaged before they are made safe
 
 
 @dataclass(frozen=True)
@@ -78,27 +77,36 @@ def course_step(course: Course, sums: PatchSums, active: tuple[int, ...], drift:
     pull = stiff * np.diff(state, axis=0)
     gradient[:-1] += pull
     gradient[1:] -= pull
-    blocks = safe_curvature(sums.information[:, parameters][:, :, parameters])
     diagonal = np.zeros((count, width)) + hold
     diagonal[:-1] += stiff
     diagonal[1:] += stiff
+    blocks = sums.information[:, parameters][:, :, parameters]
+    step = np.zeros((count, 6))
+    try:
+        step[:, parameters] = _solve_chain(blocks, diagonal, stiff, gradient)
+    except LinAlgError:  # not yet near a maximum: curvatures turned about lead uphill all the same
+        step[:, parameters] = _solve_chain(turned_about(blocks), diagonal, stiff, gradient)
+    return step
+
+
+def _solve_chain(blocks: np.ndarray, diagonal: np.ndarray, stiff: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """(n, p) solution of the system of blocks (n, p, p) with a diagonal (n, p), coupled to the next by -stiff (n-1, p).
+
+    Raises
+    ------
+    LinAlgError : the system is not positive definite.
+    """
+    count, width = right.shape
     banded = np.zeros((width + 1, count * width))
     for a in range(width):
         for b in range(a, width):
             banded[width - (b - a), np.arange(count) * width + b] = blocks[:, a, b]
         banded[width, np.arange(count) * width + a] += diagonal[:, a]
         banded[0, np.arange(1, count) * width + a] = -stiff[:, a]
-    step = np.zeros((count, 6))
-    step[:, parameters] = solveh_banded(banded, gradient.ravel(), check_finite=False).reshape(count, width)
-    return step
+    return solveh_banded(banded, right.ravel(), check_finite=False).reshape(count, width)
 
 
-def safe_curvature(information: np.ndarray) -> np.ndarray:
-    """Curvatures (n, p, p) averaged over neighbouring patches and without negative directions."""
-    half = min(_SMOOTHED // 2, (len(information) - 1) // 2)
-    running = np.concatenate([np.zeros((1, *information.shape[1:])), np.cumsum(information, axis=0)])
-    low = np.maximum(np.arange(len(information)) - half, 0)
-    high = np.minimum(np.arange(len(information)) + half + 1, len(information))
-    mean = (running[high] - running[low]) / (high - low)[:, None, None]
-    values, vectors = np.linalg.eigh(mean)
-    return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors)
+def turned_about(information: np.ndarray) -> np.ndarray:
+    """Curvatures (n, p, p) with the sign of negative directions turned about."""
+    values, vectors = np.linalg.eigh(information)
+    return np.einsum("nij,nj,nkj->nik", vectors, np.abs(values), vectors)

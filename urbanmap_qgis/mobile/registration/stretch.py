@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -88,12 +89,13 @@ def adjust_stretch(stretch: Stretch, reference: Reference, settings: Registratio
     scene = _Scene.of(stretch, reference, settings)
     if settings.three_d:
         course = _level(course, scene)
-    levels = _LEVELS if settings.multi_resolution else (1.0,)
-    for level in levels:
-        course, converged = _settle(course, scene, _ndt_sums(scene, level * settings.ndt_grid), settings.iterations)
+    stages = [_ndt_sums(scene, level * settings.ndt_grid)
+              for level in (_LEVELS if settings.multi_resolution else (1.0,))]
     if settings.refinement:
-        for blur in _BLURS:
-            course, converged = _settle(course, scene, _field_sums(scene, blur), settings.iterations)
+        stages += [_field_sums(scene, blur) for blur in _BLURS]
+    for number, sums in enumerate(stages):
+        rest = _REST if number == len(stages) - 1 else 5 * _REST
+        course, converged = _settle(course, scene, sums, settings.iterations, rest)
     return _windows_about(course, converged, stretch, scene)
 
 
@@ -130,19 +132,20 @@ class _Scene:
         return sum_points(moved - self.origin, gradient, hessian, self.patch, self.patches)
 
 
-def _settle(course: Course, scene: _Scene, sums, iterations: int) -> tuple[Course, bool]:
-    """Newton's method on the course until it rests."""
+def _settle(course: Course, scene: _Scene, sums: Callable[[Course], PatchSums], iterations: int,
+            rest: np.ndarray) -> tuple[Course, bool]:
+    """Newton's method on the course until no patch moves by more than `rest`."""
     for _ in range(iterations):
         total = sums(course)
         arms = scene.stretch.place + course.shift - scene.origin
         step = np.clip(course_step(course, total.about(arms), scene.active), -_LONGEST, _LONGEST)
         course = course.plus(step)
-        if (np.abs(step) < _REST).all():
+        if (np.abs(step) < rest).all():
             return course, True
     return course, False
 
 
-def _ndt_sums(scene: _Scene, grid: float):
+def _ndt_sums(scene: _Scene, grid: float) -> Callable[[Course], PatchSums]:
     """Sums of the score in the normal distributions of the reference."""
     places = scene.coverage.points()
     if scene.settings.three_d:
@@ -167,7 +170,7 @@ def _sums_of_ndt(scene: _Scene, ndt: NdtMap, mixture: Mixture, moved: np.ndarray
     return scene.sums(moved, gradient, hessian)
 
 
-def _field_sums(scene: _Scene, blur: float):
+def _field_sums(scene: _Scene, blur: float) -> Callable[[Course], PatchSums]:
     """Sums of the score in the coverage field and, in 3D, of the heights over the ground."""
     field = MarkingField.of(scene.coverage, blur, scene.settings.background)
 
