@@ -28,11 +28,13 @@ ALGORITHMS = (
     ("landmarkupdate", "LandmarkUpdate"),
     ("checkaccuracy", "CheckAccuracy"),
     ("groundfrommms", "GroundFromMms"),
+    ("facadetextures", "FacadeTextures"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),
     ("roofpolygons", "RoofPolygons"),
     ("buildingmodels", "BuildingModels"),
+    ("wallsfrommms", "WallsFromMms"),
     ("buildingsfromals", "BuildingsFromAls"),
 )
 

@@ -208,6 +208,30 @@ def building_surfaces(layer) -> None:
                             "'', format(' of roof %1', \"roof_id\")) %]")
 
 
+WALL_STATUS = {
+    "ok": ("seen well", "#2f9e6e"),
+    "partly seen": ("seen in part", "#f2c14e"),
+    "rough": ("rough", "#f08a4b"),
+    "few points": ("few points", "#d7263d"),
+    "inside": ("inside the outline", "#7f8fb5"),
+}
+"""Label and colour of each status of a measured wall."""
+
+
+def facade_walls(layer) -> None:
+    """Measured walls by status: in plan lines, as they stand upright."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(value, fill(colour, colour, 0.7), label)
+        for value, (label, colour) in WALL_STATUS.items()]))
+    layer.setRenderer3D(renderer_3d({value: colour for value, (_, colour) in WALL_STATUS.items()}, "status",
+                                    WALL_STATUS["ok"][1]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %], wall [% \"wall_id\" %]</b>: [% \"status\" %]<br>[% \"note\" %]<br>"
+        "[% round(\"area\", 1) %] m², facing [% round(\"azimuth\") %]°, [% \"points\" %] points<br>"
+        "RMSE [% round(100 * \"rmse\", 1) %] cm, σ [% round(100 * \"sigma\", 1) %] cm<br>"
+        "seen [% round(100 * \"coverage\") %] %, perhaps hidden [% round(100 * \"hidden\") %] %")
+
+
 def road_markings(layer) -> None:
     """Markings in the colour of their paint, dark at the edge so that they show on light paving too."""
     colours = {"white": "#ffffff", "yellow": "#ffb000"}
@@ -271,6 +295,8 @@ FIELDS = {
                         "north_before:double north_after:double"),
     mms_patches: ("PointZ", "status:string reason:string way:double sigma:double east:double north:double up:double "
                   "window:double"),
+    facade_walls: ("PolygonZ", "building_id:integer wall_id:integer status:string note:string area:double "
+                   "azimuth:double points:integer rmse:double sigma:double coverage:double hidden:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

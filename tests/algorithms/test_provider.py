@@ -15,7 +15,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "applytrajectory", "landmarkupdate", "checkaccuracy",
             "groundfrommms", "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "buildingsfromals")
+            "buildingmodels", "wallsfrommms", "buildingsfromals")
 
 LIST_WITHOUT_PACKAGES = """
 import sys
