@@ -15,8 +15,9 @@ import numpy as np
 from ..progress import SILENT, Progress
 from .signals import Signals
 
-_HUBER = 2.0
-_ROUNDS = 12
+_HUBER = 1.5
+_FORGET = 3.5
+_ROUNDS = 15
 _LEAST_SATELLITE_ERROR = 0.2
 """Of orbit, satellite clock and atmosphere together, m: less is not believed."""
 
@@ -75,18 +76,24 @@ def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least:
     residual, sigma = signals.residual[rows], signals.sigma[rows]
     enough = np.bincount(epoch, weights=in_sight)[epoch] >= least
     fit = in_sight & enough
+    lower = _lower(signals.satellite[rows], signals.elevation[rows], fit)
     satellite_error, unit = 1.0, 1.0
     weight = np.where(fit, sigma ** -2.0, 0.0)
-    for _ in range(_ROUNDS):
-        prior = np.r_[np.full(systems, _OPEN), np.full(design.shape[1] - systems, satellite_error)]
+    for number in range(_ROUNDS):
+        prior = np.r_[np.full(systems, _OPEN), satellite_error * lower]
         latent, covariance, mean, total = _solved(design, residual, weight / unit**2, epoch, prior)
         left = residual - design @ latent
         clock = np.bincount(epoch, weights=weight * left) / np.where(total > 0, total * unit**2, np.nan)
         left = left - clock[epoch]
-        scaled = np.abs(left) / sigma
-        unit = _scatter(left[fit] / sigma[fit], np.count_nonzero(fit) - len(np.unique(epoch[fit])))
-        weight = np.where(fit, np.minimum(1.0, _HUBER * unit / np.maximum(scaled, 1e-9)) / sigma**2, 0.0)
-        satellite_error = _lasting(latent[systems:], np.diag(covariance)[systems:], design[fit, systems:].any(axis=0))
+        kept = weight > 0.1 * sigma ** -2.0
+        unit = _scatter(left[kept] / sigma[kept], np.count_nonzero(kept) - len(np.unique(epoch[kept])))
+        satellite_error = _lasting(latent[systems:], np.diag(covariance)[systems:],
+                                   design[kept, systems:].any(axis=0))
+        # A signal that was not in sight after all errs as a whole: its satellite's lasting error counts with it.
+        whole = left + design[:, systems:] @ latent[systems:]
+        scaled = np.abs(whole) / np.sqrt((unit * sigma) ** 2 + satellite_error**2)
+        weight = np.where(fit, _robust(scaled, redescending=number >= _ROUNDS // 3) * sigma ** -2.0, 0.0)
+    fit &= weight > 0.1 * sigma ** -2.0
     heard = design[fit, :systems].any(axis=0) if fit.any() else np.zeros(systems, bool)
     # A system without a signal in sight has no clock of its own.
     known = enough & ((design[:, :systems] == 0) | heard).all(axis=1) & fit.any()
@@ -105,6 +112,19 @@ def _design(system: np.ndarray, satellite: np.ndarray) -> tuple[np.ndarray, int]
     return np.column_stack(columns).astype(float), len(others)
 
 
+def _lower(satellite: np.ndarray, elevation: np.ndarray, fit: np.ndarray) -> np.ndarray:
+    """(satellites,) factor of the lasting errors of satellites that are lower than those in line of sight.
+
+    What the models of the atmosphere leave grows with the way through it, 1 / sin(elevation).
+    """
+    if not fit.any():
+        return np.ones(len(np.unique(satellite)))
+    usual = np.sin(np.radians(np.median(elevation[fit])))
+    _, number, count = np.unique(satellite, return_inverse=True, return_counts=True)
+    own = np.bincount(number.ravel(), np.sin(np.radians(np.maximum(elevation, 5.0)))) / count
+    return np.maximum(usual / own, 1.0)
+
+
 def _solved(design, residual, weight, epoch, prior):
     """Latent parameters, their covariance, weighted mean of the design at each epoch, total weight of each epoch.
 
@@ -121,6 +141,13 @@ def _solved(design, residual, weight, epoch, prior):
     return latent, covariance, mean, total
 
 
+def _robust(scaled: np.ndarray, redescending: bool) -> np.ndarray:
+    """Weights by normalised residuals: Huber's to begin with, then Geman and McClure's, which forget outliers."""
+    if redescending:
+        return (1.0 + (scaled / _FORGET) ** 2) ** -2.0
+    return np.minimum(1.0, _HUBER / np.maximum(scaled, 1e-9))
+
+
 def _scatter(normalised: np.ndarray, freedom: int) -> float:
     """Robust standard deviation of residuals, for the parameters that were estimated with them."""
     if freedom < 5:
@@ -130,7 +157,8 @@ def _scatter(normalised: np.ndarray, freedom: int) -> float:
 
 
 def _lasting(error: np.ndarray, variance: np.ndarray, heard: np.ndarray) -> float:
-    """Standard deviation of the satellites' lasting errors: of the estimates and of what they leave open."""
+    """Standard deviation of the satellites' lasting errors: of the estimates, robustly, and what they leave open."""
     if np.count_nonzero(heard) < 4:
         return 1.0
-    return float(max(np.sqrt(np.mean(error[heard] ** 2 + variance[heard])), _LEAST_SATELLITE_ERROR))
+    spread = np.sqrt((1.4826 * np.median(np.abs(error[heard]))) ** 2 + np.median(variance[heard]))
+    return float(max(spread, _LEAST_SATELLITE_ERROR))
