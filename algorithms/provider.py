@@ -28,6 +28,7 @@ ALGORITHMS = (
     ("landmarkupdate", "LandmarkUpdate"),
     ("checkaccuracy", "CheckAccuracy"),
     ("groundfrommms", "GroundFromMms"),
+    ("roadmarkingsfrommms", "RoadMarkingsFromMms"),
     ("facadetextures", "FacadeTextures"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),

@@ -1,0 +1,166 @@
+"""Page of the range-intensity fit: plot and table of each scanner (J figure 3-10)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ...io.report import Report
+from .intensity_calibration import IntensityCurve
+from .marking_stage import Extraction
+
+WIDTH, HEIGHT = 640, 320
+_LEFT, _RIGHT, _TOP, _BOTTOM = 60, 14, 14, 42
+POOR_RESIDUAL = 0.1
+"""Above this share the asphalt does not follow the curve well."""
+
+LOW_CONTRAST = 1.5
+
+
+def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequence[str]) -> None:
+    """Write the page.
+
+    Parameters
+    ----------
+    files : names of the survey's files.
+
+    Raises
+    ------
+    OutputError : it cannot be written there.
+    """
+    report = Report("Intensity over range")
+    report.paragraph("Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b "
+                     "(1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up "
+                     "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).")
+    _survey(report, made, files)
+    for number, curve in sorted(made.curves.items()):
+        report.section(f"Scanner {number}")
+        _curve(report, curve, made.reference)
+    for number, reason in sorted(made.failed.items()):
+        report.warning(f"Scanner {number} has no curve and its points are left out: {reason}.")
+    report.write(path)
+
+
+def _survey(report: Report, made: Extraction, files: Sequence[str]) -> None:
+    """What was read and found."""
+    report.section("Survey")
+    count = len(made.points)
+    report.facts({
+        "Files": ", ".join(files), "Points read": made.read,
+        "Outside the trajectory's time": made.outside, "Measured while standing (left out)": made.standing,
+        "Within range of the vehicle": made.near, "On the ground": made.ground,
+        "Ground told by": "classes" if made.ground_method == "classes" else "cloth filter",
+        "Ground within R2": made.in_reach, "Marking points": count,
+        "Share of marking points among these, %": 100.0 * count / max(made.in_reach, 1),
+        "Contrast of paint to the ground beside it (median)": contrast_of(made),
+        "Driven way with markings, %": 100.0 * made.marked_way, "Reference intensity": made.reference})
+    for sentence in doubts(made):
+        report.warning(sentence)
+
+
+def contrast_of(made: Extraction) -> float:
+    """Median intensity of marking points over that of the ground beside them; NaN without any."""
+    return float(np.median(made.contrast)) if len(made.contrast) else float("nan")
+
+
+def doubts(made: Extraction) -> list[str]:
+    """Sentences on what should not be trusted."""
+    sentences = []
+    if not len(made.points):
+        sentences.append("No marking points were found: the road has no paint, or its intensity does not show it.")
+    elif contrast_of(made) < LOW_CONTRAST:
+        sentences.append(f"The marking points are only {contrast_of(made):.1f} times as bright as the ground beside "
+                         "them: look at them before they are used.")
+    for number, curve in sorted(made.curves.items()):
+        if curve.residual > POOR_RESIDUAL:
+            sentences.append(f"The asphalt of scanner {number} does not follow one curve over range (residual "
+                             f"{100 * curve.residual:.0f} %): several surfaces may have been taken together.")
+    return sentences
+
+
+def _curve(report: Report, curve: IntensityCurve, reference: float) -> None:
+    report.figure(curve_svg(curve), "Asphalt's intensity in bins of 0.25 m (dots; grey: not used), the fitted curve as "
+                  "it is applied (line), R1 and R2.")
+    report.facts({
+        "C (floor)": curve.floor, "A (at 1 m)": curve.gain, "b (fall)": curve.fall,
+        "d (loss near the scanner), m": curve.near or None, "R1, m": curve.flat_from, "R2, m": curve.farthest,
+        "Shortest range, m": curve.nearest, "I_M (largest intensity of asphalt)": float(curve.at(curve.nearest)),
+        "I_m (smallest)": curve.smallest, "I_ref": reference,
+        "Ground points": int(curve.points.sum()), "Bins used": int(curve.used.sum()),
+        "Residual of the bins (robust), %": 100.0 * curve.residual,
+        "Scatter of single asphalt points, %": 100.0 * curve.scatter})
+    fitted = curve.at(curve.ranges)
+    rows = [(float(r), int(n), float(i), float(f), 100.0 * float(i / f - 1), bool(used)) for r, n, i, f, used in
+            zip(curve.ranges, curve.points, curve.asphalt, fitted, curve.used)]
+    report.table(("Range, m", "Ground points", "Asphalt", "Curve", "Difference, %", "Used"), rows[::_every(len(rows))])
+
+
+def _every(count: int) -> int:
+    """Step by which rows are shown, so that a table stays short."""
+    return max(count // 40, 1)
+
+
+def curve_svg(curve: IntensityCurve) -> str:
+    """The plot of a curve."""
+    r_max = max(float(curve.ranges.max()), curve.farthest) * 1.02
+    i_max = 1.05 * max(float(curve.asphalt.max()), float(curve.at(curve.nearest)))
+    width, height = WIDTH - _LEFT - _RIGHT, HEIGHT - _TOP - _BOTTOM
+
+    def place(r: np.ndarray, i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return _LEFT + np.asarray(r) / r_max * width, _TOP + (1 - np.asarray(i) / i_max) * height
+
+    x, y = place(curve.ranges, curve.asphalt)
+    dots = "".join(f'<circle cx="{a:.1f}" cy="{b:.1f}" r="2.2" fill="{"#2f6f8f" if used else "#bbbbbb"}"/>'
+                   for a, b, used in zip(x, y, curve.used))
+    r = np.linspace(curve.nearest, curve.farthest, 200)
+    line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(*place(r, curve.at(r))))
+    limits = "".join(f'<path d="M{a:.1f} {_TOP}V{HEIGHT - _BOTTOM}" stroke="#777" stroke-dasharray="4 3"/>'
+                     f'<text x="{a - 4:.1f}" y="{_TOP + 10}" text-anchor="end">{name}</text>'
+                     for name, a in _limits(curve, lambda at: float(place(at, 0)[0])))
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{HEIGHT}" role="img" '
+            f'font-family="sans-serif" font-size="11">{dots}<path d="M{line}" fill="none" stroke="#d73027" '
+            f'stroke-width="1.6"/>{limits}{_axes(r_max, i_max, place)}</svg>')
+
+
+def _limits(curve: IntensityCurve, at) -> list[tuple[str, float]]:
+    """Names and places of R1 and R2; one where they are the same."""
+    if curve.flat_from >= curve.farthest:
+        return [("R1 = R2", at(curve.farthest))]
+    return [("R1", at(curve.flat_from)), ("R2", at(curve.farthest))]
+
+
+def _axes(r_max: float, i_max: float, place) -> str:
+    """Axes with ticks and labels."""
+    bottom, parts = HEIGHT - _BOTTOM, []
+    for value in _ticks(r_max):
+        x = float(place(value, 0)[0])
+        parts.append(f'<path d="M{x:.1f} {bottom}v4" stroke="#444"/>'
+                     f'<text x="{x:.1f}" y="{bottom + 16}" text-anchor="middle">{value:g}</text>')
+    for value in _ticks(i_max):
+        y = float(place(0, value)[1])
+        parts.append(f'<path d="M{_LEFT} {y:.1f}h-4" stroke="#444"/>'
+                     f'<text x="{_LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
+    parts.append(f'<path d="M{_LEFT} {_TOP}V{bottom}H{WIDTH - _RIGHT}" fill="none" stroke="#444"/>'
+                 f'<text x="{(_LEFT + WIDTH) / 2}" y="{HEIGHT - 6}" text-anchor="middle">Range, m</text>'
+                 f'<text x="14" y="{HEIGHT / 2}" transform="rotate(-90 14 {HEIGHT / 2})" '
+                 'text-anchor="middle">Intensity</text>')
+    return "".join(parts)
+
+
+def _ticks(top: float) -> np.ndarray:
+    """About five round values from 0 to `top`."""
+    power = 10.0 ** np.floor(np.log10(top / 5))
+    step = next(step * power for step in (1, 2, 5, 10) if step * power >= top / 5)
+    return np.arange(0.0, top + 1e-9, step)
+
+
+def facts_of(made: Extraction) -> Mapping[str, float]:
+    """Numbers of an extraction for the results of a run."""
+    worst = max(made.curves.values(), key=lambda curve: curve.residual)
+    return {"POINTS_READ": made.read, "GROUND_POINTS": made.ground, "MARKING_POINTS": len(made.points),
+            "MARKING_SHARE": len(made.points) / max(made.in_reach, 1), "PAINT_CONTRAST": contrast_of(made),
+            "FIT_RESIDUAL": worst.residual, "FIT_SCATTER": worst.scatter, "SCANNERS": len(made.curves),
+            "FARTHEST_RANGE": max(curve.farthest for curve in made.curves.values()), "MARKED_WAY": made.marked_way,
+            "LEFT_OUT": made.outside + made.standing}

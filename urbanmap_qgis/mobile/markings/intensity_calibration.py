@@ -1,0 +1,272 @@
+"""Asphalt's intensity as a function of range, and intensities freed of it (J 3.2.3.2, eq. 4).
+
+On a level road the angle of incidence follows from the range, so that one curve over range holds both. Asphalt is the
+ground that is most common where the vehicle drives; its intensity is followed from there to other ranges as a peak of
+the histogram of logarithms, so that paint, pavements and grass do not enter. The curve
+
+    f(R) = C + A R^-b (1 - exp(-(R / d)^2))
+
+has a receiver's floor C, the fall with range and incidence, and the loss of signal close to the scanner (d = 0: none).
+It is fitted by robust nonlinear least squares on logarithms. Then, as in eq. 4 (I_ref a reference intensity):
+
+    R < R1        I I_ref / f(R)
+    R1 < R < R2   I I_ref / I_m        I_m = f(R1), where the floor is reached
+    R > R2        ignored
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.ndimage import gaussian_filter1d
+from scipy.optimize import least_squares
+
+from ...errors import InsufficientDataError
+
+BIN = 0.25
+"""m, width of the bins of range."""
+
+LEVEL = 0.02
+"""Width of the bins of the intensity's natural logarithm."""
+
+LEAST = 0.5
+"""Intensities below count as this: there is no logarithm of 0."""
+
+_TOP = np.log(70_000.0)
+_LEVELS = int(np.ceil((_TOP - np.log(LEAST)) / LEVEL))
+_SMOOTH = 0.08
+_PEAK_SHARE = 0.15
+_WINDOW = 0.2
+_DARKEST = 1.0
+_CATCH = 0.25
+_NEIGHBOURS = 16
+_SHRINK = 0.01
+_FEWEST = 60
+_FEWEST_BINS = 4
+_SHARE = 2e-5
+_AT_FLOOR = 1.1
+_PAINT = 2.5
+_CLEAR = 3.0
+_GAP_BINS = 4
+
+
+class RangeHistogram:
+    """Counts of ground points by range and intensity, of one scanner.
+
+    Parameters
+    ----------
+    max_range : m.
+    """
+
+    def __init__(self, max_range: float):
+        self.rows = max(int(np.ceil(max_range / BIN)), 1)
+        self.counts = np.zeros((self.rows, _LEVELS), dtype=np.int64)
+
+    def add(self, ranges: np.ndarray, intensity: np.ndarray) -> None:
+        """Take points: ranges (n,) in m, intensity (n,)."""
+        row = (ranges * (1.0 / BIN)).astype(np.int64)
+        level = (np.log(np.maximum(intensity, LEAST) / LEAST) * (1.0 / LEVEL)).astype(np.int64)
+        inside = row < self.rows
+        cell = row[inside] * _LEVELS + np.minimum(level[inside], _LEVELS - 1)
+        self.counts += np.bincount(cell, minlength=self.counts.size).reshape(self.counts.shape)
+
+    @staticmethod
+    def level_values() -> np.ndarray:
+        """Natural logarithm of the intensity at the middle of each level."""
+        return np.log(LEAST) + (np.arange(_LEVELS) + 0.5) * LEVEL
+
+
+@dataclass(frozen=True)
+class IntensityCurve:
+    """The curve of one scanner and how well it is known.
+
+    Attributes
+    ----------
+    floor, gain, fall, near : C, A, b, d of the curve; gain is that at 1 m, near in m.
+    flat_from : R1, m; equal to `farthest` where the floor is not reached.
+    farthest : R2, m. nearest : shortest range with asphalt, m; below it the curve is that at `nearest`.
+    ranges, asphalt, points : (k,) middles of the bins of range (m), asphalt's intensity and number of points in them.
+    used : (k,) bool, bins that the fit follows.
+    residual : scatter of the bins' asphalt about the curve, as a share of it (robust standard deviation).
+    scatter : scatter of single asphalt points about the curve, likewise.
+    """
+
+    floor: float
+    gain: float
+    fall: float
+    near: float
+    flat_from: float
+    farthest: float
+    nearest: float
+    ranges: np.ndarray
+    asphalt: np.ndarray
+    points: np.ndarray
+    used: np.ndarray
+    residual: float
+    scatter: float
+
+    def at(self, ranges: np.ndarray) -> np.ndarray:
+        """Asphalt's intensity f(R) (n,) at ranges (n,) in m, as eq. 4 uses it."""
+        r = np.clip(np.asarray(ranges, float), self.nearest, self.flat_from)
+        return _model(r, self.floor, self.gain, self.fall, self.near)
+
+    @property
+    def smallest(self) -> float:
+        """I_m of eq. 4."""
+        return float(self.at(self.flat_from))
+
+
+def _model(r: np.ndarray, floor: float, gain: float, fall: float, near: float) -> np.ndarray:
+    signal = gain * r ** -fall
+    return floor + (signal * -np.expm1(-((r / near) ** 2)) if near > 0 else signal)
+
+
+def calibrated(intensity: np.ndarray, ranges: np.ndarray, curve: IntensityCurve, reference: float) -> np.ndarray:
+    """Calibrated intensity (n,), NaN beyond R2 (eq. 4); asphalt comes out as `reference`."""
+    values = intensity * (reference / curve.at(ranges))
+    return np.where(ranges <= curve.farthest, values, np.nan)
+
+
+def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
+    """The curve that the asphalt of a histogram follows.
+
+    Raises
+    ------
+    InsufficientDataError : too few ground points, or no asphalt can be told.
+    """
+    counts = histogram.counts
+    points = counts.sum(axis=1)
+    enough = points >= max(_FEWEST, _SHARE * points.sum())
+    if np.count_nonzero(enough) < _FEWEST_BINS:
+        raise InsufficientDataError("too few ground points at different ranges")
+    middle = (np.arange(histogram.rows) + 0.5) * BIN
+    smooth = gaussian_filter1d(counts.astype(float), _SMOOTH / LEVEL, axis=1, mode="constant")
+    level = _followed(counts, smooth, enough)
+    for _ in range(2):
+        used = np.isfinite(level)
+        if np.count_nonzero(used) < _FEWEST_BINS:
+            raise InsufficientDataError("no surface of even intensity can be followed over the ranges")
+        parameters = _fit(middle[used], level[used], points[used])
+        level = _nearest_peaks(counts, smooth, enough, np.log(_model(middle, *parameters)))
+    return _judged(middle, level, points, counts, parameters)
+
+
+def _followed(counts: np.ndarray, smooth: np.ndarray, enough: np.ndarray) -> np.ndarray:
+    """Logarithm of asphalt's intensity in each bin of range, NaN where there is none.
+
+    Begins at the bin with the most points, where the vehicle drives, and goes on to the next bins, always to the peak
+    nearest to where the bins before point.
+    """
+    level = np.full(len(enough), np.nan)
+    start = int(np.argmax(np.where(enough, counts.sum(axis=1), 0)))
+    level[start] = _settled(counts[start], RangeHistogram.level_values()[int(np.argmax(smooth[start]))])
+    place = np.log(np.arange(len(enough)) + 0.5)
+    for order in (range(start + 1, len(enough)), range(start - 1, -1, -1)):
+        for row in order:
+            if enough[row]:
+                found = _peak_near(smooth[row], _expected(place, level, row))
+                if np.isfinite(found):
+                    level[row] = _settled(counts[row], found)
+    return level
+
+
+def _expected(place: np.ndarray, level: np.ndarray, row: int) -> float:
+    """Where the known bins nearest to a row point: a straight line over the logarithm of range."""
+    known = np.flatnonzero(np.isfinite(level))
+    known = known[np.argsort(np.abs(known - row))[:_NEIGHBOURS]]
+    x, y = place[known] - place[row], level[known]
+    # A slope that few bins give is drawn towards that of the near known ones: none.
+    slope = ((x - x.mean()) * (y - y.mean())).sum() / (((x - x.mean()) ** 2).sum() + _SHRINK)
+    return float(y.mean() - slope * x.mean())
+
+
+def _nearest_peaks(counts: np.ndarray, smooth: np.ndarray, enough: np.ndarray, expected: np.ndarray) -> np.ndarray:
+    """The peak of each bin that is nearest to what is expected, NaN where there is none."""
+    level = np.full(len(enough), np.nan)
+    for row in np.flatnonzero(enough):
+        found = _peak_near(smooth[row], expected[row])
+        if np.isfinite(found):
+            level[row] = _settled(counts[row], found)
+    return level
+
+
+def _peak_near(smooth: np.ndarray, expected: float) -> float:
+    """Logarithm of the intensity of the peak nearest to `expected`, NaN if none is near."""
+    inner = smooth[1:-1]
+    peaks = 1 + np.flatnonzero((inner >= smooth[:-2]) & (inner > smooth[2:]) & (inner >= _PEAK_SHARE * smooth.max()))
+    if not len(peaks):
+        return np.nan
+    values = RangeHistogram.level_values()[peaks]
+    best = values[np.argmin(np.abs(values - expected))]
+    return float(best) if abs(best - expected) <= _CATCH else np.nan
+
+
+def _settled(counts: np.ndarray, start: float) -> float:
+    """Mean of the logarithms round a peak, in a window that moves with it.
+
+    It is wider where intensities are so low that their steps show.
+    """
+    values = RangeHistogram.level_values()
+    centre, width = start, _WINDOW + np.exp(-start)
+    for _ in range(8):
+        weight = np.where(np.abs(values - centre) <= width, counts, 0)
+        moved = float((weight * values).sum() / max(weight.sum(), 1))
+        if abs(moved - centre) < 1e-3:
+            break
+        centre = moved if weight.sum() else centre
+    return centre
+
+
+def _fit(ranges: np.ndarray, level: np.ndarray, points: np.ndarray) -> tuple[float, float, float, float]:
+    """C, A, b, d of the curve through levels (k,) at ranges (k,), by robust least squares on logarithms."""
+    weight = np.sqrt(np.minimum(points, np.quantile(points, 0.75)) / points.max())
+    scale = float(np.exp(np.median(level)))
+    reach = float(np.median(ranges))
+
+    def values(p: np.ndarray) -> np.ndarray:
+        floor, gain, fall, near = scale * p[0], scale * np.exp(p[1]), p[2], p[3]
+        return _model(ranges / reach, floor, gain, fall, near / reach)
+
+    def misfit(p: np.ndarray) -> np.ndarray:
+        return weight * (np.log(np.maximum(values(p), 1e-9)) - level)
+
+    best = None
+    for near, most in ((0.0, 1e-9), (0.5 * ranges[0], 3.0 * ranges[0])):
+        for fall in (0.3, 2.0):
+            found = least_squares(misfit, [0.1, 0.0, fall, min(near, most)], loss="soft_l1", f_scale=0.03,
+                                  bounds=([0.0, -8.0, 0.0, 0.0], [1.5, 8.0, 6.0, max(most, 1e-9)]), x_scale=1.0)
+            # The loss close to the scanner is taken for real only where it explains a good part.
+            cost = found.cost * (1.0 if most < 1e-6 else 1.3)
+            if best is None or cost < best[0]:
+                best = cost, found.x
+    floor, gain, fall, near = best[1]
+    return scale * floor, scale * float(np.exp(gain)) * reach ** fall, float(fall), float(near) if near > 1e-6 else 0.0
+
+
+def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: np.ndarray,
+            parameters: tuple[float, float, float, float]) -> IntensityCurve:
+    """The curve with its limits R1 and R2 and its quality."""
+    curve, floor = _model(middle, *parameters), parameters[0]
+    spread = _spread(counts, np.log(curve))
+    clear = (_PAINT - 1) * (curve - floor) >= _CLEAR * spread * curve
+    good = np.flatnonzero(np.isfinite(level) & clear)
+    if len(good) < _FEWEST_BINS:
+        raise InsufficientDataError("the intensity of asphalt scatters too much to tell paint from it")
+    runs = np.split(good, np.flatnonzero(np.diff(good) > _GAP_BINS) + 1)
+    run = max(runs, key=lambda some: points[some].sum())
+    nearest, farthest = max(float(run[0]), 0.5) * BIN, float(run[-1] + 1) * BIN
+    at_floor = np.flatnonzero((curve <= _AT_FLOOR * floor) & (middle > nearest) & (middle < farthest))
+    flat_from = float(middle[at_floor[0]]) if len(at_floor) else farthest
+    rows = np.flatnonzero(np.isfinite(level))
+    residual = np.median(np.abs(level[run] - np.log(curve[run])))
+    scatter = np.sqrt((spread[run] ** 2 * points[run]).sum() / points[run].sum())
+    return IntensityCurve(*parameters, flat_from, farthest, nearest, middle[rows], np.exp(level[rows]), points[rows],
+                          np.isin(rows, run), float(1.4826 * residual), float(scatter))
+
+
+def _spread(counts: np.ndarray, centre: np.ndarray) -> np.ndarray:
+    """Standard deviation (bins,) of the logarithms of asphalt, from its dark side: no paint or paving lies there."""
+    offset = RangeHistogram.level_values()[None, :] - centre[:, None]
+    dark = np.where((offset <= 0) & (offset >= -_DARKEST), counts, 0)
+    return np.sqrt((dark * offset ** 2).sum(axis=1) / np.maximum(dark.sum(axis=1), 1))

@@ -1,0 +1,207 @@
+"""Which ground points lie on road markings: adaptive threshold on calibrated intensity (J 3.2.3.3).
+
+The points are laid on a fine grid of the ground. Paint is brighter than the Gaussian mean of a block (as on the aerial
+side, J 3.2.2) and than the ground on both sides of it; where paint and ground meet, a point is paint if its intensity
+lies above the middle between the two, so that the edge is not moved by the beam's width: a beam half on paint counts
+by the half that its middle lies on. Kerbs, feet of walls and specks are told by height, size and shape.
+
+A point's answer depends on the points within `MarkingPointSettings.reach` of it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from ...errors import InputError
+from ...geometry.grid import Grid
+
+CELL = 0.05
+"""m, side of the grid's cells."""
+
+_SPACINGS = (1.0, 2.0, 4.0, 8.0)
+_SUPPORT = 0.02
+_NEAR_CORE = 0.12
+_PAINT_REACH = 0.25
+_STEP_REACH = 0.12
+_STEP_SHARE = 0.3
+
+
+@dataclass(frozen=True)
+class MarkingPointSettings:
+    """How marking points are told; lengths in m.
+
+    Parameters
+    ----------
+    block_size : side of the block whose Gaussian mean is the threshold's base (J Table 3-2).
+    contrast : how much brighter than the ground paint is, as a share of the ground's own intensity.
+    max_width : strokes of paint are narrower; what is wider in both directions is ground.
+    step : a point this far above lower ground and below higher ground beside it lies on a kerb or at a wall's foot.
+    min_length, min_points : smaller pieces are specks. join : gaps in a piece of marking, and between its points.
+    longest : pieces of this length or more are not judged by their size.
+    """
+
+    block_size: float = 2.5
+    contrast: float = 0.35
+    max_width: float = 0.8
+    step: float = 0.03
+    min_length: float = 0.4
+    min_points: int = 8
+    join: float = 0.3
+    longest: float = 3.0
+
+    def __post_init__(self) -> None:
+        lengths = (self.block_size, self.contrast, self.max_width, self.step, self.join, self.longest)
+        if not min(lengths) > 0 or self.min_length < 0 or self.min_points < 1:
+            raise InputError("Block size, contrast, widths and steps of the marking extraction must be greater than 0.")
+
+    @property
+    def reach(self) -> float:
+        """How far, m, the answer for a point looks round it."""
+        blur = 4 * max(_SPACINGS) * CELL
+        return self.block_size + 2 * self.max_width + 2 * blur + self.longest + 2 * self.join + 1.0
+
+
+@dataclass(frozen=True)
+class MarkingAnswer:
+    """What is found for n points.
+
+    Attributes
+    ----------
+    paint : (n,) bool. weight : (n,) float32, 0 to 1: how far above the middle between ground and paint; 0 off paint.
+    contrast : (n,) float32, intensity over that of the ground round the point; for points on paint, else NaN.
+    """
+
+    paint: np.ndarray
+    weight: np.ndarray
+    contrast: np.ndarray
+
+
+def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.ndarray,
+                   settings: MarkingPointSettings = MarkingPointSettings()) -> MarkingAnswer:
+    """Which ground points lie on paint.
+
+    Parameters
+    ----------
+    x, y, z : (n,) m. brightness : (n,) calibrated intensity in units of asphalt's.
+    """
+    n = len(x)
+    if not n:
+        return MarkingAnswer(np.zeros(0, bool), np.zeros(0, np.float32), np.zeros(0, np.float32))
+    grid = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL)
+    row, column, _inside = grid.cells(x, y)
+    cell = row * grid.columns + column
+    image, seen = _image(cell, brightness, grid)
+    ground = _ground_level(image, settings)
+    core = _core(image, ground, seen, settings)
+    if not core.any():
+        return MarkingAnswer(np.zeros(n, bool), np.zeros(n, np.float32), np.full(n, np.nan, np.float32))
+    near = cv2.dilate(core.astype(np.uint8), _disc(_NEAR_CORE)).ravel()[cell] > 0
+    some = np.flatnonzero(near)
+    bright, paint_level = _above_middle(some, cell, brightness, image, ground, core, grid)
+    bright &= ~_on_steps(some, cell, z, bright, grid, settings)
+    bright &= _large_enough(some, cell, bright, grid, settings)
+    return _answer(n, some[bright], brightness, ground.ravel()[cell[some[bright]]], paint_level[bright])
+
+
+def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
+    """Brightness of the ground on the grid, smoothed over the points' spacing, and where there are points near."""
+    size = grid.rows * grid.columns
+    count = np.bincount(cell, minlength=size).astype(np.float32).reshape(grid.shape)
+    total = np.bincount(cell, weights=brightness, minlength=size).astype(np.float32).reshape(grid.shape)
+    image = np.full(grid.shape, np.nan, dtype=np.float32)
+    for spacing in _SPACINGS:
+        weight = cv2.GaussianBlur(count, (0, 0), spacing, borderType=cv2.BORDER_CONSTANT)
+        value = cv2.GaussianBlur(total, (0, 0), spacing, borderType=cv2.BORDER_CONSTANT)
+        open_ = np.isnan(image) & (weight > _SUPPORT)
+        image[open_] = value[open_] / weight[open_]
+    return image, ~np.isnan(image)
+
+
+def _ground_level(image: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
+    """Brightness of the ground without all that is narrower than `max_width`."""
+    filled = np.where(np.isnan(image), np.float32(1e6), image)
+    kernel = _disc(settings.max_width / 2)
+    low = cv2.erode(filled, kernel, borderType=cv2.BORDER_CONSTANT, borderValue=1e6)
+    low = np.where(low > 1e5, np.float32(-1.0), low)
+    return cv2.dilate(low, kernel, borderType=cv2.BORDER_CONSTANT, borderValue=-1.0)
+
+
+def _core(image: np.ndarray, ground: np.ndarray, seen: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
+    """Cells that are surely paint, bool."""
+    sigma = 0.15 * settings.block_size / CELL
+    weight = cv2.GaussianBlur(seen.astype(np.float32), (0, 0), sigma)
+    mean = cv2.GaussianBlur(np.where(seen, image, 0).astype(np.float32), (0, 0), sigma) / np.maximum(weight, 1e-3)
+    margin = settings.contrast * ground
+    with np.errstate(invalid="ignore"):
+        return seen & (image > mean + margin) & (image > ground + margin)
+
+
+def _disc(radius: float) -> np.ndarray:
+    """Round structuring element of a radius in m."""
+    side = 2 * max(round(radius / CELL), 1) + 1
+    return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
+
+
+def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, image: np.ndarray, ground: np.ndarray,
+                  core: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
+    """Which of some points are brighter than the middle between ground and the paint near them; that paint's level."""
+    highest = cv2.dilate(np.where(core, image, np.float32(0)), _disc(_PAINT_REACH)).ravel()
+    base = ground.ravel()[cell[some]]
+    value = brightness[some]
+    bright = value > 0.5 * (highest[cell[some]] + base)
+    size = grid.rows * grid.columns
+    here = cell[some[bright]]
+    count = np.bincount(here, minlength=size).astype(np.float32).reshape(grid.shape)
+    total = np.bincount(here, weights=value[bright], minlength=size).astype(np.float32).reshape(grid.shape)
+    sigma = _PAINT_REACH / CELL / 1.5
+    count, total = (cv2.GaussianBlur(layer, (0, 0), sigma) for layer in (count, total))
+    level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest.reshape(grid.shape)).ravel()[cell[some]]
+    return value > 0.5 * (level + base), level
+
+
+def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndarray, grid: Grid,
+              settings: MarkingPointSettings) -> np.ndarray:
+    """Which of some points lie between two levels of the ground, or beside many bright ones that do."""
+    size = grid.rows * grid.columns
+    low, high = np.full(size, np.inf, np.float32), np.full(size, -np.inf, np.float32)
+    base = float(z.mean())
+    height = (z - base).astype(np.float32)
+    np.minimum.at(low, cell, height)
+    np.maximum.at(high, cell, height)
+    kernel = _disc(_STEP_REACH)
+    low = cv2.erode(np.where(np.isinf(low), np.float32(1e6), low).reshape(grid.shape), kernel).ravel()[cell[some]]
+    high = cv2.dilate(np.where(np.isinf(high), np.float32(-1e6), high).reshape(grid.shape), kernel).ravel()[cell[some]]
+    between = (height[some] - low > settings.step) & (high - height[some] > settings.step)
+    counts = [cv2.GaussianBlur(np.bincount(cell[some[part]], minlength=size).astype(np.float32).reshape(grid.shape),
+                               (0, 0), 1.5).ravel()[cell[some]] for part in (bright & between, bright)]
+    return between | (counts[0] > _STEP_SHARE * counts[1])
+
+
+def _large_enough(some: np.ndarray, cell: np.ndarray, bright: np.ndarray, grid: Grid,
+                  settings: MarkingPointSettings) -> np.ndarray:
+    """Which of some points belong to pieces of bright points that are no specks."""
+    mask = np.zeros(grid.rows * grid.columns, np.uint8)
+    mask[cell[some[bright]]] = 1
+    joined = cv2.dilate(mask.reshape(grid.shape), _disc(settings.join / 2))
+    count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
+    label = labels.ravel()[cell[some]]
+    points = np.bincount(label[bright], minlength=count)
+    length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * CELL
+    kept = ((points >= settings.min_points) & (length - settings.join >= settings.min_length)) | (
+        length >= settings.longest)
+    kept[0] = False
+    return kept[label]
+
+
+def _answer(n: int, paint: np.ndarray, brightness: np.ndarray, ground: np.ndarray, level: np.ndarray) -> MarkingAnswer:
+    mask = np.zeros(n, bool)
+    mask[paint] = True
+    weight = np.zeros(n, np.float32)
+    contrast = np.full(n, np.nan, np.float32)
+    middle = 0.5 * (level + ground)
+    weight[paint] = np.clip((brightness[paint] - middle) / np.maximum(level - middle, 1e-6), 0.0, 1.0)
+    contrast[paint] = brightness[paint] / np.maximum(ground, 1e-6)
+    return MarkingAnswer(mask, weight, contrast)

@@ -1,0 +1,303 @@
+"""From a mobile survey's files to its road-marking points (J 3.2.3)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+from functools import partial
+
+import laspy
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...execution import in_order
+from ...io.point_buckets import PointBuckets
+from ...io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud
+from ...progress import SILENT, Progress
+from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
+from ...terrain.surface import ground_source
+from ..calibration import Calibration
+from ..registration.results import MarkingPoints
+from ..trajectory import Trajectory
+from .intensity_calibration import IntensityCurve, RangeHistogram, calibrated, fit_curve
+from .marking_points import MarkingPointSettings, marking_points
+from .survey_points import RECORD, UNIT, SurveyPoints, require_points
+
+CALIBRATED, WEIGHT = "calibrated_intensity", "marking_weight"
+"""Names of the attributes that marking points get."""
+
+MOST_SCANNERS = 16
+"""More different point source ids, without a calibration, are no scanners but something else, such as sweeps."""
+
+_PIECE_POINTS = 1_500_000
+_LONGEST_STRETCH = 5
+_MARGIN = 2
+_BUCKET_MEMORY = 250_000_000
+
+
+@dataclass(frozen=True)
+class ExtractionSettings:
+    """How markings are taken out of a survey.
+
+    Parameters
+    ----------
+    max_range : m; farther points are left out, whatever the intensity curve allows (R2).
+    marking : how points are told. cloth : the ground filter, where the points are not classified.
+    ground : "automatic", "classes" or "cloth".
+    """
+
+    max_range: float = 25.0
+    marking: MarkingPointSettings = field(default_factory=MarkingPointSettings)
+    cloth: ClothSettings = JAVANMARDI
+    ground: str = "automatic"
+
+    def __post_init__(self) -> None:
+        if not self.max_range > 0:
+            raise InputError("The largest range must be greater than 0.")
+
+
+@dataclass(frozen=True)
+class Extraction:
+    """The marking points of a survey, in the order of its files.
+
+    Attributes
+    ----------
+    points : with their times in the trajectory's time.
+    number : (m,) their numbers in the files, from 0. intensity : (m,) float32, calibrated: asphalt has `reference`.
+    contrast : (m,) float32, intensity over that of the ground beside.
+    curves : of each scanner by point source id (of the first one where all ids are taken together).
+    failed : why a scanner has no curve, by point source id; its points are left out.
+    reference : I_ref of J eq. 4.
+    read, outside, standing, near, ground, in_reach : points read; at times without a place of the vehicle; left out
+        because the vehicle stood; within range; on the ground; of these within R2 of a curve.
+    ground_method : "classes" or "cloth".
+    marked_way : share of the driven way, by `UNIT` m, with marking points.
+    """
+
+    points: MarkingPoints
+    number: np.ndarray
+    intensity: np.ndarray
+    contrast: np.ndarray
+    curves: Mapping[int, IntensityCurve]
+    failed: Mapping[int, str]
+    reference: float
+    read: int
+    outside: int
+    standing: int
+    near: int
+    ground: int
+    in_reach: int
+    ground_method: str
+    marked_way: float
+
+
+def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Calibration | None = None,
+                     settings: ExtractionSettings = ExtractionSettings(), progress: Progress = SILENT,
+                     executor: Executor | None = None) -> Extraction:
+    """The road-marking points of a survey.
+
+    The survey is read once and worked on in stretches of the driven way, so that passes through one place are not
+    mixed and memory holds some stretches. The result does not depend on the executor or the order of the points.
+
+    Parameters
+    ----------
+    calibration : where the scanners sit on the body; None takes ranges from the body's origin.
+
+    Raises
+    ------
+    InputError : no intensity, no GPS time, times that do not overlap, or an unknown scanner.
+    InsufficientDataError : no ground near the vehicle, or no scanner whose asphalt can be told.
+    """
+    with PointBuckets(RECORD, _BUCKET_MEMORY) as near, PointBuckets(RECORD, _BUCKET_MEMORY) as ground:
+        survey = SurveyPoints(cloud, trajectory, calibration, settings.max_range, near)
+        survey.read(progress.part(0.0, 0.5))
+        _tell_left_out(survey, progress)
+        run = _Run(survey, settings, executor)
+        run.find_ground(near, ground, progress.part(0.5, 0.7))
+        run.fit(progress)
+        return run.find_markings(ground, progress.part(0.7, 1.0))
+
+
+def _tell_left_out(survey: SurveyPoints, progress: Progress) -> None:
+    """Warn of points that cannot be used."""
+    tally = survey.tally
+    if tally.outside:
+        progress.warn(f"{tally.outside:,} of {tally.points:,} points were measured where the trajectory has no epochs "
+                      "and are left out.")
+    if tally.standing:
+        progress.message(f"{tally.standing:,} points measured while the vehicle stood are left out.")
+
+
+class _Run:
+    """The steps from points near the vehicle to marking points."""
+
+    def __init__(self, survey: SurveyPoints, settings: ExtractionSettings, executor: Executor | None):
+        self.survey, self.settings, self.executor = survey, settings, executor
+        units = max(len(survey.units), 1)
+        self.length = int(np.clip(_PIECE_POINTS * units / max(survey.tally.kept, 1), 1, _LONGEST_STRETCH))
+        self.together = survey.calibration is None and len(survey.tracks) > MOST_SCANNERS
+        self.histograms: dict[int, RangeHistogram] = {}
+        self.curves: dict[int, IntensityCurve] = {}
+        self.failed: dict[int, str] = {}
+        self.ground_points = self.in_reach = 0
+        self.method = ground_source(survey.tally.classes, settings.ground).method
+
+    @property
+    def pieces(self) -> int:
+        """Number of stretches, about."""
+        return max(len(self.survey.units) // self.length, 1)
+
+    def _scanner(self, source: np.ndarray) -> np.ndarray:
+        """Number of the scanner by which curves are kept, of each point (n,)."""
+        return np.zeros_like(source) if self.together else source
+
+    def find_ground(self, near: PointBuckets, ground: PointBuckets, progress: Progress) -> None:
+        """Put the ground points of each stretch into other buckets, and count them by range and intensity."""
+        progress.message("Finding the ground." if self.method == "cloth" else "Taking the points of ground classes.")
+        owned: list[np.ndarray] = []
+        work = partial(_ground_of_stretch, settings=self.settings.cloth, by_class=self.method == "classes")
+        margin = _MARGIN if self.method == "cloth" else 0
+
+        def pieces() -> Iterator[tuple[np.ndarray, np.ndarray]]:
+            for records, own in self.survey.stretches(near, self.length, margin):
+                owned.append(records[own])
+                yield records[["x", "y", "z", "ground"]], own
+
+        for step, mask in enumerate(in_order(work, pieces(), self.executor, progress.check)):
+            records = owned[step][mask]
+            owned[step] = records[:0]
+            self.ground_points += len(records)
+            self._count(records)
+            unit = np.floor(np.interp(records["time"], self.survey.trajectory.time, self.survey.way) / UNIT)
+            ground.add(unit.astype(np.int64), records)
+            progress.step(min((step + 1) / self.pieces, 1.0))
+        require_points(self.ground_points, self.survey.cloud.paths[0].name)
+
+    def _count(self, records: np.ndarray) -> None:
+        scanner = self._scanner(records["source"])
+        for number in np.unique(scanner).tolist():
+            some = records[scanner == number]
+            histogram = self.histograms.setdefault(number, RangeHistogram(self.settings.max_range))
+            histogram.add(some["range"], some["intensity"])
+
+    def fit(self, progress: Progress) -> None:
+        """Fit the curve of each scanner."""
+        for number, histogram in sorted(self.histograms.items()):
+            try:
+                self.curves[number] = fit_curve(histogram)
+            except InsufficientDataError as error:
+                self.failed[number] = str(error)
+                progress.message(f"Scanner {number} is left out: {error}.")
+        if not self.curves:
+            reason = next(iter(self.failed.values()))
+            raise InsufficientDataError(f"The intensity of asphalt over range cannot be told in "
+                                        f"{self.survey.cloud.paths[0].name} ({reason}): give a longer stretch of road.")
+        progress.check()
+
+    @property
+    def reference(self) -> float:
+        """I_ref: asphalt's intensity at the shortest range, of the scanner that sees it brightest."""
+        return max(float(curve.at(curve.nearest)) for curve in self.curves.values())
+
+    def find_markings(self, ground: PointBuckets, progress: Progress) -> Extraction:
+        """The marking points of all stretches."""
+        progress.message("Finding the markings.")
+        owned: list[np.ndarray] = []
+        work = partial(_markings_of_stretch, settings=self.settings.marking)
+
+        def pieces() -> Iterator[tuple[np.ndarray, ...]]:
+            for records, own in self.survey.stretches(ground, self.length, _MARGIN):
+                records, own, brightness = self._calibrated(records, own)
+                owned.append(records[own])
+                self.in_reach += int(np.count_nonzero(own))
+                yield (*(np.ascontiguousarray(records[name]) for name in "xyz"), brightness, own)
+
+        found = []
+        for step, (rows, weight, contrast, brightness) in enumerate(
+                in_order(work, pieces(), self.executor, progress.check)):
+            found.append((owned[step][rows], weight, contrast, brightness))
+            owned[step] = owned[step][:0]
+            progress.step(min((step + 1) / self.pieces, 1.0))
+        return self._result(found)
+
+    def _calibrated(self, records: np.ndarray, own: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Records within R2, which are own, and their brightness (asphalt: 1)."""
+        scanner = self._scanner(records["source"])
+        brightness = np.full(len(records), np.nan, dtype=np.float32)
+        for number, curve in self.curves.items():
+            some = slice(None) if len(self.histograms) == 1 else scanner == number
+            brightness[some] = calibrated(records["intensity"][some], records["range"][some], curve, 1.0)
+        keep = np.isfinite(brightness)
+        return records[keep], own[keep], brightness[keep]
+
+    def _result(self, found: list[tuple[np.ndarray, ...]]) -> Extraction:
+        tally = self.survey.tally
+        if found:
+            records, weight, contrast, brightness = (np.concatenate(parts) for parts in zip(*found))
+        else:
+            records, weight, contrast, brightness = np.empty(0, RECORD), *(np.empty(0, np.float32) for _ in range(3))
+        order = np.argsort(records["number"], kind="stable")
+        records, weight, contrast, brightness = (part[order] for part in (records, weight, contrast, brightness))
+        points = MarkingPoints(*(records[name] for name in ("x", "y", "z", "time")), weight.astype(float),
+                               records["source"].astype(np.int64))
+        way = np.interp(records["time"], self.survey.trajectory.time, self.survey.way)
+        marked = len(np.unique(np.floor(way / UNIT))) / max(len(self.survey.units), 1)
+        return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
+                          self.curves, self.failed, self.reference, tally.points, tally.outside, tally.standing,
+                          tally.kept, self.ground_points, self.in_reach, self.method, marked)
+
+
+def _ground_of_stretch(piece: tuple[np.ndarray, np.ndarray], settings: ClothSettings, by_class: bool) -> np.ndarray:
+    """Which of a stretch's own points are ground, (own,) bool."""
+    records, own = piece
+    if by_class:
+        return records["ground"][own]
+    x, y, z = (np.ascontiguousarray(records[name]) for name in "xyz")
+    return classify_ground(x, y, z, settings)[own]
+
+
+def _markings_of_stretch(piece: tuple[np.ndarray, ...], settings: MarkingPointSettings) -> tuple[np.ndarray, ...]:
+    """Rows among a stretch's own points that are paint, with weight, contrast and brightness."""
+    x, y, z, brightness, own = piece
+    if not own.any():
+        return np.empty(0, int), *(np.empty(0, np.float32) for _ in range(3))
+    box = x[own].min(), x[own].max(), y[own].min(), y[own].max()
+    reach = settings.reach
+    near = ((x >= box[0] - reach) & (x <= box[1] + reach) & (y >= box[2] - reach) & (y <= box[3] + reach))
+    answer = marking_points(x[near], y[near], z[near], brightness[near], settings)
+    mine = own[near]
+    rows = np.flatnonzero(answer.paint[mine])
+    return rows, answer.weight[mine][rows], answer.contrast[mine][rows], brightness[own][rows]
+
+
+def markings_to_file(paths: Sequence[str | os.PathLike], output: str | os.PathLike, trajectory: Trajectory,
+                     calibration: Calibration | None = None, settings: ExtractionSettings = ExtractionSettings(),
+                     progress: Progress = SILENT, executor: Executor | None = None) -> Extraction:
+    """Write a survey's marking points with all their attributes and `calibrated_intensity` and `marking_weight`.
+
+    The points keep their order, times and places. See `extract_markings`.
+    """
+    cloud = open_cloud(paths)
+    made = extract_markings(cloud, trajectory, calibration, settings, progress.part(0.0, 0.75), executor)
+    _write(cloud, output, made, progress.part(0.75, 1.0))
+    return made
+
+
+def _write(cloud: PointCloud, output: str | os.PathLike, made: Extraction, progress: Progress) -> None:
+    layout = PointLayout(cloud)
+    known = set(layout.header.point_format.dimension_names)
+    layout.header.add_extra_dims([laspy.ExtraBytesParams(name, np.float32, text) for name, text in (
+        (CALIBRATED, "intensity free of range"), (WEIGHT, "how surely paint, 0 to 1")) if name not in known])
+    layout.dtype = layout.header.point_format.dtype()
+    first = 0
+    with cloud_writer(output, layout) as writer:
+        for chunk in iter_chunks(cloud, progress):
+            start, end = np.searchsorted(made.number, [first, first + len(chunk)])
+            keep = np.zeros(len(chunk), dtype=bool)
+            keep[made.number[start:end] - first] = True
+            view = layout.view(layout.adapt(chunk, keep))
+            view[CALIBRATED], view[WEIGHT] = made.intensity[start:end], made.points.weight[start:end]
+            writer.write(view.array)
+            first += len(chunk)

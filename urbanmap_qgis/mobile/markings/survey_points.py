@@ -1,0 +1,217 @@
+"""The points of a survey near the vehicle, with their ranges, sorted along the driven way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import laspy
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...io.point_buckets import PointBuckets
+from ...io.pointcloud import PointCloud, iter_chunks, usable
+from ...progress import SILENT, Progress
+from ...terrain.surface import GROUND_CLASSES
+from ..calibration import Calibration
+from ..gps_time import time_range, time_shift
+from ..trajectory import Trajectory, driven_way, gaps
+from .ranges import Track, ranges, scanner_tracks
+
+RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("time", "<f8"), ("number", "<i8"), ("intensity", "<f4"),
+                   ("range", "<f4"), ("source", "<u2"), ("ground", "?")])
+"""A point: m, s in the trajectory's time, its number in the files, m, point source id, of a ground class."""
+
+UNIT = 20.0
+"""m of driven way whose points are kept together."""
+
+STOPPED = 1.0
+"""s; points measured after standing for longer are left out: they show again what is known, from a drifting place."""
+
+_CREEP = 0.02
+_ABOVE, _BELOW = 0.5, 4.5
+_RISE = 0.15
+_PLACES, _PROBE = 6, 20_000
+
+
+@dataclass
+class Tally:
+    """What was read.
+
+    Attributes
+    ----------
+    points : all. usable : no noise or withheld points. outside : before or after the trajectory, or in gaps of it.
+    standing : measured while the vehicle stood. kept : near the vehicle.
+    classes : (256,) number of usable points by class. least, most : intensity.
+    height : m, median height over the vehicle of points near it in plan; NaN without any.
+    """
+
+    points: int = 0
+    usable: int = 0
+    outside: int = 0
+    standing: int = 0
+    kept: int = 0
+    classes: np.ndarray = field(default_factory=lambda: np.zeros(256, dtype=np.int64))
+    least: float = np.inf
+    most: float = -np.inf
+    heights: list[float] = field(default_factory=list)
+
+
+class SurveyPoints:
+    """Reads a survey into buckets along the driven way.
+
+    Parameters
+    ----------
+    buckets : where the points go, `RECORD` each, by number of the unit of way.
+    max_range : m; farther points are left out.
+    """
+
+    def __init__(self, cloud: PointCloud, trajectory: Trajectory, calibration: Calibration | None, max_range: float,
+                 buckets: PointBuckets):
+        self.cloud, self.trajectory, self.calibration = cloud, trajectory, calibration
+        self.max_range, self.buckets = max_range, buckets
+        self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
+        self.way = driven_way(trajectory)
+        self.gaps = gaps(trajectory)
+        self.tracks: dict[int, Track] = {}
+        self.tally = Tally()
+        self.units: set[int] = set()
+
+    def read(self, progress: Progress = SILENT) -> None:
+        """Read all points.
+
+        Raises
+        ------
+        InputError : no intensity, a scanner that the calibration does not know, or no point near the trajectory.
+        """
+        for chunk in iter_chunks(self.cloud, progress):
+            first = self.tally.points
+            self.tally.points += len(chunk)
+            keep = usable(chunk)
+            classes = np.asarray(chunk.classification)
+            self.tally.classes += np.bincount(classes[keep], minlength=256)
+            self.tally.usable += int(np.count_nonzero(keep))
+            self._add(chunk, np.flatnonzero(keep), classes, first)
+        self._check()
+
+    def _add(self, chunk: laspy.ScaleAwarePointRecord, rows: np.ndarray, classes: np.ndarray, first: int) -> None:
+        """Take the points of a chunk that lie near the vehicle."""
+        time = np.asarray(chunk["gps_time"])[rows] + self.shift
+        inside = self._timed(time)
+        rows, time = rows[inside], time[inside]
+        if not len(rows):
+            return
+        records = np.empty(len(rows), dtype=RECORD)
+        for name in "xyz":
+            records[name] = np.asarray(chunk[name])[rows]
+        records["time"], records["number"] = time, first + rows
+        records["intensity"] = np.asarray(chunk["intensity"])[rows]
+        records["source"] = np.asarray(chunk["point_source_id"])[rows]
+        records["ground"] = np.isin(classes[rows], GROUND_CLASSES)
+        self.tally.least = min(self.tally.least, float(records["intensity"].min()))
+        self.tally.most = max(self.tally.most, float(records["intensity"].max()))
+        records = records[self._near(records)]
+        self.tally.kept += len(records)
+        if len(records):
+            unit = np.floor(np.interp(records["time"], self.trajectory.time, self.way) / UNIT).astype(np.int64)
+            self.units.update(np.unique(unit).tolist())
+            self.buckets.add(unit, records)
+
+    def _timed(self, time: np.ndarray) -> np.ndarray:
+        """Mask (n,) of times at which the vehicle's place is known and it does not stand."""
+        known = self.trajectory.within(time)
+        for start, end in self.gaps:
+            known &= (time <= start) | (time >= end)
+        self.tally.outside += int(np.count_nonzero(~known))
+        way_now, way_before = (np.interp(at, self.trajectory.time, self.way) for at in (time, time - STOPPED))
+        standing = known & (way_now - way_before < _CREEP) & (time - STOPPED > self.trajectory.time[0])
+        self.tally.standing += int(np.count_nonzero(standing))
+        return known & ~standing
+
+    def _near(self, records: np.ndarray) -> np.ndarray:
+        """Which records lie within range of their scanner and at heights where its road may be; their range is set."""
+        near = np.zeros(len(records), dtype=bool)
+        sources = np.unique(records["source"]).tolist()
+        new = [source for source in sources if source not in self.tracks]
+        self.tracks.update(scanner_tracks(self.trajectory, self.calibration, new))
+        for source in sources:
+            some = slice(None) if len(sources) == 1 else np.flatnonzero(records["source"] == source)
+            track = self.tracks[source]
+            x, y, z, time = (records[name][some] for name in ("x", "y", "z", "time"))
+            distance = ranges(x, y, z, time, track)
+            height = z - track.at(time)[2]
+            records["range"][some] = distance
+            slope = _RISE * distance
+            near[some] = ((distance <= min(self.max_range, track.max_range)) & (height <= _ABOVE + slope)
+                          & (height >= -_BELOW - slope))
+            if not near[some].any() and len(height):
+                self.tally.heights.append(float(np.median(height)))
+        return near
+
+    def _check(self) -> None:
+        """Refuse a survey that cannot be used."""
+        tally, name = self.tally, self.cloud.paths[0].name
+        if tally.most <= 0 and np.isfinite(tally.most):
+            raise InputError(f"{name} has no intensity (all are 0), by which markings are told: export the survey with "
+                             "it.")
+        if tally.most == tally.least:
+            raise InputError(f"All points of {name} have the intensity {tally.most:g}, by which markings cannot be "
+                             "told: export the survey with the measured intensities.")
+        if not tally.kept:
+            apart = f" (they lie {np.median(tally.heights):+.0f} m above the scanner)" if tally.heights else ""
+            raise InputError(f"No point of {name} lies within {self.max_range:g} m of the trajectory{apart}: give "
+                             "both in the same coordinate and height system.")
+
+    def stretches(self, buckets: PointBuckets, length: int, margin: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Records of stretches of `length` units with those of `margin` units before and after, and which are own.
+
+        `buckets` hold records by unit; stretches without own records are left out.
+        """
+        if not self.units:
+            return
+        held: dict[int, np.ndarray] = {}
+        last = max(self.units)
+        for first in range(min(self.units) // length * length, last + 1, length):
+            own = range(first, first + length)
+            if not self.units.intersection(own):
+                continue
+            wanted = [unit for unit in range(first - margin, first + length + margin) if unit in self.units]
+            held = {unit: held[unit] if unit in held else buckets.read(unit) for unit in wanted}
+            counts = [len(held[unit]) for unit in wanted]
+            mine = np.repeat([unit in own for unit in wanted], counts)
+            if mine.any():
+                yield np.concatenate([held[unit] for unit in wanted]), mine
+
+
+def sampled_span(cloud: PointCloud) -> tuple[float, float]:
+    """First and last gps_time of a cloud by samples, s: enough to tell how its times are counted.
+
+    Raises
+    ------
+    InputError : the points carry no gps_time.
+    """
+    first, last = np.inf, -np.inf
+    if cloud.has_dimension("gps_time"):
+        for path, header in zip(cloud.paths, cloud.headers):
+            for share in np.linspace(0.0, 1.0, _PLACES) if header.point_count else ():
+                time = _probe(path, int(share * max(header.point_count - _PROBE, 0)))
+                first, last = min(first, float(time.min())), max(last, float(time.max()))
+    if not np.isfinite(first) or first == last == 0.0:
+        return time_range(cloud)
+    return first, last
+
+
+def _probe(path, start: int) -> np.ndarray:
+    """Some gps_times from a point on."""
+    try:
+        with laspy.open(path) as reader:
+            reader.seek(start)
+            return np.asarray(reader.read_points(_PROBE)["gps_time"])
+    except (laspy.errors.LaspyException, RuntimeError, OSError, ValueError, EOFError) as error:
+        raise InputError(f"{path.name} is damaged or truncated: copy or download it again.") from error
+
+
+def require_points(number: int, name: str) -> None:
+    """Refuse a survey without ground near the vehicle."""
+    if not number:
+        raise InsufficientDataError(f"{name} has no ground points near the vehicle: give the survey with its road.")
