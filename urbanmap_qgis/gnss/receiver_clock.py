@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy import sparse
 
 from ..errors import InsufficientDataError
 from .signals import Clocks, ClockSettings, Signals
@@ -20,6 +21,7 @@ _MAD = 1.4826
 _BLOCK = 60.0
 _LOW_LOSS = 7.0
 _FADING = 4.0
+_AIR_HEIGHT = 0.7
 _COARSE = np.array([40.0, 20.0, 10.0, 6.0, 4.0, 3.0, 3.0, 3.0, 3.0, 3.0])
 
 
@@ -169,7 +171,8 @@ def strong_signals(signals: Signals) -> np.ndarray:
     """(n,) bool: signals as strong as a free line of sight lets them be, judged without a map.
 
     The strongest tenth of a system's signals, each raised by what the elevation costs (about 7 dB from the zenith to
-    the horizon), sets the measure; 4 dB below it, more than fading takes and less than a reflection costs, is the limit.
+    the horizon), sets the measure; 4 dB below it, more than fading takes and less than a reflection costs, is the
+    limit.
     """
     raised = signals.cn0 + _LOW_LOSS * (1.0 - signals.direction[:, 2])
     strong = np.zeros(len(signals), bool)
@@ -183,36 +186,47 @@ def strong_signals(signals: Signals) -> np.ndarray:
 def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -> tuple[float, float]:
     """By how much the satellites see the antenna higher than it was put, and sigma, m.
 
-    A height too low by h makes every residual smaller by h times the sine of the elevation. Signals of one system
-    and epoch share a clock. Without `line_of_sight` (n,) all signals are used, late ones weighed down. Neighbouring
-    epochs err alike: the sigma counts a satellite's minute as one observation.
-    Signals that are late but pass for line of sight make the height too large: they come from low satellites.
+    A height too low by h makes every residual smaller by h times the sine of the elevation. Signals of an epoch share
+    a clock, but for an offset of each system in a file. Without `line_of_sight` (n,) all signals are used, late
+    ones weighed down; those that pass for line of sight make the height too large: they come from low satellites.
+    Neighbouring epochs err alike: the sigma counts a satellite's minute as one observation, and holds 0.7 m for what
+    the models of the atmosphere leave in a height.
 
     Raises
     ------
     InsufficientDataError : too few signals or too little difference of elevation.
     """
     rows = np.arange(len(signals)) if line_of_sight is None else np.flatnonzero(line_of_sight)
-    letters, system = np.unique(signals.system[rows], return_inverse=True)
-    group = np.unique(signals.epoch[rows] * len(letters) + system.ravel(), return_inverse=True)[1].ravel()
-    count = int(group.max(initial=-1)) + 1
+    group, count = _numbered(signals.epoch[rows])
     lift = signals.direction[rows, 2]
-    value, sigma = signals.residual[rows], signals.sigma[rows]
-    spread = lift - (np.bincount(group, lift, count) / np.bincount(group, minlength=count))[group]
+    spread = lift - _centre(lift, np.ones(len(rows)), group, count)[group]
     if len(rows) < 100 or np.sqrt(np.mean(spread ** 2)) < 0.05:
         raise InsufficientDataError("Too few satellites at different elevations tell the height of the antenna: "
                                     "give the geoid separation.")
-    height, weight = _height_steps(value, sigma, lift, group, count)
-    mean = _centre(lift, weight, group, count)
-    left = value + height * lift
+    system = np.unique(signals.system[rows], return_inverse=True)[1].ravel()
+    part, parts = _numbered(signals.epochs.source[signals.epoch[rows]] * 8 + system)
+    unknowns = sparse.hstack([sparse.csr_matrix(lift[:, None]), _incidence(part, parts)], format="csr")
+    value, sigma = signals.residual[rows], signals.sigma[rows]
+    solution, weight = _height_steps(value, sigma, unknowns, part, group, count)
+    left = value - unknowns @ solution
     left = left - _centre(left, weight, group, count)[group]
-    slope = lift - mean[group]
-    information = np.sum(weight * slope ** 2)
-    block = np.floor(signals.time[rows] / _BLOCK)
-    _, cluster = np.unique(np.column_stack([signals.satellite[rows].astype("U3").view(np.uint32).reshape(-1, 3) @ [
-        10 ** 6, 10 ** 3, 1], block]), axis=0, return_inverse=True)
-    score = np.bincount(cluster.ravel(), weight * slope * left)
-    return height, float(np.sqrt(np.sum(score ** 2)) / information)
+    inverse = np.linalg.pinv(_normal(unknowns, weight, group, count), rcond=1e-10, hermitian=True)
+    slope = unknowns @ inverse[0]
+    influence = weight * left * (slope - _centre(slope, weight, group, count)[group])
+    block = np.floor(signals.time[rows] / _BLOCK).astype(np.int64)
+    satellite, satellites = _numbered(signals.satellite[rows])
+    score = np.bincount(_numbered(block * satellites + satellite)[0], influence)
+    return -float(solution[0]), float(np.hypot(np.sqrt(np.sum(score ** 2)), _AIR_HEIGHT))
+
+
+def _numbered(values: np.ndarray) -> tuple[np.ndarray, int]:
+    """Values replaced by the number of each different one, and how many there are."""
+    names, number = np.unique(values, return_inverse=True)
+    return number.ravel(), len(names)
+
+
+def _incidence(number: np.ndarray, count: int) -> sparse.csr_matrix:
+    return sparse.csr_matrix((np.ones(len(number)), (np.arange(len(number)), number)), (len(number), count))
 
 
 def _centre(value: np.ndarray, weight: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
@@ -220,22 +234,34 @@ def _centre(value: np.ndarray, weight: np.ndarray, group: np.ndarray, count: int
     return np.bincount(group, weight * value, count) / np.where(total > 0, total, 1.0)
 
 
-def _height_steps(value: np.ndarray, sigma: np.ndarray, lift: np.ndarray, group: np.ndarray,
-                  count: int) -> tuple[float, np.ndarray]:
-    """Height and final weights; the robust scale falls from tens of metres, so that a geoid mix-up is followed."""
-    height = 0.0
-    weight = 1 / sigma ** 2
+def _normal(unknowns: sparse.csr_matrix, weight: np.ndarray, group: np.ndarray, count: int) -> np.ndarray:
+    """Normal matrix of the unknowns, the clocks of the groups eliminated."""
+    weighted = unknowns.multiply(weight[:, None]).tocsr()
+    cells = _incidence(group, count).T @ weighted
+    total = np.bincount(group, weight, count)
+    cells_scaled = cells.multiply(np.where(total > 0, 1 / np.where(total > 0, total, 1.0), 0.0)[:, None])
+    return (unknowns.T @ weighted - cells.T @ cells_scaled).toarray()
+
+
+def _height_steps(value: np.ndarray, sigma: np.ndarray, unknowns: sparse.csr_matrix, part: np.ndarray,
+                  group: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Minus height and offsets, and final weights; the robust scale falls from tens of metres: a mix-up is followed."""
+    solution = np.zeros(unknowns.shape[1])
+    # Offsets of the systems by medians, each against the median of its epochs.
+    above = value - grouped_median(value, group, count)[group]
+    solution[1:] = grouped_median(above, part, unknowns.shape[1] - 1)
+    left = value - unknowns @ solution
+    left = left - grouped_median(left, group, count)[group]
     for scale in _COARSE:
-        left = value + height * lift
-        left = left - grouped_median(left, group, count)[group]
-        for _ in range(6):
+        for _ in range(4):
             weight = tukey(left / (np.maximum(sigma, 0.5) * scale)) / sigma ** 2
-            slope = lift - _centre(lift, weight, group, count)[group]
             centred = value - _centre(value, weight, group, count)[group]
-            step = -np.sum(weight * slope * centred) / np.sum(weight * slope ** 2)
-            height, change = step, step - height
-            left = value + height * lift
+            right = unknowns.T @ (weight * centred)
+            before = solution[0]
+            solution = np.linalg.lstsq(_normal(unknowns, weight, group, count), right, rcond=1e-10)[0]
+            left = value - unknowns @ solution
             left = left - _centre(left, weight, group, count)[group]
-            if abs(change) < 1e-3:
+            if abs(solution[0] - before) < 1e-2:
                 break
-    return float(height), weight
+    return solution, weight
+

@@ -145,7 +145,8 @@ def join(parts: Sequence[Signals]) -> Signals:
     if np.isfinite(sigmas).all():
         weights = 1 / np.maximum(sigmas, 0.01) ** 2
         separation = float(np.average([part.geoid_separation for part in parts], weights=weights))
-        sigma = float(1 / np.sqrt(weights.sum()))
+        # What the models of the atmosphere leave is common to all drives: no mean is better than its best part.
+        sigma = float(sigmas.min())
         parts = [part.raised(separation - part.geoid_separation) for part in parts]
     first_epoch = np.cumsum([0, *(len(part.epochs) for part in parts)])
     first_file = np.cumsum([0, *(len(part.clock_datum) for part in parts)])
