@@ -1,23 +1,26 @@
 """The drift of a trajectory as one adjustment of all tie points: best estimate and sigma at every epoch.
 
-Errors of position and heading wander: from one tie point to the next they change by a random walk of q sqrt(dt)
-metres and q_turn sqrt(dt) radians. With the observation equations of Z (eq. 14, for every pair at its own time) this
-is one least squares problem with a banded matrix. Between tie points its solution is linear in time, and its sigma
-grows and shrinks like a bridge; before the first and after the last the drift is held and its sigma grows. The
-walk's pace and the tie points' own sigma are estimated from the tie points (most likely values).
+Errors of position and heading wander: from one node of time to the next they change by a random walk of q sqrt(dt)
+metres and q_turn sqrt(dt) radians. Where positions come from dead reckoning (between GNSS fixes, in Z the INS), an
+error of heading also carries the position aside on the way driven: the walk is then coupled, and the correction turns
+the course as Z's relative motions do. Which of the two the navigation does, the pace of the walk and the sigma of the
+tie points are what makes the tie points most likely.
 
-Against the paper's way (see relative_motion.py): a pair need not share its time with the other of its set, weak
-headings borrow from their neighbours, and every epoch has its sigma.
+With the observation equations of Z (eq. 14, for every pair at its own time) this is one least squares problem with a
+banded matrix. Against the paper's way (relative_motion.py): a pair need not share its time with the other of its set,
+a heading that is weakly known borrows from its neighbours, and every epoch has its sigma, which grows between sets and
+beyond the first and the last.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.optimize import minimize
 
+from ..trajectory import Trajectory
 from .ground_truths import turned
 
 PACE, TURN_PACE, SIGMA = 0.05, np.radians(0.01), 0.05
@@ -26,9 +29,11 @@ PACE, TURN_PACE, SIGMA = 0.05, np.radians(0.01), 0.05
 _SPREAD = np.log([4.0, 4.0, 3.0])
 _START_SIGMA = 1000.0
 _LEAST_STEP = 1e-3
-_ROUNDS = 4
+_NODE_STEP, _MOST_NODES = 1.0, 600
+_ROUNDS = 3
 _BAND = 5
-_COLUMNS_AT_ONCE = 600
+_CLEARLY = 20.0
+_LEAST_SHARE = 1e-9
 
 
 @dataclass(frozen=True)
@@ -39,12 +44,14 @@ class Walk:
     ----------
     pace : m per square root of a second.  turn_pace : radians likewise.  sigma : of a tie point's coordinate, m.
     heading_sigma : expected error of the heading, radians.
+    coupled : errors of heading carry the position aside (dead reckoning).
     """
 
     pace: float = PACE
     turn_pace: float = TURN_PACE
     sigma: float = SIGMA
     heading_sigma: float = np.radians(1.0)
+    coupled: bool = False
 
 
 @dataclass(frozen=True)
@@ -59,89 +66,115 @@ class Pairs:
 
 @dataclass(frozen=True)
 class DriftModel:
-    """The drift at nodes (k,), the times of the tie points.
+    """The drift at nodes (k,) over the whole trajectory.
 
     Attributes
     ----------
-    time : (k,) s.  value : (k, 3) shift east and north, m, and turn anticlockwise, radians.
-    covariance : (k, 3, 3).  lag : (k - 1, 3, 3) covariance of each node with the next.
+    time : (k,) s.  value : (k, 3) shift east and north, m, and turn anticlockwise, radians: to be added.
+    covariance : (k, 3, 3).  gain : (k - 1, 3, 3) G with covariance of node k and k + 1 = -G covariance[k + 1].
     walk : what was found or taken.
+    first, last : times of the first and the last tie point.
     """
 
     time: np.ndarray
     value: np.ndarray
     covariance: np.ndarray
-    lag: np.ndarray
+    gain: np.ndarray
     walk: Walk
+    first: float
+    last: float
 
     def at(self, time: np.ndarray) -> np.ndarray:
-        """Drift (m, 3) at times (m,): linear between nodes, held outside."""
+        """Drift (m, 3) at times (m,), linear between nodes."""
         return np.column_stack([np.interp(time, self.time, column) for column in self.value.T])
 
     def variances(self, time: np.ndarray) -> np.ndarray:
         """Variances (m, 3) of the drift at times (m,)."""
         own = np.einsum("kii->ki", self.covariance)
-        outside = np.maximum(self.time[0] - time, 0.0) + np.maximum(time - self.time[-1], 0.0)
-        walked = np.array([self.walk.pace, self.walk.pace, self.walk.turn_pace]) ** 2
-        if len(self.time) == 1:
-            return own[0] + outside[:, None] * walked
         before = np.clip(np.searchsorted(self.time, time, side="right") - 1, 0, len(self.time) - 2)
-        length = self.time[before + 1] - self.time[before]
-        share = np.clip((time - self.time[before]) / length, 0.0, 1.0)
-        u, v = share[:, None], 1.0 - share[:, None]
-        with_next = np.einsum("kii->ki", self.lag)[before]
-        bridge = (length * share * (1.0 - share) + outside)[:, None] * walked
-        return v * v * own[before] + u * u * own[before + 1] + 2.0 * u * v * with_next + bridge
+        length = (self.time[before + 1] - self.time[before])[:, None]
+        u = np.clip((time - self.time[before])[:, None] / length, 0.0, 1.0)
+        with_next = -np.einsum("kij,kji->ki", self.gain, self.covariance[1:])[before]
+        bridge = length * u * (1 - u) * np.array([self.walk.pace, self.walk.pace, self.walk.turn_pace]) ** 2
+        return (1 - u) ** 2 * own[before] + u**2 * own[before + 1] + 2 * u * (1 - u) * with_next + bridge
+
+    def joint_covariance(self, nodes: np.ndarray) -> np.ndarray:
+        """Covariance (m, 3, m, 3) of the drift at some nodes (m,), increasing."""
+        joint = np.empty((len(nodes), 3, len(nodes), 3))
+        for column, later in enumerate(nodes):
+            part, row = self.covariance[later], column
+            joint[column, :, column] = part
+            for node in range(later - 1, nodes[0] - 1, -1):
+                part = -self.gain[node] @ part
+                if row and nodes[row - 1] == node:
+                    row -= 1
+                    joint[row, :, column], joint[column, :, row] = part, part.T
+        return joint
 
 
-def fit_drift(pairs: Pairs, walk: Walk, estimate: bool = True, fixed_sigma: bool = False) -> DriftModel:
-    """The most likely drift of pairs.
-
-    Parameters
-    ----------
-    estimate : find the walk's pace and the tie points' sigma too, starting from `walk`; else take them as they are.
-    fixed_sigma : keep the tie points' sigma.
-    """
-    system = _System(pairs)
+def fit_drift(pairs: Pairs, trajectory: Trajectory, walk: Walk, fixed_sigma: bool = False) -> DriftModel:
+    """The most likely drift of pairs; what `walk` says is expected, and its sigma of tie points kept if fixed."""
+    system = _System(pairs, trajectory)
     value = np.zeros((len(system.time), 3))
+    system.linearise(value)
+    found = [_most_likely(system, replace(walk, coupled=coupled), fixed_sigma) for coupled in (False, True)]
+    # Without clear evidence errors are not carried along the way driven: that would bend the course.
+    walk = found[int(found[1][1] > found[0][1] + _CLEARLY)][0]
     for _ in range(_ROUNDS):
-        system.linearise(value)
-        if estimate:
-            walk = _most_likely(system, walk, fixed_sigma)
         value = system.solve(walk)[0]
-    covariance, lag = system.covariances(walk)
-    return DriftModel(system.time, value, covariance, lag, walk)
+        system.linearise(value)
+    covariance, gain = system.covariances(walk)
+    return DriftModel(system.time, value, covariance, gain, walk, float(pairs.time[0]), float(pairs.time[-1]))
 
 
 def predicted_misfits(pairs: Pairs, model: DriftModel) -> tuple[np.ndarray, np.ndarray]:
-    """Of every set (s,): how far its pairs lie from where the other sets put them, m, and that in sigmas.
+    """Of every set (s,): how far its pairs lie from where the other sets put them, m, and in sigmas of that.
 
-    The walk stays as the model has it.
+    Left out one after the other in closed form: with residuals r of a set, covariance R of its observations and S of
+    what the model puts there, the set is off by R (R - S)^-1 r without itself, with the covariance R (R - S)^-1 R.
     """
     count = int(pairs.sets.max()) + 1
     away, sigmas = np.full(count, np.nan), np.full(count, np.nan)
+    drift = model.at(pairs.time)
+    residual = pairs.true - drift[:, :2] - turned(pairs.seen, drift[:, 2])
+    lever = turned(pairs.seen, drift[:, 2] + np.pi / 2)
     for number in range(count) if count > 1 else ():
-        own = pairs.sets == number
-        others = Pairs(pairs.seen[~own], pairs.true[~own], pairs.time[~own], pairs.sets[~own])
-        rest = fit_drift(others, model.walk, estimate=False)
-        drift, variance = rest.at(pairs.time[own]), rest.variances(pairs.time[own])
-        miss = pairs.true[own] - drift[:, :2] - turned(pairs.seen[own], drift[:, 2])
-        mean = miss.mean(axis=0)
-        reach = np.hypot(*pairs.seen[own].T).mean()
-        spread = (variance[:, :2].sum(axis=1) / 2).mean() + reach**2 / 2 * variance[:, 2].mean()
-        away[number] = np.hypot(*mean)
-        sigmas[number] = away[number] / np.sqrt(spread + model.walk.sigma**2 / own.sum())
+        own = np.flatnonzero(pairs.sets == number)
+        nodes, which = np.unique(np.searchsorted(model.time, pairs.time[own]), return_inverse=True)
+        design = np.zeros((2 * len(own), 3 * len(nodes)))
+        for row, (pair, node) in enumerate(zip(own, which.ravel())):
+            design[2 * row:2 * row + 2, 3 * node:3 * node + 3] = [[1, 0, lever[pair, 0]], [0, 1, lever[pair, 1]]]
+        spread = design @ model.joint_covariance(nodes).reshape(3 * len(nodes), -1) @ design.T
+        share, axes = np.linalg.eigh(np.eye(len(spread)) - spread / model.walk.sigma**2)
+        mean = np.tile(np.eye(2), len(own)) / len(own)
+        # What a set alone determines has a share of nought: nothing is predicted there, its sigma is endless.
+        left = mean @ axes / np.maximum(share, _LEAST_SHARE)
+        away[number] = np.hypot(*(left @ axes.T @ residual[own].ravel()))
+        sigmas[number] = away[number] / (model.walk.sigma * np.sqrt(np.trace(left @ axes.T @ mean.T)))
     return away, sigmas
+
+
+def misfit_of_others(others: Pairs, model: DriftModel) -> tuple[float, float]:
+    """How far pairs that had no part in a model lie from where it puts them, m, and in sigmas of that."""
+    drift, variance = model.at(others.time), model.variances(others.time)
+    away = np.hypot(*(others.true - drift[:, :2] - turned(others.seen, drift[:, 2])).mean(axis=0))
+    reach = np.hypot(*others.seen.mean(axis=0))
+    spread = variance[:, :2].sum(axis=1).mean() + reach**2 * variance[:, 2].mean()
+    return float(away), float(away / np.sqrt(spread + 2 * model.walk.sigma**2 / len(others.time)))
 
 
 class _System:
     """The normal equations of the pairs, linear about a drift, in banded form (upper, `_BAND` diagonals above)."""
 
-    def __init__(self, pairs: Pairs):
+    def __init__(self, pairs: Pairs, trajectory: Trajectory):
         self.pairs = pairs
-        self.time, self.node = np.unique(pairs.time, return_inverse=True)
-        self.node = self.node.ravel()
+        count = int(np.clip(trajectory.duration / _NODE_STEP, 2, _MOST_NODES))
+        self.time = np.unique(np.concatenate([np.linspace(trajectory.time[0], trajectory.time[-1], count + 1),
+                                              pairs.time]))
+        self.node = np.searchsorted(self.time, pairs.time)
         self.step = np.maximum(np.diff(self.time), _LEAST_STEP)
+        place = [np.interp(self.time, trajectory.time, axis) for axis in trajectory.place[:, :2].T]
+        self.way = np.diff(np.column_stack(place), axis=0)
 
     def linearise(self, value: np.ndarray) -> None:
         """Take the drift (k, 3) about which the turn is linear."""
@@ -160,54 +193,65 @@ class _System:
         self.squares, self.observations = float((observed**2).sum()), 2 * len(observed)
 
     def prior(self, walk: Walk) -> tuple[np.ndarray, float]:
-        """Banded information of the walk and the logarithm of its determinant."""
-        band = np.zeros_like(self.normal)
+        """Banded information of the walk and the logarithm of its determinant.
+
+        From a node x to the next y the walk is y - F x, F = [[1, 0, -dn], [0, 1, de], [0, 0, 1]] with the way (de, dn)
+        where it is coupled, and weights w: F'wF, -F'w and w are added.
+        """
         start = np.array([_START_SIGMA, _START_SIGMA, walk.heading_sigma]) ** -2.0
         weight = np.array([walk.pace, walk.pace, walk.turn_pace]) ** -2.0 / self.step[:, None]
+        aside = np.column_stack([-self.way[:, 1], self.way[:, 0]]) * float(walk.coupled)
         diagonal = np.zeros((len(self.time), 3))
         diagonal[0] += start
         diagonal[:-1] += weight
+        diagonal[:-1, 2] += (aside**2 * weight[:, :2]).sum(axis=1)
         diagonal[1:] += weight
+        band = np.zeros_like(self.normal)
         band[_BAND] = diagonal.ravel()
         band[_BAND - 3, 3:] = -weight.ravel()
+        for axis in (0, 1):
+            carried = aside[:, axis] * weight[:, axis]
+            band[_BAND - 2 + axis, 2:-1:3] += carried
+            band[_BAND - 1 - axis, 3 + axis::3] -= carried
         return band, float(np.log(start).sum() + np.log(weight).sum())
 
     def solve(self, walk: Walk) -> tuple[np.ndarray, float]:
         """Drift at the nodes (k, 3) and the logarithm of its likelihood (but for a constant)."""
         prior, determinant = self.prior(walk)
-        factor = cholesky_banded(prior + self.normal / walk.sigma**2)
+        factor = cholesky_banded(prior + self.normal / walk.sigma**2, check_finite=False)
         right = self.right / walk.sigma**2
-        value = cho_solve_banded((factor, False), right)
+        value = cho_solve_banded((factor, False), right, check_finite=False)
         misfit = self.squares / walk.sigma**2 - float(right @ value)
         likelihood = 0.5 * (determinant - misfit) - np.log(factor[_BAND]).sum() - self.observations * np.log(walk.sigma)
         return value.reshape(-1, 3), likelihood
 
     def covariances(self, walk: Walk) -> tuple[np.ndarray, np.ndarray]:
-        """Covariances of the nodes (k, 3, 3) and of each with the next (k - 1, 3, 3)."""
+        """Covariances of the nodes (k, 3, 3) and gains (k - 1, 3, 3), from the factor backwards (Takahashi)."""
         factor = cholesky_banded(self.prior(walk)[0] + self.normal / walk.sigma**2)
         count = len(self.time)
-        own, lag = np.empty((count, 3, 3)), np.empty((max(count - 1, 0), 3, 3))
-        for first in range(0, 3 * count, _COLUMNS_AT_ONCE):
-            columns = np.arange(first, min(first + _COLUMNS_AT_ONCE, 3 * count))
-            unit = np.zeros((3 * count, len(columns)))
-            unit[columns, columns - first] = 1.0
-            part = cho_solve_banded((factor, False), unit).reshape(count, 3, -1, 3)
-            node = columns[::3] // 3
-            own[node] = part[node, :, node - first // 3]
-            before = node[node > 0]
-            lag[before - 1] = part[before - 1, :, before - first // 3]
-        return own, lag
+        own, beside = np.zeros((count, 3, 3)), np.zeros((count - 1, 3, 3))
+        for row in range(3):
+            for column in range(3):
+                if column >= row:
+                    own[:, row, column] = factor[_BAND + row - column, column::3]
+                beside[:, row, column] = factor[_BAND + row - column - 3, 3 + column::3]
+        back = np.linalg.inv(own)
+        gain = back[:-1] @ beside
+        covariance = back @ back.transpose(0, 2, 1)
+        for node in range(count - 2, -1, -1):
+            covariance[node] += gain[node] @ covariance[node + 1] @ gain[node].T
+        return covariance, gain
 
 
-def _most_likely(system: _System, walk: Walk, fixed_sigma: bool) -> Walk:
-    """Pace, pace of turning and sigma that make the observations most likely, given what is expected of them."""
+def _most_likely(system: _System, walk: Walk, fixed_sigma: bool) -> tuple[Walk, float]:
+    """Pace, pace of turning and sigma that make the observations most likely, given what is expected; how likely."""
     expected = np.log([PACE, TURN_PACE, SIGMA])
     start = np.log([walk.pace, walk.turn_pace, walk.sigma])
     free = slice(0, 2 if fixed_sigma else 3)
 
     def walk_of(logs: np.ndarray) -> Walk:
         pace, turn_pace, *sigma = np.exp(np.clip(logs, -16.0, 5.0))
-        return Walk(pace, turn_pace, sigma[0] if sigma else walk.sigma, walk.heading_sigma)
+        return replace(walk, pace=pace, turn_pace=turn_pace, sigma=sigma[0] if sigma else walk.sigma)
 
     def unlikely(logs: np.ndarray) -> float:
         try:
@@ -216,6 +260,6 @@ def _most_likely(system: _System, walk: Walk, fixed_sigma: bool) -> Walk:
             return np.inf
         return 0.5 * float((((logs - expected[free]) / _SPREAD[free]) ** 2).sum()) - likelihood
 
-    options = {"xatol": 0.02, "fatol": 0.01, "maxiter": 300}
+    options = {"xatol": 0.05, "fatol": 0.02, "maxiter": 150}
     found = minimize(unlikely, start[free], method="Nelder-Mead", options=options)
-    return walk_of(found.x)
+    return walk_of(found.x), -float(found.fun)

@@ -15,7 +15,7 @@ from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory, interpolate
 from .course_heights import CourseHeights, course_heights
-from .drift_adjustment import SIGMA, DriftModel, Pairs, Walk, fit_drift, predicted_misfits
+from .drift_adjustment import SIGMA, DriftModel, Pairs, Walk, fit_drift, misfit_of_others, predicted_misfits
 from .ground_truths import misfit, set_drift, turned
 from .relative_motion import adjust_relative_motion
 from .tie_points import TiePoints, usable
@@ -23,8 +23,8 @@ from .tie_points import TiePoints, usable
 METHODS = ("drift", "relative", "iterative")
 """Best estimate of a wandering drift; relative motions adjusted in closed form; the same by the paper's iteration."""
 
-USED, POSITION_ONLY, CONTRADICTING, SUSPECT = "used", "position only", "contradicting", "suspect"
-"""What became of a set: the last two are left out."""
+USED, POSITION_ONLY, SUSPECT, BLUNDER, CONTRADICTING = "used", "position only", "suspect", "blunder", "contradicting"
+"""What became of a set: used, though it may tell no heading or hardly fit its neighbours; the last two are left out."""
 
 HELD, BETWEEN = 0, 1
 """Of an epoch: before the first or after the last set, where the correction is only carried on; between two sets."""
@@ -32,7 +32,9 @@ HELD, BETWEEN = 0, 1
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 _CONTRADICTION = 5.0  # sigmas of the misfit within a set
-_SUSPECT = 6.0  # times the usual misfit against the neighbours
+_SUSPECT = 4.0  # times the usual misfit against the other sets
+_BLUNDER = 8.0  # sigmas of the misfit against them
+_LEAST_USUAL = 0.1
 _LARGEST_TURN = np.radians(10.0)
 _FEWEST_TO_COMPARE = 5
 _FEWEST_FOR_SIGMA = 4
@@ -48,14 +50,14 @@ class RectifySettings:
     method : one of `METHODS`.
     tie_sigma : standard deviation of a tie point's coordinate, m; None finds it.
     heading_sigma : expected error of the heading, degrees: what is known where the pairs of a set lie close together.
-    keep_suspects : use sets although they do not fit their neighbours.
+    keep_blunders : use sets although they do not fit their neighbours at all.
     sensor_height : of the body's origin above the ground, m; None leaves the mean height as it is.
     """
 
     method: str = "drift"
     tie_sigma: float | None = None
     heading_sigma: float = 1.0
-    keep_suspects: bool = False
+    keep_blunders: bool = False
     sensor_height: float | None = None
 
     def __post_init__(self) -> None:
@@ -75,7 +77,7 @@ class TieSet:
     shift : (2,) m east and north, and `turn`, degrees clockwise: what the result adds to position and heading there.
     before, after : mean distance of its pairs from the reference, m, as reported and rectified.
     fit : largest misfit within the set, m.  predicted : how far off it would lie without itself, m (NaN: not known).
-    status : one of `USED`, `POSITION_ONLY`, `CONTRADICTING`, `SUSPECT`.
+    status : one of `USED`, `POSITION_ONLY`, `SUSPECT`, `BLUNDER`, `CONTRADICTING`.
     """
 
     name: str
@@ -93,7 +95,7 @@ class TieSet:
 
     @property
     def is_used(self) -> bool:
-        return self.status in (USED, POSITION_ONLY)
+        return self.status not in (BLUNDER, CONTRADICTING)
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,8 @@ class Rectified:
     trajectory : same epochs.
     sets : in the order of time.
     drift : the model of all tie points, from which the sigmas come.
-    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees.
+    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees; with the factor below.
+    sigma_factor : by how much the sets miss each other more than the model of the drift says; at least 1.
     status : (n,) `HELD` or `BETWEEN`.
     heights : None where no ground was given.
     settings : as used.
@@ -116,6 +119,7 @@ class Rectified:
     drift: DriftModel
     plan_sigma: np.ndarray
     heading_sigma: np.ndarray
+    sigma_factor: float
     status: np.ndarray
     heights: CourseHeights | None
     settings: RectifySettings
@@ -145,7 +149,7 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     place = interpolate(trajectory, ties.time).place[:, :2]
     keep, status = _consistent(ties, names, number, place, settings, progress)
     progress.step(0.1)
-    model = _model(ties, number, place, keep, status, names, settings, progress)
+    model = _model(trajectory, ties, number, place, keep, status, names, settings, progress)
     progress.step(0.5)
     status[_weak(ties, number, place, keep, status, model.walk)] = POSITION_ONLY
     made = _corrected(trajectory, ties, number, place, keep, model, settings)
@@ -155,12 +159,12 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     if ground is not None:
         heights = course_heights(made, ground, settings.sensor_height, progress)
         made = Trajectory(made.time, made.place + np.outer(heights.error, [0.0, 0.0, 1.0]), made.angles)
-    variance = model.variances(trajectory.time)
-    between = (trajectory.time >= model.time[0]) & (trajectory.time <= model.time[-1])
+    sigma, factor = np.sqrt(model.variances(trajectory.time)), _sigma_factor(ties, number, place, keep, model)
+    between = (trajectory.time >= model.first) & (trajectory.time <= model.last)
     sets = _sets(trajectory, made, ties, names, number, place, keep, status, model)
     progress.step(1.0)
-    return Rectified(made, sets, model, np.sqrt(variance[:, :2].mean(axis=1)), np.degrees(np.sqrt(variance[:, 2])),
-                     np.where(between, BETWEEN, HELD), heights, settings)
+    return Rectified(made, sets, model, factor * np.sqrt((sigma[:, :2] ** 2).mean(axis=1)),
+                     factor * np.degrees(sigma[:, 2]), factor, np.where(between, BETWEEN, HELD), heights, settings)
 
 
 def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np.ndarray, settings: RectifySettings,
@@ -226,25 +230,35 @@ def _pairs(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndar
                  own.ravel()), sets
 
 
-def _model(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, status: np.ndarray,
-           names: list[str], settings: RectifySettings, progress: Progress) -> DriftModel:
+def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
+           status: np.ndarray, names: list[str], settings: RectifySettings, progress: Progress) -> DriftModel:
     """The drift of all tie points; sets that do not fit their neighbours are left out of it (`keep`, `status`)."""
     start = Walk(sigma=settings.tie_sigma or SIGMA, heading_sigma=np.radians(settings.heading_sigma))
-    while True:
-        pairs, sets = _pairs(ties, number, place, keep)
-        model = fit_drift(pairs, start, fixed_sigma=settings.tie_sigma is not None)
-        if len(sets) < _FEWEST_TO_COMPARE or settings.keep_suspects:
-            return model
-        away, sigmas = predicted_misfits(pairs, model)
-        usual = max(float(np.median(sigmas)), 1.0)
-        worst = int(np.argmax(sigmas))
-        # At most a quarter of the sets: more would be no blunders but a drift that jumps.
-        if sigmas[worst] <= _SUSPECT * usual or np.count_nonzero(status == SUSPECT) >= len(names) // 4:
-            return model
-        progress.warn(f"Set {names[sets[worst]]} lies {away[worst]:.2f} m from where the other sets put it and is left "
-                      "out: check that survey and reference show the same place.")
-        keep[number == sets[worst]], status[sets[worst]] = False, SUSPECT
+    fixed = settings.tie_sigma is not None
+    pairs, sets = _pairs(ties, number, place, keep)
+    model = fit_drift(pairs, trajectory, start, fixed)
+    # At most a quarter of the sets can be blunders: more would be a drift that jumps.
+    for _ in range(len(names) // 4 if len(sets) >= _FEWEST_TO_COMPARE else 0):
+        sigmas = predicted_misfits(pairs, model)[1]
+        worst = int(np.argmax(np.where(status[sets] == SUSPECT, 0.0, sigmas)))
+        if sigmas[worst] <= _SUSPECT * max(float(np.median(sigmas)), _LEAST_USUAL):
+            break
+        name, suspect = names[sets[worst]], number == sets[worst]
+        # A blunder widens what is held possible; what the other sets alone hold possible decides.
+        others, left = _pairs(ties, number, place, keep & ~suspect)
+        without = fit_drift(others, trajectory, start, fixed)
+        away, off = misfit_of_others(_pairs(ties, number, place, keep & suspect)[0], without)
         progress.check()
+        if off > _BLUNDER and not settings.keep_blunders:
+            progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it and is left out: check that "
+                          "survey and reference show the same place.")
+            status[sets[worst]], keep[suspect] = BLUNDER, False
+            pairs, sets, model = others, left, without
+        else:
+            progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
+                          "reference show the same place.")
+            status[sets[worst]] = SUSPECT
+    return model
 
 
 def _weak(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, status: np.ndarray,
@@ -280,11 +294,18 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
     return adjust_relative_motion(trajectory, once, mean, iterate=settings.method == "iterative")
 
 
+def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, model: DriftModel) -> float:
+    """Root mean square of the sets' misfits against the others, in sigmas of these; 1 where it is less."""
+    pairs, sets = _pairs(ties, number, place, keep)
+    if len(sets) < _FEWEST_FOR_SIGMA:
+        return 1.0
+    return max(1.0, float(np.sqrt(np.mean(predicted_misfits(pairs, model)[1] ** 2))))
+
+
 def _tell_reach(trajectory: Trajectory, model: DriftModel, progress: Progress) -> None:
     """Warn where much of the course has no set on both sides."""
-    covered = (model.time[-1] - model.time[0]) / max(trajectory.duration, 1e-9)
-    if covered < _SHORT_SHARE:
-        progress.warn(f"The tie points lie within {model.time[-1] - model.time[0]:.0f} of {trajectory.duration:.0f} s: "
+    if model.last - model.first < _SHORT_SHARE * trajectory.duration:
+        progress.warn(f"The tie points lie within {model.last - model.first:.0f} of {trajectory.duration:.0f} s: "
                       "the rest of the course is only moved along with them, and its sigma grows; add sets there.")
 
 
