@@ -27,7 +27,7 @@ _ATTRIBUTES = "CSLXBAPWIQYMDNZ"
 _BATCH = 200_000
 _SYSTEM_SCALE = {"R": "GLO", "E": "GAL", "C": "BDT", "J": "QZS"}
 _WEIGHTS = np.array([1e9, 1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0, 0.0, 0.1, 0.01, 0.001])
-_EPOCH_2 = re.compile(r"^ [ \d]\d [ \d]\d [ \d]\d [ \d]\d [ \d]\d[ \d]{2}\.\d[ \d]{6}  [01][ \d]{2}\d")
+_EPOCH_2 = re.compile(r"^ [ \d]\d [ \d]\d [ \d]\d [ \d]\d [ \d]\d[ \d]{2}\d\.\d[ \d]{6}  [01][ \d]{2}\d")
 _EVENT_2 = re.compile(r"^.{28}[2-6][ \d]{2}\d")
 _SATELLITE = re.compile(r"[GREJCSI ][ \d]\d")
 
