@@ -30,6 +30,8 @@ ALGORITHMS = (
     ("groundfrommms", "GroundFromMms"),
     ("roadmarkingsfrommms", "RoadMarkingsFromMms"),
     ("facadetextures", "FacadeTextures"),
+    ("georeferencescans", "GeoreferenceScans"),
+    ("rectifytrajectory", "RectifyTrajectory"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),

@@ -14,7 +14,8 @@ ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "applytrajectory", "landmarkupdate", "checkaccuracy",
-            "groundfrommms", "roadmarkingsfrommms",
+            "facadetextures", "groundfrommms", "roadmarkingsfrommms",
+            "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "buildingsfromals")
 

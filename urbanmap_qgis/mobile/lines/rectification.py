@@ -6,7 +6,7 @@ a ground is given the heights follow it along the rectified course. Roll and pit
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -128,6 +128,17 @@ class Rectified:
     def used(self) -> list[TieSet]:
         """The sets that count."""
         return [item for item in self.sets if item.is_used]
+
+    def figures(self) -> dict[str, float]:
+        """Figures of quality, m (see the outputs of `rectifytrajectory`); a height without a ground is missing."""
+        between = self.status == BETWEEN
+        made = {"BEFORE": _mean(item.before for item in self.used), "AFTER": _mean(item.after for item in self.used),
+                "PREDICTED": _mean(item.predicted for item in self.used),
+                "MEAN_SIGMA": _mean(self.plan_sigma[between]), "MAX_SIGMA": float(self.plan_sigma.max()),
+                "HELD_SHARE": float(1.0 - between.mean())}
+        if self.heights is not None:
+            made.update(HEIGHT_BEFORE=self.heights.before, HEIGHT_AFTER=self.heights.after)
+        return {name: value for name, value in made.items() if np.isfinite(value)}
 
 
 def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = None,
@@ -292,6 +303,12 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
     once, which = np.unique(epochs, return_inverse=True)
     mean = np.array([np.mean([drift[k] for k in np.flatnonzero(which.ravel() == e)], axis=0) for e in range(len(once))])
     return adjust_relative_motion(trajectory, once, mean, iterate=settings.method == "iterative")
+
+
+def _mean(values: Iterable[float]) -> float:
+    """Mean of the values that are known; NaN where none is."""
+    known = [value for value in values if np.isfinite(value)]
+    return float(np.mean(known)) if known else float("nan")
 
 
 def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, model: DriftModel) -> float:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import shapely
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
@@ -107,6 +108,15 @@ def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The ti
         raise InputError(f"{name}: in set {sets[worst]} survey and reference are {apart[worst]:,.0f} m apart; "
                          "both must be in the survey's coordinate reference system.")
     return TiePoints(sets, time, measured, reference)
+
+
+def ends_of(lines: Sequence[shapely.Geometry | None]) -> dict[str, np.ndarray]:
+    """Columns x_mms, y_mms, x_ref, y_ref of lines that run from the survey to the reference; NaN without a line."""
+    shapes = np.array(lines, dtype=object)
+    shapes = np.array([shapely.get_parts(shape)[0] if shape is not None else None for shape in shapes], dtype=object)
+    start, end = shapely.get_point(shapes, 0), shapely.get_point(shapes, -1)
+    return {"x_mms": shapely.get_x(start), "y_mms": shapely.get_y(start), "x_ref": shapely.get_x(end),
+            "y_ref": shapely.get_y(end)}
 
 
 def usable(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT) -> TiePoints:

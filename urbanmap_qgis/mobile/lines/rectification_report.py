@@ -1,0 +1,172 @@
+"""The report of a rectified trajectory: before and after, set by set, with the sigmas along the course."""
+
+from __future__ import annotations
+
+import html
+import os
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ...io.report import Report
+from ...io.svg_profile import COLOURS, Series, Stretch, profile
+from ..trajectory import Trajectory
+from .course_heights import CourseHeights
+from .rectification import BLUNDER, CONTRADICTING, HELD, POSITION_ONLY, SUSPECT, USED, Rectified
+
+MEANING = {
+    USED: "used",
+    POSITION_ONLY: "used; its pairs lie too close together, as seen from the vehicle, to tell the heading",
+    SUSPECT: "used, but far from where the other sets put it: check it",
+    BLUNDER: "left out: the other sets put it elsewhere",
+    CONTRADICTING: "left out: its pairs do not fit each other",
+}
+
+_METHOD = {
+    "drift": "best estimate of the drift from all tie points together",
+    "relative": "relative motions adjusted between sets, closed form (Z 3.1)",
+    "iterative": "relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)",
+}
+_SET_COLOURS = {USED: "#1a9850", POSITION_ONLY: "#91cf60", SUSPECT: "#e09a2b", BLUNDER: "#d73027",
+                CONTRADICTING: "#d73027"}
+_MOST_POINTS = 3000
+_WIDTH = 900
+
+
+def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified, settings: Mapping[str, str],
+                 notes: Sequence[str] = ()) -> None:
+    """Write the HTML report of a rectification; `settings` and `notes` (warnings) are shown as they are."""
+    report = Report("Rectified trajectory")
+    for note in notes:
+        report.warning(note)
+    report.section("Result")
+    report.facts(_facts(before, made))
+    report.figure(course_map(before, made), "The course as reported (grey) and rectified (blue; dashed where it is "
+                  "only carried on beyond the sets), and the sets of tie points: green used, orange suspect, red left "
+                  "out.")
+    report.section("Drift")
+    _drift(report, before, made)
+    report.section("Sets of tie points")
+    report.table(("Set", "Time, s", "Pairs", "Before, m", "After, m", "East, m", "North, m", "Heading, °",
+                  "Misfit within, m", "Off without itself, m", "Status"),
+                 [(item.name, item.time, f"{item.pairs} of {item.given}", item.before, item.after, item.shift[0],
+                   item.shift[1], item.turn, item.fit, item.predicted, MEANING[item.status]) for item in made.sets])
+    report.paragraph("Before and after: mean distance of the set's pairs from the reference. Off without itself: how "
+                     "far the set would lie from the reference if it were not used, which is more than what to expect "
+                     "halfway between sets.")
+    if made.heights is not None:
+        report.section("Heights")
+        _heights(report, before, made.heights)
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _facts(before: Trajectory, made: Rectified) -> dict[str, object]:
+    used, walk = made.used, made.drift.walk
+    moved = np.hypot(*(made.trajectory.place - before.place)[:, :2].T)
+    figures = made.figures()
+    return {
+        "Method": _METHOD[made.settings.method],
+        "Epochs": len(before),
+        "Sets of tie points used": f"{len(used)} of {len(made.sets)}",
+        "Distance of the tie points from the reference before, m": figures.get("BEFORE"),
+        "after, m": figures.get("AFTER"),
+        "Off without itself, mean over the sets, m": figures.get("PREDICTED"),
+        "Moved in plan, mean, m": float(moved.mean()),
+        "greatest, m": float(moved.max()),
+        "Sigma of a coordinate between the sets, mean, m": figures.get("MEAN_SIGMA"),
+        "greatest of all epochs, m": figures["MAX_SIGMA"],
+        "Share of the epochs before the first or after the last set": figures["HELD_SHARE"],
+        "Errors of heading carry the position aside (dead reckoning)": walk.coupled,
+        "Pace of the drift, m per root second": walk.pace,
+        "of the heading, ° per root second": float(np.degrees(walk.turn_pace)),
+        "Sigma of a tie point's coordinate, m": walk.sigma,
+        "Sigmas are multiplied by": made.sigma_factor,
+    }
+
+
+def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
+    """Profiles of the corrections over time."""
+    time = before.time - before.time[0]
+    change = made.trajectory.place - before.place
+    held = _held(made, time)
+    sets = np.searchsorted(before.time, [item.time for item in made.used]).clip(0, len(time) - 1)
+    at_sets = np.full((len(time), 2), np.nan)
+    at_sets[sets] = change[sets, :2]
+    for axis, name in enumerate(("East", "North")):
+        curve = change[:, axis]
+        report.figure(profile(time, [Series(f"{name} correction", curve), Series("sets", at_sets[:, axis], COLOURS[1],
+                                                                                True)], "s", "m",
+                              (curve - made.plan_sigma, curve + made.plan_sigma), held),
+                      f"Correction to the {name.lower()} with its sigma.")
+    turn = made.trajectory.angles[:, 2] - before.angles[:, 2]
+    report.figure(profile(time, [Series("Heading correction", turn, COLOURS[2])], "s", "°",
+                          (turn - made.heading_sigma, turn + made.heading_sigma), held),
+                  "Correction to the heading with its sigma.")
+
+
+def _held(made: Rectified, time: np.ndarray) -> list[Stretch]:
+    """The parts before the first and after the last set."""
+    first, last = made.drift.first - made.drift.time[0], made.drift.last - made.drift.time[0]
+    name = "beyond the sets"
+    return [Stretch(start, end, "#e09a2b", name) for start, end in ((0.0, first), (last, float(time[-1])))
+            if end > start]
+
+
+def _heights(report: Report, before: Trajectory, heights: CourseHeights) -> None:
+    if heights.found:
+        report.warning(f"The height of the origin above the ground was not given: the mean height stays as reported "
+                       f"({heights.sensor_height:.2f} m above the ground).")
+    report.facts({
+        "Height of the origin above the ground, m": heights.sensor_height,
+        "Samples along the course": heights.samples,
+        "left out, they stand out of their neighbours": heights.left_out,
+        "Share of the course with a ground": heights.covered,
+        "Distance from the ground before, root mean square, m": heights.before,
+        "after, m": heights.after,
+        "Sigma of a sample, m": heights.sample_sigma,
+        "Sigma of the heights, mean, m": float(heights.sigma.mean()),
+        "greatest, m": float(heights.sigma.max()),
+    })
+    time = before.time - before.time[0]
+    rows = np.searchsorted(before.time, heights.used_time).clip(0, len(time) - 1)
+    samples = np.full(len(time), np.nan)
+    samples[rows] = heights.used_error
+    report.figure(profile(time, [Series("ground says", samples, COLOURS[4], True), Series("taken", heights.error)],
+                          "s", "m", (heights.error - heights.sigma, heights.error + heights.sigma)),
+                  "Correction to the height with its sigma, and the samples of the ground.")
+
+
+def course_map(before: Trajectory, made: Rectified) -> str:
+    """An SVG plan of the course before and after, with the sets."""
+    rows = np.unique(np.linspace(0, len(before) - 1, min(len(before), _MOST_POINTS)).astype(int))
+    old, new = before.place[rows, :2], made.trajectory.place[rows, :2]
+    low, high = np.minimum(old.min(axis=0), new.min(axis=0)), np.maximum(old.max(axis=0), new.max(axis=0))
+    span = np.maximum(high - low, 1.0)
+    scale = (_WIDTH - 40) / max(span[0], span[1] * 1.3)
+    height = int(span[1] * scale) + 60
+
+    def place(xy: np.ndarray) -> np.ndarray:
+        return np.column_stack([20 + (xy[:, 0] - low[0]) * scale, 20 + (high[1] - xy[:, 1]) * scale])
+
+    parts = [_line(place(old), "#999", 1.0)]
+    status = made.status[rows]
+    for run in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(status)) + 1):
+        parts.append(_line(place(new[run]), COLOURS[0], 1.8, status[run[0]] == HELD))
+    for item in made.sets:
+        x, y = place(item.place[None, :2])[0]
+        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{_SET_COLOURS[item.status]}" stroke="#fff"/>'
+                     f'<text x="{x + 6:.1f}" y="{y - 5:.1f}">{html.escape(item.name)}</text>')
+    length = 10.0 ** np.floor(np.log10(max((_WIDTH - 40) / 4 / scale, 1e-6)))
+    parts.append(f'<path d="M{_WIDTH - 20 - length * scale:.1f} {height - 16}H{_WIDTH - 20}" stroke="#333" '
+                 f'stroke-width="3"/><text x="{_WIDTH - 24 - length * scale:.1f}" y="{height - 12}" '
+                 f'text-anchor="end">{length:g} m</text>')
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{_WIDTH}" height="{height}" role="img" '
+            f'font-family="sans-serif" font-size="11">{"".join(parts)}</svg>')
+
+
+def _line(places: np.ndarray, colour: str, width: float, dashed: bool = False) -> str:
+    path = "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in places)
+    dash = ' stroke-dasharray="5 4"' if dashed else ""
+    return f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="{width}"{dash}/>'
