@@ -95,7 +95,7 @@ class RegistrationSettings:
     refinement: bool = True
     shared_windows: bool = True
     outlier_share: float = 0.35
-    reference_sigma: float = 0.01
+    reference_sigma: float = 0.015
     reference_sigma_z: float = 0.015
 
     def __post_init__(self) -> None:
