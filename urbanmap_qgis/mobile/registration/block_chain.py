@@ -1,0 +1,56 @@
+"""Gauss-Markov chains: normal equations in which each state is tied to the next alone, solved in linear time.
+
+The matrix is block tridiagonal. Of its inverse only the blocks on the diagonal are made (the selected inverse).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class ChainSolution:
+    """Solution of the normal equations of n states with p values each.
+
+    Attributes
+    ----------
+    state : (n, p). covariance : (n, p, p) of each state, given all. log_determinant : of the matrix.
+    """
+
+    state: np.ndarray
+    covariance: np.ndarray
+    log_determinant: float
+
+
+def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> ChainSolution:
+    """Solve the symmetric positive definite system with blocks `diagonal` (n, p, p) and `ahead` (n - 1, p, p).
+
+    `ahead[k]` stands in row k, column k + 1. `right` : (n, p).
+    """
+    count = len(right)
+    scale = 1.0 / np.sqrt(np.einsum("kii->ki", diagonal))  # states in their own units
+    diagonal = diagonal * scale[:, :, None] * scale[:, None, :]
+    ahead = ahead * scale[:-1, :, None] * scale[1:, None, :]
+    state = right * scale
+    inverse = np.empty_like(diagonal)  # of each pivot, the states before eliminated
+    gain = np.empty_like(ahead)
+    log_determinant = -2.0 * float(np.log(scale).sum())
+    pivot = diagonal[0]
+    for k in range(count):
+        if k:
+            pivot = diagonal[k] - ahead[k - 1].T @ gain[k - 1]
+            state[k] -= gain[k - 1].T @ state[k - 1]
+        lower = np.linalg.cholesky(pivot)
+        log_determinant += 2.0 * float(np.log(lower.diagonal()).sum())
+        half = np.linalg.inv(lower)
+        inverse[k] = half.T @ half
+        if k < count - 1:
+            gain[k] = inverse[k] @ ahead[k]
+    covariance = inverse.copy()
+    state[-1] = inverse[-1] @ state[-1]
+    for k in range(count - 2, -1, -1):
+        state[k] = inverse[k] @ state[k] - gain[k] @ state[k + 1]
+        covariance[k] += gain[k] @ covariance[k + 1] @ gain[k].T
+    return ChainSolution(state * scale, covariance * scale[:, :, None] * scale[:, None, :], log_determinant)

@@ -1,0 +1,396 @@
+"""One smooth correction of the trajectory from the windows' results: no step between patches, with honest sigma.
+
+Windows give evidence on the error near their patches (J 3.2.4.3). Here it is adjusted together with a model of how the
+error drifts, robustly: stretches whose evidence contradicts the rest lose their weight, gaps are bridged, and each
+patch says how its correction was found.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ...errors import InsufficientDataError
+from ...progress import SILENT, Progress
+from ..trajectory import Trajectory
+from .block_chain import solve_chain
+from .drift_model import DriftModel, drift_clock, torn_steps
+from .evidence import Evidence, evidence_of
+from .results import WindowResults
+
+REGISTERED, BRIDGED, DISTRUSTED = range(3)
+STATUS_NAMES = ("registered", "bridged", "not to be trusted")
+"""registered: found from markings around the patch. bridged: between or beyond registered patches, by the model of the
+drift. not to be trusted: too far from them, or contradictory or ambiguous markings."""
+
+_PASSES = 6
+_FACTORS = (0.5, 1.0, 2.0, 4.0, 8.0)
+_FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
+_SETTLED = 0.02
+_SINGULAR = 1e-6  # ratio of information below which a direction is not observed
+_UNSAID = 0.02  # weight that stands for evidence that is not believed at all
+
+
+@dataclass(frozen=True)
+class CorrectionSettings:
+    """Parameters of the adjustment.
+
+    Attributes
+    ----------
+    node_length : m of the drift's clock between the nodes of the correction.
+    rate, rate_length, wander, initial, standing : see `DriftModel`; the survey itself scales rate and wander.
+    block_length : m of path whose evidence is tested, and loses its weight, as one.
+    gross : standard deviations from which a block's contradiction is gross.
+    least_margin : log-likelihood by which a place must beat all others.
+    registered_sigma : m in plan, a registered patch has at most. trusted_sigma : m, a trusted one.
+    reference_sigma, reference_sigma_z : m, what the reference itself is off by, added to every sigma.
+    """
+
+    node_length: float = 2.0
+    rate: tuple[float, ...] = (2e-3, 2e-3, 1.5e-3, 6e-4, 6e-4, 6e-4)
+    rate_length: float = 40.0
+    wander: tuple[float, ...] = (1.5e-3, 1.5e-3, 1.0e-3, 5e-4, 5e-4, 5e-4)
+    initial: tuple[float, ...] = (3.0, 3.0, 5.0, 0.5, 0.5, 0.5)
+    standing: float = 5.0
+    block_length: float = 10.0
+    gross: float = 5.0
+    least_margin: float = 3.0
+    registered_sigma: float = 0.10
+    trusted_sigma: float = 0.30
+    reference_sigma: float = 0.01
+    reference_sigma_z: float = 0.015
+
+    def model(self) -> DriftModel:
+        """The drift as these settings expect it."""
+        return DriftModel(np.array(self.rate), self.rate_length, np.array(self.wander), np.array(self.initial),
+                          self.standing)
+
+
+@dataclass(frozen=True)
+class Correction:
+    """The correction along the path; what T_corrected has more than T_reported: place (m) and angles (degrees).
+
+    Attributes
+    ----------
+    time : (n,) s, way : (n,) m, of the patches.
+    value : (n, 6) dx, dy, dz, droll, dpitch, dheading; 0 for what was not estimated.
+    covariance : (n, 6, 6), the reference's own error included; NaN for what was not estimated.
+    status : (n,) int8, REGISTERED, BRIDGED or DISTRUSTED.  reason : (n,) why it is not simply registered, or "".
+    weight : (n,) 0 to 1, of the patch's own evidence; NaN where it has none.
+    residual : (n, 6) the window's own correction less this one; NaN where there is none.
+    three_d : whether height, roll and pitch were estimated.
+    drift_factor : how many times as large as expected the drift is. noise_factor : the same of the evidence's variance.
+    """
+
+    time: np.ndarray
+    way: np.ndarray
+    value: np.ndarray
+    covariance: np.ndarray
+    status: np.ndarray
+    reason: np.ndarray
+    weight: np.ndarray
+    residual: np.ndarray
+    three_d: bool
+    drift_factor: float
+    noise_factor: float
+    _clock: np.ndarray = field(repr=False)
+    _node_clock: np.ndarray = field(repr=False)
+    _node_state: np.ndarray = field(repr=False)
+    _active: tuple[int, ...] = field(repr=False)
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    def sigma(self) -> np.ndarray:
+        """(n, 6) standard deviations, m and degrees."""
+        return np.sqrt(np.einsum("nii->ni", self.covariance))
+
+    def plan_sigma(self) -> np.ndarray:
+        """(n,) standard deviation in the worst direction in plan, m."""
+        return _plan_sigma(self.covariance)
+
+
+def correct_trajectory(trajectory: Trajectory, correction: Correction, standing: float) -> Trajectory:
+    """The trajectory with the correction at all its epochs; before the first and after the last node it is rigid.
+
+    `standing` must be that of the correction's settings.
+    """
+    clock = drift_clock(trajectory, standing)
+    change = np.zeros((len(clock), 6))
+    change[:, correction._active] = _smooth_between(correction._node_clock, correction._node_state, clock)
+    return Trajectory(trajectory.time, trajectory.place + change[:, :3], trajectory.angles + change[:, 3:])
+
+
+def adjust_correction(windows: WindowResults, trajectory: Trajectory,
+                      settings: CorrectionSettings = CorrectionSettings(), progress: Progress = SILENT) -> Correction:
+    """Adjust the windows' results to one smooth correction.
+
+    Raises
+    ------
+    InsufficientDataError : no window was registered.
+    """
+    evidence = evidence_of(windows)
+    if not evidence.present.any():
+        raise InsufficientDataError(
+            "No stretch of the survey could be registered to the reference markings: check that both show the same "
+            "streets in the same coordinate system, and that the survey has intensities that show paint.")
+    model = settings.model()
+    clock = drift_clock(trajectory, settings.standing)
+    at_patches = np.interp(windows.time, trajectory.time, clock)
+    chain = _Chain(evidence, at_patches, _nodes(clock, settings.node_length), trajectory, clock)
+    sure = windows.margin >= settings.least_margin
+    weights = np.where(sure, 1.0, 0.0) if (sure & evidence.present).any() else np.ones(len(windows))
+    fit = _robust_fit(chain, model, weights, settings, progress)
+    doubtful = evidence.present & ~sure
+    if doubtful.any() and (weights == 0).any():
+        agreeing = doubtful & _only_own_mode_fits(windows, chain, fit, settings)
+        if agreeing.any():
+            fit = _robust_fit(chain, model, np.where(agreeing, 1.0, weights), settings, progress)
+            doubtful &= ~agreeing
+    return _result(windows, evidence, chain, fit, doubtful, settings)
+
+
+@dataclass(frozen=True)
+class _Fit:
+    """State of the adjustment: nodes' states and covariances, patches' values, weights and the factors found."""
+
+    state: np.ndarray
+    node_covariance: np.ndarray
+    value: np.ndarray
+    covariance: np.ndarray
+    weight: np.ndarray
+    drift_factor: float
+    noise_factor: float
+
+
+class _Chain:
+    """The normal equations: nodes along the clock, the patches' evidence on the node next to each."""
+
+    def __init__(self, evidence: Evidence, at_patches: np.ndarray, nodes: np.ndarray, trajectory: Trajectory,
+                 clock: np.ndarray):
+        self.evidence, self.nodes, self.at_patches = evidence, nodes, at_patches
+        rising = np.concatenate([[True], np.diff(clock) > 0])
+        self.torn = torn_steps(trajectory, np.interp(nodes, clock[rising], trajectory.time[rising]))
+        self.node = np.clip(np.searchsorted(0.5 * (nodes[1:] + nodes[:-1]), at_patches), 0, len(nodes) - 1)
+        self.ahead = at_patches - nodes[self.node]
+        self.size = len(evidence.active)
+
+    def solve(self, model: DriftModel, weight: np.ndarray):
+        """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
+        k, d = len(self.nodes), self.size
+        diagonal, ahead, right = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2)), np.zeros((k, d, 2))
+        transition, precision = model.steps(self.nodes, self.torn, self.evidence.active)
+        own = np.arange(d)
+        carried = np.einsum("kji,kdjl->kdil", transition, precision)  # F' P
+        diagonal[1:, own, :, own, :] += np.moveaxis(precision, 1, 0)
+        diagonal[:-1, own, :, own, :] += np.moveaxis(np.einsum("kdil,klm->kdim", carried, transition), 1, 0)
+        ahead[:, own, :, own, :] -= np.moveaxis(carried, 1, 0)
+        start = np.stack([model.initial, model.rate], axis=1)[list(self.evidence.active)] ** -2.0
+        diagonal[0, own, 0, own, 0] += start[:, 0]
+        diagonal[0, own, 1, own, 1] += start[:, 1]
+        weighted = self.evidence.information * weight[:, None, None]
+        pull = self.evidence.absolute_pull * weight[:, None]
+        arms = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
+        for a in range(2):
+            np.add.at(right[:, :, a], self.node, pull * arms[:, a, None])
+            for b in range(2):
+                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (arms[:, a] * arms[:, b])[:, None, None])
+        solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), ahead.reshape(k - 1, 2 * d, 2 * d),
+                               right.reshape(k, 2 * d))
+        determinants = np.linalg.det(precision)
+        prior = float(np.log(determinants).sum() + np.log(start).sum())
+        likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior - solution.log_determinant)
+        return solution.state.reshape(k, d, 2), solution.covariance, likelihood
+
+    def alone(self, weight: np.ndarray, allowed: np.ndarray) -> float:
+        """Log-likelihood that the nodes would reach each on its own, with the densities that their weights stand for.
+
+        With it likelihoods can be compared between models that weight the `allowed` (n,) evidence differently.
+        """
+        k, told_by = len(self.nodes), self.evidence.present & (allowed > 0)
+        information, pull = np.zeros((k, self.size, self.size)), np.zeros((k, self.size))
+        np.add.at(information, self.node, self.evidence.information * weight[:, None, None])
+        np.add.at(pull, self.node, self.evidence.absolute_pull * weight[:, None])
+        values, vectors = np.linalg.eigh(information)
+        there = values > _SINGULAR * np.maximum(values[:, -1:], 1e-12)
+        along = np.einsum("kji,kj->ki", vectors, pull)
+        best = 0.5 * (np.where(there, along**2, 0.0) / np.where(there, values, 1.0)).sum()
+        count = np.bincount(self.node, told_by, k)
+        mean = np.bincount(self.node, told_by * weight, k) / np.maximum(count, 1)
+        values_told = np.where(mean > 0, there.sum(axis=1), self.size) * (count > 0)
+        return float(best) - 0.5 * float((values_told * np.log(np.maximum(mean, _UNSAID))).sum())
+
+    def at(self, state: np.ndarray, covariance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Values (n, d) and covariances (n, d, d) at the patches."""
+        value = state[self.node, :, 0] + self.ahead[:, None] * state[self.node, :, 1]
+        d = self.size
+        blocks = covariance[self.node].reshape(-1, d, 2, d, 2)
+        arm = self.ahead[:, None, None]
+        spread = (blocks[:, :, 0, :, 0] + arm * (blocks[:, :, 0, :, 1] + blocks[:, :, 1, :, 0])
+                  + arm**2 * blocks[:, :, 1, :, 1])
+        return value, spread
+
+
+def _nodes(clock: np.ndarray, length: float) -> np.ndarray:
+    """Readings of the clock at which the correction has nodes, at most `length` apart, at least two."""
+    count = max(int(np.ceil((clock[-1] - clock[0]) / length)), 1)
+    return np.linspace(clock[0], clock[-1], count + 1)
+
+
+def _robust_fit(chain: _Chain, model: DriftModel, allowed: np.ndarray, settings: CorrectionSettings,
+                progress: Progress) -> _Fit:
+    """The adjustment with the size of drift that makes the survey likeliest, its gross blocks counted against it."""
+    tried = []
+    for number, factor in enumerate(_FACTORS):
+        progress.step(number / len(_FACTORS))
+        fit, likelihood = _reweighted_fit(chain, model.scaled(factor), allowed, settings)
+        tried.append((likelihood - 0.5 * (np.log2(factor) / _FACTOR_SPREAD) ** 2, factor, fit))
+    _, factor, fit = max(tried, key=lambda entry: entry[0])
+    return replace(fit, drift_factor=factor)
+
+
+def _reweighted_fit(chain: _Chain, model: DriftModel, allowed: np.ndarray,
+                    settings: CorrectionSettings) -> tuple[_Fit, float]:
+    """Adjustment in which blocks that contradict the rest lose their weight, and the log-likelihood of the model."""
+    evidence = chain.evidence
+    block = ((chain.at_patches - chain.at_patches[0]) / settings.block_length).astype(int)
+    weight, noise = allowed.copy(), 1.0
+    for _ in range(_PASSES):
+        scaled = weight / noise
+        state, spread, likelihood = chain.solve(model, scaled)
+        value, covariance = chain.at(state, spread)
+        test, freedom = _block_tests(evidence, value, covariance, block, weight, noise)
+        new, noise_found = _reweighted(test, freedom, block, allowed, evidence.present, noise, settings)
+        settled = np.abs(new - weight).max() < _SETTLED and abs(noise_found / noise - 1.0) < _SETTLED
+        if settled:
+            break
+        weight, noise = new, noise_found
+    likelihood -= chain.alone(scaled, allowed)
+    return _Fit(state, spread, value, covariance, weight, 1.0, noise), likelihood
+
+
+def _block_tests(evidence: Evidence, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
+                 weight: np.ndarray, noise: float) -> tuple[np.ndarray, np.ndarray]:
+    """For each block: how far its own evidence lies from what all others say (chi square), and degrees of freedom."""
+    count, d = int(block.max()) + 1, value.shape[1]
+    lean, information = np.zeros((count, d)), np.zeros((count, d, d))
+    np.add.at(lean, block, evidence.pull_at(value))
+    np.add.at(information, block, evidence.information)
+    share = np.zeros(count)
+    np.maximum.at(share, block, weight)  # alike within a block but for what was not allowed
+    middle = np.minimum(np.searchsorted(block, np.arange(count) + 0.5, side="left"), len(block) - 1)
+    middle = (np.searchsorted(block, np.arange(count)) + middle) // 2
+    test, freedom = np.full(count, np.nan), np.zeros(count)
+    for b in range(count):
+        if not information[b].any():
+            continue
+        own = information[b] / noise
+        bent = lean[b] / noise
+        others = np.linalg.inv(covariance[middle[b]]) - share[b] * own
+        values, vectors = np.linalg.eigh(0.5 * (others + others.T))
+        spread = (vectors / np.maximum(values, 1e-9 * max(values.max(), 1e-9))) @ vectors.T
+        apart = bent + share[b] * own @ (spread @ bent)
+        scatter = own + own @ spread @ own
+        sizes, axes = np.linalg.eigh(0.5 * (scatter + scatter.T))
+        there = sizes > 1e-8 * sizes.max()
+        test[b] = float(((axes[:, there].T @ apart) ** 2 / sizes[there]).sum())
+        freedom[b] = there.sum()
+    return test, freedom
+
+
+def _reweighted(test: np.ndarray, freedom: np.ndarray, block: np.ndarray, allowed: np.ndarray, present: np.ndarray,
+                noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
+    """New weights of the patches' evidence, and the factor of its variance."""
+    ratio = test / np.maximum(freedom, 1)
+    usable = np.isfinite(ratio)
+    counted = np.zeros(len(test), bool)
+    np.logical_or.at(counted, block, (allowed > 0) & present)
+    counted &= usable
+    fair = ratio[counted]
+    if len(fair) >= 5:  # the median of a reduced chi square, so that gross blocks do not raise it
+        noise = max(1.0, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
+    limit = settings.gross**2 / 6.0
+    share = np.where(usable, np.where(ratio > settings.gross**2 / 2.0, 0.0,
+                                      np.minimum(1.0, limit / np.maximum(ratio, 1e-9))), 0.0)
+    return allowed * share[block], noise
+
+
+def _only_own_mode_fits(windows: WindowResults, chain: _Chain, fit: _Fit, settings: CorrectionSettings) -> np.ndarray:
+    """Mask (n,) of patches of doubt whose own place lies where all sure ones say, and no other place does."""
+    plan = fit.covariance[:, :2, :2] + np.eye(2) * settings.reference_sigma**2
+    inverse = np.linalg.inv(plan)
+
+    def away(place):
+        off = place - fit.value[:, :2]
+        return np.einsum("ni,nij,nj->n", off, inverse, off)
+
+    others = [away(windows.modes[:, k]) for k in range(1, windows.modes.shape[1])]
+    nearest = np.min([np.where(np.isfinite(item), item, np.inf) for item in others], axis=0)
+    own = away(windows.correction[:, :2])
+    return (own < 9.0) & (nearest - own > 2 * 3.0 * settings.least_margin)
+
+
+def _result(windows: WindowResults, evidence: Evidence, chain: _Chain, fit: _Fit, doubtful: np.ndarray,
+            settings: CorrectionSettings) -> Correction:
+    """The correction at the patches with its quality."""
+    n, active = len(windows), list(evidence.active)
+    value = np.zeros((n, 6))
+    value[:, active] = fit.value
+    floor = np.zeros(6)
+    floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
+    covariance = np.full((n, 6, 6), np.nan)
+    covariance[np.ix_(range(n), active, active)] = fit.covariance + np.diag(floor[active])
+    weight = np.where(evidence.present, fit.weight, np.nan)
+    residual = windows.correction - value
+    status, reason = _judge(windows, evidence, weight, _plan_sigma(covariance), doubtful, settings)
+    return Correction(windows.time, windows.way, value, covariance, status, reason, weight, residual,
+                      evidence.three_d, fit.drift_factor, fit.noise_factor, chain.at_patches, chain.nodes, fit.state,
+                      evidence.active)
+
+
+def _judge(windows: WindowResults, evidence: Evidence, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
+           settings: CorrectionSettings) -> tuple[np.ndarray, np.ndarray]:
+    """Status (n,) and its reason (n,) of each patch."""
+    n = len(windows)
+    reason = np.full(n, "", dtype=object)
+    spoken = np.nan_to_num(weight) > 0.3
+    around = _near(spoken, windows)
+    rejected = evidence.present & (np.nan_to_num(weight) <= 0.3)
+    status = np.where(around & (sigma <= settings.registered_sigma), REGISTERED, BRIDGED).astype(np.int8)
+    reason[~around] = "no markings registered around the patch"
+    reason[around & (sigma > settings.registered_sigma)] = "the markings do not fix the place well"
+    reason[rejected] = "the markings here contradict those around"
+    status[rejected] = BRIDGED
+    reason[doubtful] = "another place of the markings fits as well"
+    status[doubtful] = BRIDGED
+    wide = sigma > settings.trusted_sigma
+    status[wide] = DISTRUSTED
+    if not (spoken & ~doubtful).any():
+        status[:] = DISTRUSTED
+    return status, reason
+
+
+def _near(spoken: np.ndarray, windows: WindowResults) -> np.ndarray:
+    """Mask (n,) of patches in the middle half of whose window some patch's evidence was used."""
+    running = np.concatenate([[0], np.cumsum(spoken)])
+    number = np.arange(len(spoken))
+    low = np.maximum((number + windows.window_first) // 2, 0)
+    high = np.minimum((number + windows.window_last + 1) // 2, len(spoken) - 1)
+    return running[high + 1] - running[low] > 0
+
+
+def _plan_sigma(covariance: np.ndarray) -> np.ndarray:
+    """(n,) root of the larger eigenvalue of the covariances in plan."""
+    a, b, c = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
+    return np.sqrt(0.5 * (a + c) + np.sqrt(0.25 * (a - c) ** 2 + b**2))
+
+
+def _smooth_between(nodes: np.ndarray, state: np.ndarray, clock: np.ndarray) -> np.ndarray:
+    """Values (m, d) at clock readings (m,): cubics that meet the nodes' values and rates."""
+    step = np.clip(np.searchsorted(nodes, clock, side="right") - 1, 0, len(nodes) - 2)
+    length = (nodes[step + 1] - nodes[step])[:, None]
+    t = np.clip((clock - nodes[step])[:, None] / length, 0.0, 1.0)
+    before, after = state[step], state[step + 1]
+    return (before[:, :, 0] * (1 + 2 * t) * (1 - t) ** 2 + after[:, :, 0] * t**2 * (3 - 2 * t)
+            + length * t * (1 - t) * (before[:, :, 1] * (1 - t) - after[:, :, 1] * t))
