@@ -154,7 +154,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
             results["OUTPUT_SETS"] = self.write_layer(
                 parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
                 dict(zip((name for name, _ in SET_FIELDS), columns)), crs,
-                shapely.points([item.place for item in made.sets]), "PointZ", style="tie_sets", progress=progress)
+                shapely.points([item.place for item in made.sets]), "PointZ", progress=progress)
         if parameters.get("OUTPUT_EPOCHS"):
             results["OUTPUT_EPOCHS"] = self.write_layer(
                 parameters, "OUTPUT_EPOCHS", context, make_fields(*EPOCH_FIELDS), epoch_columns(before, made), crs,

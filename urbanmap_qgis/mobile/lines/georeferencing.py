@@ -208,7 +208,7 @@ class _Work:
         written = sum(self.by_scanner.values())
         if not self.counts["read"]:
             raise InsufficientDataError("The files hold no returns: choose other range scans.")
-        if self.shift is None and np.isfinite(self.span[0]):
+        if self.shift is None and self.counts["outside"]:
             raise InputError(f"The range scans were measured from {self.span[0]:.1f} to {self.span[1]:.1f} s, but the "
                              f"trajectory runs from {self.trajectory.time[0]:.1f} to {self.trajectory.time[-1]:.1f} s: "
                              "give those of one survey.")

@@ -158,7 +158,8 @@ def course_map(before: Trajectory, made: Rectified) -> str:
         x, y = place(item.place[None, :2])[0]
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{_SET_COLOURS[item.status]}" stroke="#fff"/>'
                      f'<text x="{x + 6:.1f}" y="{y - 5:.1f}">{html.escape(item.name)}</text>')
-    length = 10.0 ** np.floor(np.log10(max((_WIDTH - 40) / 4 / scale, 1e-6)))
+    longest = (_WIDTH - 40) / 4 / scale
+    length = max(step for step in np.outer([1, 2, 5], 10.0 ** np.arange(-3, 7)).ravel() if step <= longest)
     parts.append(f'<path d="M{_WIDTH - 20 - length * scale:.1f} {height - 16}H{_WIDTH - 20}" stroke="#333" '
                  f'stroke-width="3"/><text x="{_WIDTH - 24 - length * scale:.1f}" y="{height - 12}" '
                  f'text-anchor="end">{length:g} m</text>')
