@@ -23,6 +23,7 @@ CELL = 0.05
 
 _SPACINGS = (1.0, 2.0, 4.0, 8.0)
 _SUPPORT = 0.02
+_COARSEST = 8
 _NEAR_CORE = 0.12
 _PAINT_REACH = 0.25
 _STEP_REACH = 0.12
@@ -38,7 +39,7 @@ class MarkingPointSettings:
     block_size : side of the block whose Gaussian mean is the threshold's base (J Table 3-2).
     contrast : how much brighter than the ground paint is, as a share of the ground's own intensity.
     max_width : strokes of paint are narrower; what is wider in both directions is ground.
-    step : a point this far above lower ground and below higher ground beside it lies on a kerb or at a wall's foot.
+    step : a point this far above lower ground beside it lies on a kerb or at a wall's foot.
     min_length, min_points : smaller pieces are specks. join : gaps in a piece of marking, and between its points.
     longest : pieces of this length or more are not judged by their size.
     """
@@ -90,7 +91,7 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
     n = len(x)
     if not n:
         return MarkingAnswer(np.zeros(0, bool), np.zeros(0, np.float32), np.zeros(0, np.float32))
-    grid = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL)
+    grid = _grid(x, y)
     row, column, _inside = grid.cells(x, y)
     cell = row * grid.columns + column
     image, seen = _image(cell, brightness, grid)
@@ -106,6 +107,12 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
     return _answer(n, some[bright], brightness, ground.ravel()[cell[some[bright]]], paint_level[bright])
 
 
+def _grid(x: np.ndarray, y: np.ndarray) -> Grid:
+    """Grid round points, its corners on multiples of the coarsest cells."""
+    coarse = Grid.covering(x.min() - 0.5, y.min() - 0.5, x.max() + 0.5, y.max() + 0.5, CELL * _COARSEST)
+    return Grid(coarse.x_min, coarse.y_max, CELL, coarse.rows * _COARSEST, coarse.columns * _COARSEST)
+
+
 def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
     """Brightness of the ground on the grid, smoothed over the points' spacing, and where there are points near."""
     size = grid.rows * grid.columns
@@ -113,11 +120,24 @@ def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.nda
     total = np.bincount(cell, weights=brightness, minlength=size).astype(np.float32).reshape(grid.shape)
     image = np.full(grid.shape, np.nan, dtype=np.float32)
     for spacing in _SPACINGS:
-        weight = cv2.GaussianBlur(count, (0, 0), spacing, borderType=cv2.BORDER_CONSTANT)
-        value = cv2.GaussianBlur(total, (0, 0), spacing, borderType=cv2.BORDER_CONSTANT)
+        weight, value = (_blurred(layer, spacing) for layer in (count, total))
         open_ = np.isnan(image) & (weight > _SUPPORT)
         image[open_] = value[open_] / weight[open_]
     return image, ~np.isnan(image)
+
+
+def _blurred(layer: np.ndarray, sigma: float) -> np.ndarray:
+    """Gaussian mean with a standard deviation in cells; wide ones are taken on a grid that is coarser accordingly.
+
+    The caller's grid must lie on multiples of 8 cells, so that the coarse one does not depend on its extent.
+    """
+    step = int(min(max(2 ** np.floor(np.log2(sigma / 1.5)), 1), _COARSEST))
+    if step == 1:
+        return cv2.GaussianBlur(layer, (0, 0), sigma, borderType=cv2.BORDER_CONSTANT)
+    rows, columns = layer.shape
+    coarse = cv2.resize(layer, (columns // step, rows // step), interpolation=cv2.INTER_AREA)
+    coarse = cv2.GaussianBlur(coarse, (0, 0), sigma / step, borderType=cv2.BORDER_CONSTANT)
+    return cv2.resize(coarse, (columns, rows), interpolation=cv2.INTER_LINEAR)
 
 
 def _ground_level(image: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
@@ -132,8 +152,8 @@ def _ground_level(image: np.ndarray, settings: MarkingPointSettings) -> np.ndarr
 def _core(image: np.ndarray, ground: np.ndarray, seen: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
     """Cells that are surely paint, bool."""
     sigma = 0.15 * settings.block_size / CELL
-    weight = cv2.GaussianBlur(seen.astype(np.float32), (0, 0), sigma)
-    mean = cv2.GaussianBlur(np.where(seen, image, 0).astype(np.float32), (0, 0), sigma) / np.maximum(weight, 1e-3)
+    weight = _blurred(seen.astype(np.float32), sigma)
+    mean = _blurred(np.where(seen, image, np.float32(0)), sigma) / np.maximum(weight, 1e-3)
     margin = settings.contrast * ground
     with np.errstate(invalid="ignore"):
         return seen & (image > mean + margin) & (image > ground + margin)
@@ -157,27 +177,24 @@ def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, im
     count = np.bincount(here, minlength=size).astype(np.float32).reshape(grid.shape)
     total = np.bincount(here, weights=value[bright], minlength=size).astype(np.float32).reshape(grid.shape)
     sigma = _PAINT_REACH / CELL / 1.5
-    count, total = (cv2.GaussianBlur(layer, (0, 0), sigma) for layer in (count, total))
+    count, total = (_blurred(layer, sigma) for layer in (count, total))
     level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest.reshape(grid.shape)).ravel()[cell[some]]
     return value > 0.5 * (level + base), level
 
 
 def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndarray, grid: Grid,
               settings: MarkingPointSettings) -> np.ndarray:
-    """Which of some points lie between two levels of the ground, or beside many bright ones that do."""
+    """Which of some points lie above lower ground beside them, as on a kerb or a wall, or among bright ones that do."""
     size = grid.rows * grid.columns
-    low, high = np.full(size, np.inf, np.float32), np.full(size, -np.inf, np.float32)
-    base = float(z.mean())
-    height = (z - base).astype(np.float32)
+    low = np.full(size, np.inf, np.float32)
+    height = (z - z.min()).astype(np.float32)
     np.minimum.at(low, cell, height)
-    np.maximum.at(high, cell, height)
-    kernel = _disc(_STEP_REACH)
-    low = cv2.erode(np.where(np.isinf(low), np.float32(1e6), low).reshape(grid.shape), kernel).ravel()[cell[some]]
-    high = cv2.dilate(np.where(np.isinf(high), np.float32(-1e6), high).reshape(grid.shape), kernel).ravel()[cell[some]]
-    between = (height[some] - low > settings.step) & (high - height[some] > settings.step)
+    low[np.isinf(low)] = 1e6
+    low = cv2.erode(low.reshape(grid.shape), _disc(_STEP_REACH)).ravel()[cell[some]]
+    above = height[some] - low > settings.step
     counts = [cv2.GaussianBlur(np.bincount(cell[some[part]], minlength=size).astype(np.float32).reshape(grid.shape),
-                               (0, 0), 1.5).ravel()[cell[some]] for part in (bright & between, bright)]
-    return between | (counts[0] > _STEP_SHARE * counts[1])
+                               (0, 0), 1.5).ravel()[cell[some]] for part in (bright & above, bright)]
+    return above | (counts[0] > _STEP_SHARE * counts[1])
 
 
 def _large_enough(some: np.ndarray, cell: np.ndarray, bright: np.ndarray, grid: Grid,

@@ -23,7 +23,7 @@ from ..registration.results import MarkingPoints
 from ..trajectory import Trajectory
 from .intensity_calibration import IntensityCurve, RangeHistogram, calibrated, fit_curve
 from .marking_points import MarkingPointSettings, marking_points
-from .survey_points import RECORD, UNIT, SurveyPoints, require_points
+from .survey_points import RECORD, SurveyPoints, require_points
 
 CALIBRATED, WEIGHT = "calibrated_intensity", "marking_weight"
 """Names of the attributes that marking points get."""
@@ -32,7 +32,7 @@ MOST_SCANNERS = 16
 """More different point source ids, without a calibration, are no scanners but something else, such as sweeps."""
 
 _PIECE_POINTS = 1_500_000
-_LONGEST_STRETCH = 5
+_LONGEST_STRETCH = 8
 _MARGIN = 2
 _BUCKET_MEMORY = 250_000_000
 
@@ -73,7 +73,7 @@ class Extraction:
     read, outside, standing, near, ground, in_reach : points read; at times without a place of the vehicle; left out
         because the vehicle stood; within range; on the ground; of these within R2 of a curve.
     ground_method : "classes" or "cloth".
-    marked_way : share of the driven way, by `UNIT` m, with marking points.
+    marked_way : share of the units of driven way (20 m) with marking points.
     """
 
     points: MarkingPoints
@@ -170,8 +170,7 @@ class _Run:
             owned[step] = records[:0]
             self.ground_points += len(records)
             self._count(records)
-            unit = np.floor(np.interp(records["time"], self.survey.trajectory.time, self.survey.way) / UNIT)
-            ground.add(unit.astype(np.int64), records)
+            ground.add(self.survey.unit(records["time"]), records)
             progress.step(min((step + 1) / self.pieces, 1.0))
         require_points(self.ground_points, self.survey.cloud.paths[0].name)
 
@@ -242,8 +241,7 @@ class _Run:
         records, weight, contrast, brightness = (part[order] for part in (records, weight, contrast, brightness))
         points = MarkingPoints(*(records[name] for name in ("x", "y", "z", "time")), weight.astype(float),
                                records["source"].astype(np.int64))
-        way = np.interp(records["time"], self.survey.trajectory.time, self.survey.way)
-        marked = len(np.unique(np.floor(way / UNIT))) / max(len(self.survey.units), 1)
+        marked = len(np.unique(self.survey.unit(records["time"]))) / max(len(self.survey.units), 1)
         return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
                           self.curves, self.failed, self.reference, tally.points, tally.outside, tally.standing,
                           tally.kept, self.ground_points, self.in_reach, self.method, marked)

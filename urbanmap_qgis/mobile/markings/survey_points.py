@@ -28,7 +28,11 @@ UNIT = 20.0
 STOPPED = 1.0
 """s; points measured after standing for longer are left out: they show again what is known, from a drifting place."""
 
+LONG_STOP = 5.0
+"""s; while a vehicle stands for longer its navigation may drift so far that points from before and after do not fit."""
+
 _CREEP = 0.02
+_PART = 1 << 32
 _ABOVE, _BELOW = 0.5, 4.5
 _RISE = 0.15
 _PLACES, _PROBE = 6, 20_000
@@ -73,6 +77,7 @@ class SurveyPoints:
         self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
         self.way = driven_way(trajectory)
         self.gaps = gaps(trajectory)
+        self.stops = long_stops(trajectory, self.way)
         self.tracks: dict[int, Track] = {}
         self.tally = Tally()
         self.units: set[int] = set()
@@ -113,9 +118,14 @@ class SurveyPoints:
         records = records[self._near(records)]
         self.tally.kept += len(records)
         if len(records):
-            unit = np.floor(np.interp(records["time"], self.trajectory.time, self.way) / UNIT).astype(np.int64)
-            self.units.update(np.unique(unit).tolist())
-            self.buckets.add(unit, records)
+            key = self.unit(records["time"])
+            self.units.update(np.unique(key).tolist())
+            self.buckets.add(key, records)
+
+    def unit(self, time: np.ndarray) -> np.ndarray:
+        """Key of the unit of way of each time (n,): units between two long stops follow each other."""
+        way = np.interp(time, self.trajectory.time, self.way)
+        return np.searchsorted(self.stops, time) * _PART + np.floor(way / UNIT).astype(np.int64)
 
     def _timed(self, time: np.ndarray) -> np.ndarray:
         """Mask (n,) of times at which the vehicle's place is known and it does not stand."""
@@ -165,22 +175,26 @@ class SurveyPoints:
     def stretches(self, buckets: PointBuckets, length: int, margin: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Records of stretches of `length` units with those of `margin` units before and after, and which are own.
 
-        `buckets` hold records by unit; stretches without own records are left out.
+        `buckets` hold records by unit; stretches without own records are left out. No stretch reaches over a long stop.
         """
-        if not self.units:
-            return
         held: dict[int, np.ndarray] = {}
-        last = max(self.units)
-        for first in range(min(self.units) // length * length, last + 1, length):
-            own = range(first, first + length)
-            if not self.units.intersection(own):
-                continue
-            wanted = [unit for unit in range(first - margin, first + length + margin) if unit in self.units]
+        starts = sorted({unit // _PART * _PART + unit % _PART // length * length for unit in self.units})
+        for first in starts:
+            wanted = [unit for unit in range(first - margin, first + length + margin)
+                      if unit in self.units and unit // _PART == first // _PART]
             held = {unit: held[unit] if unit in held else buckets.read(unit) for unit in wanted}
-            counts = [len(held[unit]) for unit in wanted]
-            mine = np.repeat([unit in own for unit in wanted], counts)
+            mine = np.repeat([first <= unit < first + length for unit in wanted], [len(held[unit]) for unit in wanted])
             if mine.any():
                 yield np.concatenate([held[unit] for unit in wanted]), mine
+
+
+def long_stops(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
+    """Times (k,), s, in the middle of stops of more than `LONG_STOP` seconds; `way` (n,) as of `driven_way`."""
+    moving = np.flatnonzero(np.diff(way) > 0)
+    if not len(moving):
+        return np.empty(0)
+    left, arrived = trajectory.time[moving[1:]], trajectory.time[moving[:-1] + 1]
+    return (0.5 * (left + arrived))[left - arrived > LONG_STOP]
 
 
 def sampled_span(cloud: PointCloud) -> tuple[float, float]:
