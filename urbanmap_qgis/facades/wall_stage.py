@@ -148,8 +148,11 @@ def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], end
         polygon = on_map(plane, contour.polygon)
         z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
         foot, top = _span(piece, plane, z, settings.facade.max_height)
+        depth = _depth(piece.plan, plane, contour.polygon)
+        if depth > _DEEP:
+            foot = float(z.min())  # it stands on a roof
         seen = seen_share(plane, [contour], foot, top, piece.points.front)
-        status, note = _status(plane, contour.points, seen, _depth(piece.plan, plane, contour.polygon))
+        status, note = _status(plane, contour.points, seen, depth)
         walls.append(Wall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled, seen,
                           edge, offset, bool(np.isfinite(piece.top)), status, note))
     return walls
@@ -164,7 +167,6 @@ def _span(piece: _Piece, plane: WallPlane, z: np.ndarray, max_height: float) -> 
     else:
         foot, limit = float(z.min()), float(z.max())
     top = min(piece.top, limit) if np.isfinite(piece.top) else float(z.max())
-    # A wall over a podium starts at the podium's roof; the contour's own foot is then the better guess.
     return min(foot, float(z.min())), max(top, float(z.min()) + 0.1)
 
 
