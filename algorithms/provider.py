@@ -38,6 +38,7 @@ ALGORITHMS = (
     ("roofpolygons", "RoofPolygons"),
     ("buildingmodels", "BuildingModels"),
     ("wallsfrommms", "WallsFromMms"),
+    ("mergebuildingmodels", "MergeBuildingModels"),
     ("buildingsfromals", "BuildingsFromAls"),
 )
 

@@ -232,6 +232,67 @@ def facade_walls(layer) -> None:
         "seen [% round(100 * \"coverage\") %] %, perhaps hidden [% round(100 * \"hidden\") %] %")
 
 
+FACADE_STATUS = {"textured": ("textured", "#2f9e6e"), "partly seen": ("seen in part", "#f2c14e"),
+                 "not seen": ("not seen", "#9aa5ad")}
+"""Label and colour of each status of a facade with or without texture."""
+
+
+def facades(layer) -> None:
+    """Facades by whether images show them: in plan lines, as they stand upright."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(value, fill(colour, colour, 0.7), label)
+        for value, (label, colour) in FACADE_STATUS.items()]))
+    layer.setRenderer3D(renderer_3d({value: colour for value, (_, colour) in FACADE_STATUS.items()}, "status",
+                                    FACADE_STATUS["not seen"][1]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %], facade [% \"facade\" %]</b>: [% \"status\" %]<br>[% \"reason\" %]<br>"
+        "[% round(\"area\", 1) %] m², seen [% round(100 * \"seen\") %] %, image pixels of "
+        "[% round(100 * \"detail\") %] cm<br>[% \"images\" %]")
+
+
+MERGED_STATUS = {
+    "merged": ("on measured walls", "#9fc8a8"),
+    "unchanged": ("unchanged", "#e9dcc6"),
+    "not merged": ("not merged (see table)", "#f08a4b"),
+}
+"""Label and colour of each status of a merged model."""
+
+MERGED_WALLS = {
+    "moved": ("on the measured wall", "#2f9e6e"),
+    "fits": ("lay on it already", "#57c4a0"),
+    "not seen": ("not seen", "#b8b2a6"),
+    "too far": ("beyond the limits", "#d7263d"),
+    "neighbour": ("would cross a neighbour", "#8e44ad"),
+    "does not fit": ("does not fit the plan", "#f08a4b"),
+}
+"""Label and colour of what became of each wall of a merged model."""
+
+
+def merged_models(layer) -> None:
+    """Merged models by status."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(value, fill(colour), label) for value, (label, colour) in MERGED_STATUS.items()]))
+    layer.setRenderer3D(renderer_3d({value: colour for value, (_, colour) in MERGED_STATUS.items()}, "status",
+                                    MERGED_STATUS["unchanged"][1]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %]</b>: [% \"status\" %]<br>[% \"reason\" %]<br>"
+        "[% \"walls_moved\" %] of [% \"walls\" %] walls moved, by [% round(\"mean_offset\", 2) %] m in the mean<br>"
+        "[% round(100 * \"measured\") %] % of the walls' length lies on measured walls")
+
+
+def merged_walls(layer) -> None:
+    """Walls of merged models by what became of them: in plan lines, as they stand upright."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(value, fill(colour, colour, 0.7), label)
+        for value, (label, colour) in MERGED_WALLS.items()]))
+    layer.setRenderer3D(renderer_3d({value: colour for value, (_, colour) in MERGED_WALLS.items()}, "status",
+                                    MERGED_WALLS["not seen"][1]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %], wall [% \"edge\" %]</b>: [% \"status\" %]<br>[% \"note\" %]<br>"
+        "offset [% round(\"offset\", 3) %] m, turn [% round(\"turn\", 1) %]°, seen [% round(100 * \"seen\") %] %<br>"
+        "σ [% round(100 * \"sigma\", 1) %] cm")
+
+
 def road_markings(layer) -> None:
     """Markings in the colour of their paint, dark at the edge so that they show on light paving too."""
     colours = {"white": "#ffffff", "yellow": "#ffb000"}
@@ -297,6 +358,12 @@ FIELDS = {
                   "window:double"),
     facade_walls: ("PolygonZ", "building_id:integer wall_id:integer status:string note:string area:double "
                    "azimuth:double points:integer rmse:double sigma:double coverage:double hidden:double"),
+    facades: ("PolygonZ", "building_id:integer facade:integer area:double seen:double detail:double images:string "
+              "status:string reason:string"),
+    merged_models: ("MultiPolygonZ", "building_id:integer status:string reason:string walls:integer "
+                    "walls_moved:integer mean_offset:double measured:double"),
+    merged_walls: ("PolygonZ", "building_id:integer edge:integer status:string note:string offset:double turn:double "
+                   "seen:double sigma:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

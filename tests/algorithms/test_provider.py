@@ -17,7 +17,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "facadetextures", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "wallsfrommms", "buildingsfromals")
+            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "buildingsfromals")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

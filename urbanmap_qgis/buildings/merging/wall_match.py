@@ -21,6 +21,7 @@ _SAME = 0.01
 _SHORT = 0.5
 _LONG = 4.0
 _BENT = 0.3
+_TURNED = 1.0
 
 
 @dataclass(frozen=True)
@@ -166,7 +167,7 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     wall, seen, offset, turn = max(found, key=lambda item: (round(item[1], 2), item[0].area))
     others = [item for item in found if item[0] is not wall and abs(item[2] - offset) > 0.3 and item[1] > 0.25]
     note = f"{len(others)} more wall{'s' * (len(others) > 1)} at another depth along it" if others else ""
-    line = _new_line(edge, wall, seen)
+    line = _new_line(edge, wall, seen, turn)
     if seen < _SHORT and _bent(edge, line, walls, wall, base, top, settings):
         return EdgeMatch(TOO_FAR, "the facade along it is not straight", wall, None, offset, turn, seen)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
@@ -208,9 +209,9 @@ def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tupl
     return (high - low) / edge.length, offset, turn
 
 
-def _new_line(edge: OuterEdge, wall: MeasuredWall, seen: float) -> Line:
-    """The wall's trace; an edge of which little was seen, on a short wall, keeps its direction."""
-    if seen >= _SHORT or wall.right - wall.left >= _LONG:
+def _new_line(edge: OuterEdge, wall: MeasuredWall, seen: float, turn: float) -> Line:
+    """The wall's trace; an edge of which little was seen, on a wall that is short or turned, keeps its direction."""
+    if seen >= _SHORT or (wall.right - wall.left >= _LONG and abs(turn) < _TURNED):
         return Line(wall.point, wall.along)
     line = edge.line
     ends = np.array([wall.point + reach * wall.along for reach in (wall.left, wall.right)])

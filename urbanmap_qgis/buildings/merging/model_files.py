@@ -1,0 +1,49 @@
+"""Building models of a CityJSON file as the merging takes them."""
+
+from __future__ import annotations
+
+import os
+import re
+
+import numpy as np
+import shapely
+
+from ...errors import InsufficientDataError
+from ...io.cityjson import read_cityjson
+from .model_parts import face_polygons
+
+
+def models_from_cityjson(path: str | os.PathLike) -> tuple[np.ndarray, np.ndarray, list[str]]:
+    """Numbers (n,), faces (n,) as MultiPolygonZ (None without a solid) and names of the buildings of a file.
+
+    The number is the attribute building_id, or the digits at the end of the object's id, or its place in the file;
+    it is taken only where all buildings have a different one.
+
+    Raises
+    ------
+    InputError : the file cannot be read.
+    InsufficientDataError : it holds no building.
+    """
+    objects = [item for item in read_cityjson(path) if item.type in ("Building", "BuildingPart")]
+    # A building whose parts hold the solids is only their frame.
+    objects = [item for item in objects if item.solids or item.type == "Building"]
+    if not objects:
+        raise InsufficientDataError(f"{os.fspath(path)} holds no building: give a CityJSON file with buildings.")
+    faces = np.full(len(objects), None, object)
+    for row, item in enumerate(objects):
+        polygons = [polygon for solid in item.solids for polygon in face_polygons(solid.vertices, solid.faces)]
+        faces[row] = shapely.MultiPolygon(polygons) if polygons else None
+    return _numbers(objects), faces, [item.id for item in objects]
+
+
+def _numbers(objects) -> np.ndarray:
+    for source in (lambda item: item.attributes.get("building_id"),
+                   lambda item: (re.search(r"\d+$", item.id) or [None])[0]):
+        found = [source(item) for item in objects]
+        try:
+            numbers = [int(value) for value in found]
+        except (TypeError, ValueError, OverflowError):
+            continue
+        if len(set(numbers)) == len(numbers) and all(abs(number) < 2**62 for number in numbers):
+            return np.array(numbers, np.int64)
+    return np.arange(1, len(objects) + 1)
