@@ -1,8 +1,9 @@
 """Heights of a trajectory from the ground along its course (Z 3.2, vertical registration).
 
 Where the vehicle is, its body's origin lies a known height above the ground: o_z' = ground(o_x, o_y) + h. Samples are
-taken at equal distances along the course. What stands on the ground in a surface model (vehicles, bridges, crowns) is
-recognised by its step against the samples around; the error of height is a random walk in time through the others.
+taken at equal distances along the course. What stands on the ground in a surface model (vehicles, bridges, crowns)
+raises it, and is recognised by its step against the lowest samples around. The error of height is a random walk in
+time through the others.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import cho_solve_banded, cholesky_banded
-from scipy.ndimage import median_filter
+from scipy.ndimage import percentile_filter
 from scipy.optimize import minimize
 
 from ...errors import InsufficientDataError
@@ -22,11 +23,12 @@ from ..trajectory import Trajectory, driven_way
 SPACING = 2.0
 """m along the course between samples."""
 
-LARGEST_ERROR = 5.0
-"""m: ground farther from where it should be is not believed to be the vehicle's ground."""
+LARGEST_ERROR = 3.0
+"""m: ground farther from where it should be is not believed to be the vehicle's (bridges, roofs)."""
 
 _WINDOW = 51  # samples
-_LEAST_STEP = 0.15  # m
+_LEAST_SCATTER = 0.03  # m
+_LOWEST_EIGHTH = 0.48  # sigmas from the lower quartile to the lowest eighth
 _SIGMAS = 4.0
 _FEWEST = 5
 _EXPECTED = np.log([0.01, 0.03])  # m per square root of a second, m
@@ -78,25 +80,28 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     """
     row = _samples(trajectory)
     place = trajectory.place[row]
-    height = np.asarray(ground(place[:, 0], place[:, 1]), float)
-    there = np.isfinite(height)
+    below = np.asarray(ground(place[:, 0], place[:, 1]), float)
+    there = np.isfinite(below)
     if np.count_nonzero(there) < _FEWEST:
         raise InsufficientDataError("The ground does not reach the trajectory's course: give a ground of the same "
                                     "place and coordinate reference system.")
-    time, above = trajectory.time[row[there]], (place[:, 2] - height)[there]
+    time, above = trajectory.time[row[there]], (place[:, 2] - below)[there]
     found = sensor_height is None
-    error = (float(np.median(above)) if found else sensor_height) - above
-    believed = np.abs(error) <= LARGEST_ERROR
+    # What stands on the ground comes nearer to the vehicle: the upper quarter is the road's.
+    start = float(np.percentile(above, 75)) if found else float(sensor_height)
+    believed = np.abs(start - above) <= LARGEST_ERROR
     if np.count_nonzero(believed) < _FEWEST:
         raise InsufficientDataError(f"The trajectory lies {np.median(above):.1f} m above the ground (median), not "
-                                    f"{sensor_height:.1f} m: check the origin's height and both height systems.")
+                                    f"{start:.1f} m: check the origin's height and both height systems.")
+    kept = np.flatnonzero(believed)[_on_the_ground(start - above[believed])]
+    height = float(np.median(above[kept])) if found else start
+    error = height - above
     progress.check()
-    kept = np.flatnonzero(believed)[_standing_in_line(error[believed])]
     walk, used = _fitted(time[kept], error[kept])
     kept = kept[used]
     value, variance = walk.at(trajectory.time)
     left = error[kept] - np.interp(time[kept], trajectory.time, value)
-    return CourseHeights(value, np.sqrt(variance), float(np.median(above)) if found else float(sensor_height), found,
+    return CourseHeights(value, np.sqrt(variance), height, found,
                          _rms(error[kept]), _rms(left), walk.sigma, len(time), len(time) - len(kept),
                          float(there.mean()), time[kept], error[kept])
 
@@ -108,11 +113,16 @@ def _samples(trajectory: Trajectory) -> np.ndarray:
     return np.unique(np.minimum(row, len(way) - 1))
 
 
-def _standing_in_line(error: np.ndarray) -> np.ndarray:
-    """Mask (k,) of samples that do not stand out from those around."""
-    middle = median_filter(error, min(_WINDOW, len(error) // 2 * 2 + 1), mode="nearest")
-    away = np.abs(error - middle)
-    return away <= max(_SIGMAS * 1.4826 * float(np.median(away)), _LEAST_STEP)
+def _on_the_ground(error: np.ndarray) -> np.ndarray:
+    """Mask (k,) of samples that do not stand on the ground, which only ever raises it: vehicles, crowns, bridges.
+
+    The lower quarter of the samples around is the ground's; its scatter is told by what lies below that quarter.
+    """
+    window = min(_WINDOW, len(error) // 2 * 2 + 1)
+    low = percentile_filter(error, 25, window, mode="mirror")
+    below = low[error < low] - error[error < low]
+    scatter = max(float(np.median(below)) / _LOWEST_EIGHTH, _LEAST_SCATTER) if len(below) else _LEAST_SCATTER
+    return (error >= low - _SIGMAS * scatter) & (error <= low + (_SIGMAS + 0.67) * scatter)
 
 
 def _rms(values: np.ndarray) -> float:
@@ -145,7 +155,7 @@ def _fitted(time: np.ndarray, error: np.ndarray) -> tuple[_HeightWalk, np.ndarra
     """The most likely walk through samples, and which of them it used: those within four sigmas of a first walk."""
     pace, sigma = _most_likely(time, error)
     value = _solve(time, error, pace, sigma)[0]
-    used = np.abs(error - value) <= max(_SIGMAS * sigma, _LEAST_STEP / 2)
+    used = np.abs(error - value) <= max(_SIGMAS * sigma, _LEAST_SCATTER)
     time, error = time[used], error[used]
     pace, sigma = _most_likely(time, error)
     value, factor, _ = _solve(time, error, pace, sigma)

@@ -35,6 +35,7 @@ _CONTRADICTION = 5.0  # sigmas of the misfit within a set
 _SUSPECT = 4.0  # times the usual misfit against the other sets
 _BLUNDER = 8.0  # sigmas of the misfit against them
 _LEAST_USUAL = 0.1
+_JUMP, _FASTEST_DRIFT = 1.0, 0.5  # m, m/s
 _LARGEST_TURN = np.radians(10.0)
 _FEWEST_TO_COMPARE = 5
 _FEWEST_FOR_SIGMA = 4
@@ -163,12 +164,16 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     model = _model(trajectory, ties, number, place, keep, status, names, settings, progress)
     progress.step(0.5)
     status[_weak(ties, number, place, keep, status, model.walk)] = POSITION_ONLY
+    _tell_jumps(ties, number, keep, status, names, progress)
     made = _corrected(trajectory, ties, number, place, keep, model, settings)
     _tell_reach(trajectory, model, progress)
     progress.step(0.7)
     heights = None
     if ground is not None:
         heights = course_heights(made, ground, settings.sensor_height, progress)
+        if heights.left_out > 0.5 * heights.samples:
+            progress.warn(f"{heights.left_out} of {heights.samples} samples of the ground along the course stand out "
+                          "and are left out: check that it is the ground that was driven on.")
         made = Trajectory(made.time, made.place + np.outer(heights.error, [0.0, 0.0, 1.0]), made.angles)
     sigma, factor = np.sqrt(model.variances(trajectory.time)), _sigma_factor(ties, number, place, keep, model)
     between = (trajectory.time >= model.first) & (trajectory.time <= model.last)
@@ -270,6 +275,20 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
                           "reference show the same place.")
             status[sets[worst]] = SUSPECT
     return model
+
+
+def _tell_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status: np.ndarray, names: list[str],
+                progress: Progress) -> None:
+    """Warn of neighbouring sets between which no navigation could have drifted so fast."""
+    used = [k for k in range(len(names)) if keep[number == k].any()]
+    rows = [(number == k) & keep for k in used]
+    time = np.array([ties.time[own].mean() for own in rows])
+    shift = np.array([(ties.reference - ties.measured)[own].mean(axis=0) for own in rows])
+    change, step = np.hypot(*np.diff(shift, axis=0).T), np.diff(time)
+    for k in np.flatnonzero((change > _JUMP) & (change > _FASTEST_DRIFT * step)):
+        progress.warn(f"Sets {names[used[k]]} and {names[used[k + 1]]} contradict each other: within {step[k]:.1f} s "
+                      f"the drift would change by {change[k]:.1f} m; check both.")
+        status[[used[k], used[k + 1]]] = SUSPECT
 
 
 def _weak(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, status: np.ndarray,
