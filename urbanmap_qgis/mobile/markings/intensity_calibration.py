@@ -35,11 +35,12 @@ LEAST = 0.5
 
 _TOP = np.log(70_000.0)
 _LEVELS = int(np.ceil((_TOP - np.log(LEAST)) / LEVEL))
-_SMOOTH = 0.08
+_WIDTHS = (0.08, 0.25)
 _PEAK_SHARE = 0.15
-_WINDOW = 0.2
+_WINDOW = 2.5
 _DARKEST = 1.0
-_CATCH = 0.25
+_CATCH = 0.17
+_FOLLOWED = 0.3
 _NEIGHBOURS = 16
 _SHRINK = 0.01
 _FEWEST = 60
@@ -47,8 +48,12 @@ _FEWEST_BINS = 4
 _SHARE = 2e-5
 _AT_FLOOR = 1.1
 _PAINT = 2.5
-_CLEAR = 3.0
+_CLEAR = 2.0
 _GAP_BINS = 4
+
+# With a floor or not, with a loss close to the scanner or not: what is not needed is taken for real only where it
+# explains a good part of the misfit.
+_MODELS = ((False, False, 1.0), (True, False, 1.1), (False, True, 1.3), (True, True, 1.4))
 
 
 class RangeHistogram:
@@ -135,40 +140,97 @@ def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
     ------
     InsufficientDataError : too few ground points, or no asphalt can be told.
     """
-    counts = histogram.counts
+    counts = histogram.counts.copy()
+    # No signal is no level of a surface.
+    counts[:, 0] = 0
     points = counts.sum(axis=1)
     enough = points >= max(_FEWEST, _SHARE * points.sum())
     if np.count_nonzero(enough) < _FEWEST_BINS:
-        raise InsufficientDataError("too few ground points at different ranges")
-    middle = (np.arange(histogram.rows) + 0.5) * BIN
-    smooth = gaussian_filter1d(counts.astype(float), _SMOOTH / LEVEL, axis=1, mode="constant")
-    level = _followed(counts, smooth, enough)
+        raise InsufficientDataError("too few ground points with intensity at different ranges")
+    for width in _WIDTHS:
+        try:
+            return _fitted(_Peaks(counts, enough, width))
+        except InsufficientDataError as error:
+            failure = error
+    raise failure
+
+
+def _fitted(peaks: _Peaks) -> IntensityCurve:
+    """The curve through the peaks of asphalt."""
+    middle = (np.arange(len(peaks.enough)) + 0.5) * BIN
+    points = peaks.counts.sum(axis=1)
+    level = peaks.followed()
     for _ in range(2):
         used = np.isfinite(level)
-        if np.count_nonzero(used) < _FEWEST_BINS:
+        if np.count_nonzero(used) < max(_FEWEST_BINS, _FOLLOWED * np.count_nonzero(peaks.enough)):
             raise InsufficientDataError("no surface of even intensity can be followed over the ranges")
         parameters = _fit(middle[used], level[used], points[used])
-        level = _nearest_peaks(counts, smooth, enough, np.log(_model(middle, *parameters)))
-    return _judged(middle, level, points, counts, parameters)
+        level = peaks.nearest(np.log(_model(middle, *parameters)))
+    return _judged(middle, level, points, peaks.counts, parameters)
 
 
-def _followed(counts: np.ndarray, smooth: np.ndarray, enough: np.ndarray) -> np.ndarray:
-    """Logarithm of asphalt's intensity in each bin of range, NaN where there is none.
+class _Peaks:
+    """The peaks of the histograms of logarithms, bin of range by bin of range.
 
-    Begins at the bin with the most points, where the vehicle drives, and goes on to the next bins, always to the peak
-    nearest to where the bins before point.
+    Parameters
+    ----------
+    counts : (ranges, levels). enough : (ranges,) bool, bins with enough points. width : standard deviation of the
+    smoothing: wide where a scanner's lasers differ from each other.
     """
-    level = np.full(len(enough), np.nan)
-    start = int(np.argmax(np.where(enough, counts.sum(axis=1), 0)))
-    level[start] = _settled(counts[start], RangeHistogram.level_values()[int(np.argmax(smooth[start]))])
-    place = np.log(np.arange(len(enough)) + 0.5)
-    for order in (range(start + 1, len(enough)), range(start - 1, -1, -1)):
-        for row in order:
-            if enough[row]:
-                found = _peak_near(smooth[row], _expected(place, level, row))
-                if np.isfinite(found):
-                    level[row] = _settled(counts[row], found)
-    return level
+
+    def __init__(self, counts: np.ndarray, enough: np.ndarray, width: float):
+        self.counts, self.enough, self.width = counts, enough, width
+        self.smooth = gaussian_filter1d(counts.astype(float), width / LEVEL, axis=1, mode="constant")
+
+    def followed(self) -> np.ndarray:
+        """Logarithm of asphalt's intensity in each bin of range, NaN where there is none.
+
+        Begins at the bin with the most points, where the vehicle drives, and goes on to the next bins, always to the
+        peak nearest to where the bins before point.
+        """
+        level = np.full(len(self.enough), np.nan)
+        start = int(np.argmax(np.where(self.enough, self.counts.sum(axis=1), 0)))
+        level[start] = self._settled(start, RangeHistogram.level_values()[int(np.argmax(self.smooth[start]))])
+        place = np.log(np.arange(len(level)) + 0.5)
+        for order in (range(start + 1, len(level)), range(start - 1, -1, -1)):
+            for row in order:
+                if self.enough[row]:
+                    level[row] = self._found(row, _expected(place, level, row))
+        return level
+
+    def nearest(self, expected: np.ndarray) -> np.ndarray:
+        """The peak of each bin that is nearest to what is expected, NaN where there is none."""
+        level = np.full(len(self.enough), np.nan)
+        for row in np.flatnonzero(self.enough):
+            level[row] = self._found(row, expected[row])
+        return level
+
+    def _found(self, row: int, expected: float) -> float:
+        """Logarithm of the intensity at the peak of a bin nearest to `expected`, NaN if none is near."""
+        smooth = self.smooth[row]
+        inner = smooth[1:-1]
+        peaks = 1 + np.flatnonzero((inner >= smooth[:-2]) & (inner > smooth[2:])
+                                   & (inner >= _PEAK_SHARE * smooth.max()))
+        if not len(peaks):
+            return np.nan
+        values = RangeHistogram.level_values()[peaks]
+        best = values[np.argmin(np.abs(values - expected))]
+        return self._settled(row, best) if abs(best - expected) <= _CATCH + self.width else np.nan
+
+    def _settled(self, row: int, start: float) -> float:
+        """Mean of the logarithms round a peak, in a window that moves with it.
+
+        It is wider where intensities are so low that their steps show.
+        """
+        values, counts = RangeHistogram.level_values(), self.counts[row]
+        centre, width = float(start), _WINDOW * self.width + np.exp(-start)
+        for _ in range(8):
+            weight = np.where(np.abs(values - centre) <= width, counts, 0)
+            moved = float((weight * values).sum() / weight.sum()) if weight.any() else centre
+            if abs(moved - centre) < 1e-3:
+                break
+            centre = moved
+        return centre
 
 
 def _expected(place: np.ndarray, level: np.ndarray, row: int) -> float:
@@ -179,43 +241,6 @@ def _expected(place: np.ndarray, level: np.ndarray, row: int) -> float:
     # A slope that few bins give is drawn towards that of the near known ones: none.
     slope = ((x - x.mean()) * (y - y.mean())).sum() / (((x - x.mean()) ** 2).sum() + _SHRINK)
     return float(y.mean() - slope * x.mean())
-
-
-def _nearest_peaks(counts: np.ndarray, smooth: np.ndarray, enough: np.ndarray, expected: np.ndarray) -> np.ndarray:
-    """The peak of each bin that is nearest to what is expected, NaN where there is none."""
-    level = np.full(len(enough), np.nan)
-    for row in np.flatnonzero(enough):
-        found = _peak_near(smooth[row], expected[row])
-        if np.isfinite(found):
-            level[row] = _settled(counts[row], found)
-    return level
-
-
-def _peak_near(smooth: np.ndarray, expected: float) -> float:
-    """Logarithm of the intensity of the peak nearest to `expected`, NaN if none is near."""
-    inner = smooth[1:-1]
-    peaks = 1 + np.flatnonzero((inner >= smooth[:-2]) & (inner > smooth[2:]) & (inner >= _PEAK_SHARE * smooth.max()))
-    if not len(peaks):
-        return np.nan
-    values = RangeHistogram.level_values()[peaks]
-    best = values[np.argmin(np.abs(values - expected))]
-    return float(best) if abs(best - expected) <= _CATCH else np.nan
-
-
-def _settled(counts: np.ndarray, start: float) -> float:
-    """Mean of the logarithms round a peak, in a window that moves with it.
-
-    It is wider where intensities are so low that their steps show.
-    """
-    values = RangeHistogram.level_values()
-    centre, width = start, _WINDOW + np.exp(-start)
-    for _ in range(8):
-        weight = np.where(np.abs(values - centre) <= width, counts, 0)
-        moved = float((weight * values).sum() / max(weight.sum(), 1))
-        if abs(moved - centre) < 1e-3:
-            break
-        centre = moved if weight.sum() else centre
-    return centre
 
 
 def _fit(ranges: np.ndarray, level: np.ndarray, points: np.ndarray) -> tuple[float, float, float, float]:
@@ -232,16 +257,16 @@ def _fit(ranges: np.ndarray, level: np.ndarray, points: np.ndarray) -> tuple[flo
         return weight * (np.log(np.maximum(values(p), 1e-9)) - level)
 
     best = None
-    for near, most in ((0.0, 1e-9), (0.5 * ranges[0], 3.0 * ranges[0])):
+    for has_floor, has_near, price in _MODELS:
+        upper = [1.5 if has_floor else 1e-9, 8.0, 6.0, 3.0 * ranges[0] if has_near else 1e-9]
         for fall in (0.3, 2.0):
-            found = least_squares(misfit, [0.1, 0.0, fall, min(near, most)], loss="soft_l1", f_scale=0.03,
-                                  bounds=([0.0, -8.0, 0.0, 0.0], [1.5, 8.0, 6.0, max(most, 1e-9)]), x_scale=1.0)
-            # The loss close to the scanner is taken for real only where it explains a good part.
-            cost = found.cost * (1.0 if most < 1e-6 else 1.3)
-            if best is None or cost < best[0]:
-                best = cost, found.x
+            start = [0.1 * has_floor, 0.0, fall, 0.5 * ranges[0] * has_near]
+            found = least_squares(misfit, start, loss="soft_l1", f_scale=0.03, bounds=([0.0, -8.0, 0.0, 0.0], upper))
+            if best is None or found.cost * price < best[0]:
+                best = found.cost * price, found.x
     floor, gain, fall, near = best[1]
-    return scale * floor, scale * float(np.exp(gain)) * reach ** fall, float(fall), float(near) if near > 1e-6 else 0.0
+    near = float(near) if near > 1e-6 else 0.0
+    return float(scale * floor), float(scale * np.exp(gain) * reach ** fall), float(fall), near
 
 
 def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: np.ndarray,

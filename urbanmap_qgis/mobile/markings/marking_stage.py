@@ -67,7 +67,7 @@ class Extraction:
     points : with their times in the trajectory's time.
     number : (m,) their numbers in the files, from 0. intensity : (m,) float32, calibrated: asphalt has `reference`.
     contrast : (m,) float32, intensity over that of the ground beside.
-    curves : of each scanner by point source id (of the first one where all ids are taken together).
+    curves : of each scanner, by the least of its point source ids (0 where all ids are taken together).
     failed : why a scanner has no curve, by point source id; its points are left out.
     reference : I_ref of J eq. 4.
     read, outside, standing, near, ground, in_reach : points read; at times without a place of the vehicle; left out
@@ -137,7 +137,8 @@ class _Run:
         self.survey, self.settings, self.executor = survey, settings, executor
         units = max(len(survey.units), 1)
         self.length = int(np.clip(_PIECE_POINTS * units / max(survey.tally.kept, 1), 1, _LONGEST_STRETCH))
-        self.together = survey.calibration is None and len(survey.tracks) > MOST_SCANNERS
+        self.together = survey.calibration is None and len(survey.tracks.by_source) > MOST_SCANNERS
+        self.first_id = _first_ids(survey)
         self.histograms: dict[int, RangeHistogram] = {}
         self.curves: dict[int, IntensityCurve] = {}
         self.failed: dict[int, str] = {}
@@ -150,8 +151,10 @@ class _Run:
         return max(len(self.survey.units) // self.length, 1)
 
     def _scanner(self, source: np.ndarray) -> np.ndarray:
-        """Number of the scanner by which curves are kept, of each point (n,)."""
-        return np.zeros_like(source) if self.together else source
+        """Number of the scanner by which curves are kept, of each point (n,): the first of its point source ids."""
+        if self.together:
+            return np.zeros_like(source)
+        return self.first_id[source]
 
     def find_ground(self, near: PointBuckets, ground: PointBuckets, progress: Progress) -> None:
         """Put the ground points of each stretch into other buckets, and count them by range and intensity."""
@@ -245,6 +248,16 @@ class _Run:
         return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
                           self.curves, self.failed, self.reference, tally.points, tally.outside, tally.standing,
                           tally.kept, self.ground_points, self.in_reach, self.method, marked)
+
+
+def _first_ids(survey: SurveyPoints) -> np.ndarray:
+    """The least point source id of the same scanner, by point source id (65536,): a calibration may know but one."""
+    first = np.arange(1 << 16, dtype=np.uint16)
+    if survey.calibration is not None:
+        tracks = survey.tracks.by_source
+        for source, track in tracks.items():
+            first[source] = min(other for other, same in tracks.items() if same is track)
+    return first
 
 
 def _ground_of_stretch(piece: tuple[np.ndarray, np.ndarray], settings: ClothSettings, by_class: bool) -> np.ndarray:

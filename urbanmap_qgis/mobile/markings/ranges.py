@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from ..calibration import Calibration, scanner_of, scanner_places
-from ..trajectory import Trajectory
+from ..calibration import Calibration, Scanner, scanner_of, scanner_places
+from ..trajectory import Trajectory, interpolate
 
 STEP = 0.1
 """s; between the entries of a track a scanner moves on a straight line. At 90 degrees a second and a lever arm of 1 m
@@ -33,25 +32,34 @@ class Track:
         return tuple(np.interp(time, self.time, axis) for axis in self.place.T)
 
 
-def scanner_tracks(trajectory: Trajectory, calibration: Calibration | None, sources: Iterable[int]) -> dict[int, Track]:
-    """The track of each scanner by the number its points carry; without a calibration, that of the body's origin.
+class Tracks:
+    """The track of each scanner by the number its points carry; without a calibration, that of the body's origin."""
 
-    Raises
-    ------
-    InputError : the calibration does not know a number.
-    """
-    time = _times(trajectory.time)
-    if calibration is None:
-        body = Track(time, np.column_stack([np.interp(time, trajectory.time, axis) for axis in trajectory.place.T]))
-        return dict.fromkeys(sources, body)
-    tracks: dict[int, Track] = {}
-    made: dict[int, Track] = {}
-    for source in sources:
-        scanner = scanner_of(calibration, source)
-        if id(scanner) not in made:
-            made[id(scanner)] = Track(time, scanner_places(trajectory, scanner, time), scanner.max_range)
-        tracks[source] = made[id(scanner)]
-    return tracks
+    def __init__(self, trajectory: Trajectory, calibration: Calibration | None):
+        self._trajectory, self._calibration = trajectory, calibration
+        self._time = _times(trajectory.time)
+        self._made: dict[int, Track] = {}
+        self.by_source: dict[int, Track] = {}
+
+    def of(self, source: int) -> Track:
+        """Track of a scanner; numbers of one scanner have the same object.
+
+        Raises
+        ------
+        InputError : the calibration does not know the number.
+        """
+        if source not in self.by_source:
+            scanner = scanner_of(self._calibration, source) if self._calibration else None
+            key = id(scanner)
+            if key not in self._made:
+                self._made[key] = self._track(scanner)
+            self.by_source[source] = self._made[key]
+        return self.by_source[source]
+
+    def _track(self, scanner: Scanner | None) -> Track:
+        if scanner is None:
+            return Track(self._time, interpolate(self._trajectory, self._time).place)
+        return Track(self._time, scanner_places(self._trajectory, scanner, self._time), scanner.max_range)
 
 
 def _times(epochs: np.ndarray) -> np.ndarray:

@@ -16,7 +16,7 @@ from ...terrain.surface import GROUND_CLASSES
 from ..calibration import Calibration
 from ..gps_time import time_range, time_shift
 from ..trajectory import Trajectory, driven_way, gaps
-from .ranges import Track, ranges, scanner_tracks
+from .ranges import Tracks, ranges
 
 RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("time", "<f8"), ("number", "<i8"), ("intensity", "<f4"),
                    ("range", "<f4"), ("source", "<u2"), ("ground", "?")])
@@ -78,7 +78,7 @@ class SurveyPoints:
         self.way = driven_way(trajectory)
         self.gaps = gaps(trajectory)
         self.stops = long_stops(trajectory, self.way)
-        self.tracks: dict[int, Track] = {}
+        self.tracks = Tracks(trajectory, calibration)
         self.tally = Tally()
         self.units: set[int] = set()
 
@@ -142,11 +142,9 @@ class SurveyPoints:
         """Which records lie within range of their scanner and at heights where its road may be; their range is set."""
         near = np.zeros(len(records), dtype=bool)
         sources = np.unique(records["source"]).tolist()
-        new = [source for source in sources if source not in self.tracks]
-        self.tracks.update(scanner_tracks(self.trajectory, self.calibration, new))
         for source in sources:
             some = slice(None) if len(sources) == 1 else np.flatnonzero(records["source"] == source)
-            track = self.tracks[source]
+            track = self.tracks.of(source)
             x, y, z, time = (records[name][some] for name in ("x", "y", "z", "time"))
             distance = ranges(x, y, z, time, track)
             height = z - track.at(time)[2]
