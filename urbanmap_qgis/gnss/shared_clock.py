@@ -76,11 +76,10 @@ def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least:
     residual, sigma = signals.residual[rows], signals.sigma[rows]
     enough = np.bincount(epoch, weights=in_sight)[epoch] >= least
     fit = in_sight & enough
-    lower = _lower(signals.satellite[rows], signals.elevation[rows], fit)
     satellite_error, unit = 1.0, 1.0
     weight = np.where(fit, sigma ** -2.0, 0.0)
     for number in range(_ROUNDS):
-        prior = np.r_[np.full(systems, _OPEN), satellite_error * lower]
+        prior = np.r_[np.full(systems, _OPEN), np.full(design.shape[1] - systems, satellite_error)]
         latent, covariance, mean, total = _solved(design, residual, weight / unit**2, epoch, prior)
         left = residual - design @ latent
         clock = np.bincount(epoch, weights=weight * left) / np.where(total > 0, total * unit**2, np.nan)
@@ -110,19 +109,6 @@ def _design(system: np.ndarray, satellite: np.ndarray) -> tuple[np.ndarray, int]
     satellites = np.unique(satellite)
     columns = [system == name for name in others] + [satellite == name for name in satellites]
     return np.column_stack(columns).astype(float), len(others)
-
-
-def _lower(satellite: np.ndarray, elevation: np.ndarray, fit: np.ndarray) -> np.ndarray:
-    """(satellites,) factor of the lasting errors of satellites that are lower than those in line of sight.
-
-    What the models of the atmosphere leave grows with the way through it, 1 / sin(elevation).
-    """
-    if not fit.any():
-        return np.ones(len(np.unique(satellite)))
-    usual = np.sin(np.radians(np.median(elevation[fit])))
-    _, number, count = np.unique(satellite, return_inverse=True, return_counts=True)
-    own = np.bincount(number.ravel(), np.sin(np.radians(np.maximum(elevation, 5.0)))) / count
-    return np.maximum(usual / own, 1.0)
 
 
 def _solved(design, residual, weight, epoch, prior):

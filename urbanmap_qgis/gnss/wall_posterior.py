@@ -23,20 +23,28 @@ _GRID = np.arange(-4.0, 4.0001, 0.02)
 
 _ROUNDS = 60
 
+_USUAL = 5.0
+"""Votes that the scatter of all votes counts for in that of one wall."""
+
 
 @dataclass(frozen=True)
 class ErrorModel:
-    """Error of a vote: `sigma` (m, besides the vote's own variance), share and mean (m) of late ones, share of strays.
-    """
+    """Error of a vote: `sigma` (m) besides its noise, factor `noise` on the variance of the noise, share and mean (m)
+    of late ones, share of strays."""
 
     sigma: float = 0.6
+    noise: float = 1.0
     late_share: float = 0.2
     late_mean: float = 4.0
     stray_share: float = 0.1
 
+    def variance(self, noise: np.ndarray) -> np.ndarray:
+        """Variance of errors that are on time, m2, by the variance of the votes' noise."""
+        return self.sigma**2 + self.noise * noise
+
     def log_parts(self, error: np.ndarray, variance: np.ndarray) -> np.ndarray:
         """(3, ...) logarithms of the densities of errors: on time, late, stray, each with its share."""
-        sigma = np.sqrt(self.sigma**2 + variance)
+        sigma = np.sqrt(self.variance(variance))
         rate = 1.0 / self.late_mean
         on_time = -0.5 * (error / sigma) ** 2 - np.log(np.sqrt(2 * np.pi) * sigma)
         late = np.log(rate) + 0.5 * (sigma * rate) ** 2 - rate * error + log_ndtr(error / sigma - sigma * rate)
@@ -85,11 +93,12 @@ def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel = Error
     """
     system = _System.of(votes, prior_sigma)
     offset, latent = system.start(model), [np.zeros(share.shape[1]) for share in system.share]
+    fitted = np.zeros(len(votes))
     for number in range(_ROUNDS):
         error = system.errors(offset, latent)
         if learn:
-            model = _learnt(model, model.shares(error, votes.variance), error, votes.variance)
-        new_offset, latent, covariance = system.improved(offset, latent, model)
+            model = _learnt(model, model.shares(error, votes.variance), error, votes.variance, fitted)
+        new_offset, latent, covariance, fitted = system.improved(offset, latent, model)
         jumped = system.best_on_grid(latent, model)
         far = np.abs(jumped - new_offset) > 0.25
         new_offset = np.where(far & (number < _ROUNDS // 2), jumped, new_offset)
@@ -100,19 +109,38 @@ def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel = Error
     return system.summary(offset, latent, model, covariance)
 
 
-def _learnt(model: ErrorModel, share: np.ndarray, error: np.ndarray, variance: np.ndarray) -> ErrorModel:
+def _learnt(model: ErrorModel, share: np.ndarray, error: np.ndarray, variance: np.ndarray,
+            fitted: np.ndarray) -> ErrorModel:
     """The error model that fits errors best, one step of expectation and maximisation, with weak priors.
 
-    The priors count as 20 votes, so that a handful of votes does not make a model of its own.
+    The priors count as 20 votes, so that a handful of votes does not make a model of its own. `fitted` is the
+    variance of what was fitted to each vote: what offsets and latent errors have taken up of the errors is added.
     """
     count, weight = share.shape[1], 20.0
-    on_time, late, stray = share.sum(axis=1)
+    _, late, stray = share.sum(axis=1)
     total = count + weight
-    spread = (share[0] * np.maximum(error**2 - variance, 0.0)).sum() + weight * 0.6**2
+    sigma2, noise = _spread(model, share[0], error**2 + np.minimum(fitted, model.variance(variance)), variance, weight)
     beyond = (share[1] * np.maximum(error, 0.0)).sum() + weight * 0.2 * 4.0
-    return replace(model, sigma=float(np.clip(np.sqrt(spread / (on_time + weight)), 0.3, 6.0)),
+    return replace(model, sigma=float(np.sqrt(sigma2)), noise=float(noise),
                    late_share=float((late + 0.2 * weight) / total), stray_share=float((stray + 0.1 * weight) / total),
                    late_mean=float(np.clip(beyond / (late + 0.2 * weight), 1.0, 15.0)))
+
+
+def _spread(model: ErrorModel, share: np.ndarray, square: np.ndarray, variance: np.ndarray, weight: float
+            ) -> tuple[float, float]:
+    """Variance besides the noise, and the factor of the noise, from squared errors that are on time by `share`.
+
+    Weighted least squares of square = sigma2 + noise * variance; priors keep 0.6 m and 1.
+    """
+    expected = model.variance(variance)
+    rate = share / (2 * expected**2)
+    matrix = np.array([[rate.sum(), rate @ variance], [rate @ variance, rate @ variance**2]])
+    right = np.array([rate @ square, rate @ (variance * square)])
+    usual = np.array([0.6**2, 1.0])
+    # A prior vote is one with an error of about its sigma, and a factor of the noise known to a third.
+    prior = np.array([weight / (2 * 0.6**4), 9.0 / 2])
+    sigma2, noise = np.linalg.solve(matrix + np.diag(prior), right + prior * usual)
+    return float(np.clip(sigma2, 0.3**2, 6.0**2)), float(np.clip(noise, 0.3, 6.0))
 
 
 @dataclass(frozen=True)
@@ -169,7 +197,7 @@ class _System:
         return self.best_on_grid([np.zeros(share.shape[1]) for share in self.share], model)
 
     def improved(self, offset, latent, model):
-        """One Newton step for all offsets and latent errors; and the covariance of the offsets."""
+        """One Newton step for all offsets and latent errors; covariance of the offsets; variance of what is fitted."""
         error = self.errors(offset, latent)
         slope, curvature = _derivatives(model, error, self.votes.variance)
         push = 2 * self.votes.slope
@@ -189,7 +217,10 @@ class _System:
         covariance = np.linalg.inv(normal)
         step = np.clip(covariance @ right, -0.5, 0.5)
         latent = [value + inverse @ (pull - cross.T @ step) for value, (inverse, cross, pull) in zip(latent, blocks)]
-        return offset + step, latent, covariance
+        fitted = push**2 * np.diag(covariance)[self.wall]
+        for members, share, (inverse, _, _) in zip(self.of_pass, self.share, blocks):
+            fitted[members] += np.einsum("ij,jk,ik->i", share, inverse, share)
+        return offset + step, latent, covariance, fitted
 
     def summary(self, offset, latent, model, covariance) -> Offsets:
         """Offsets with sigma: spread of the posterior, widened by what the shared errors add."""
@@ -202,14 +233,22 @@ class _System:
         _, curvature = _derivatives(model, error, self.votes.variance)
         alone = 1.0 / (np.bincount(self.wall, (2 * self.votes.slope) ** 2 * curvature) + self.prior**-2.0)
         shared = np.maximum(np.diag(covariance) - alone, 0.0)
-        return Offsets(self.walls, mean, np.sqrt(spread + shared), np.sqrt(spread), _rival(density),
-                       model.shares(error, self.votes.variance)[0], error, model)
+        on_time = model.shares(error, self.votes.variance)[0]
+        widened = spread * self._scatter(error, on_time, model)
+        return Offsets(self.walls, mean, np.sqrt(widened + shared), np.sqrt(widened), _rival(density), on_time, error,
+                       model)
+
+    def _scatter(self, error: np.ndarray, on_time: np.ndarray, model: ErrorModel) -> np.ndarray:
+        """(k,) factor on the variance of walls whose votes scatter more than the model of all votes says."""
+        square = np.bincount(self.wall, on_time * error**2 / model.variance(self.votes.variance))
+        count = np.bincount(self.wall, on_time)
+        return np.maximum((square + _USUAL) / (np.maximum(count - 1.0, 0.0) + _USUAL), 1.0)
 
 
 def _derivatives(model: ErrorModel, error: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """First derivative of -log density by the error, and a positive curvature (that of expectation-maximisation)."""
     share = model.shares(error, variance)
-    sigma = np.sqrt(model.sigma**2 + variance)
+    sigma = np.sqrt(model.variance(variance))
     x = error / sigma - sigma / model.late_mean
     hazard = np.exp(-0.5 * x**2 - 0.5 * np.log(2 * np.pi) - log_ndtr(x))
     slope = share[0] * error / sigma**2 + share[1] * (1.0 / model.late_mean - hazard / sigma)
