@@ -77,3 +77,24 @@ def test_the_order_of_views_does_not_matter(crossing, order):
 def test_nearest_nadir():
     tangents = np.array([[[0.1, 0.3]], [[0.2, 0.2]]], np.float32)
     assert nearest_nadir(tangents, np.ones((2, 1, 2), bool)).tolist() == [[0, 1]]
+
+
+def test_a_queue_in_most_views_gives_way_to_the_free_road():
+    """Three of four views show the same two waiting vehicles, the fourth the lane line under them."""
+    views = np.full((4, 90, 90, 3), ROAD, np.float32)
+    views[:, :, 44:47] = PAINT
+    views[:3, 20:58, 35:53], views[:3, 60:75, 35:53] = WHITE_CAR, BLACK_CAR
+    image = pick(views, vote(views, np.ones((4, 90, 90), bool), 255))
+    free = (image == views[3]).all(axis=-1)
+    assert free[22:73, 37:51].all() and free.mean() > 0.98
+
+
+def test_paint_is_not_erased_by_one_view_without_it():
+    """A zebra crossing that three views show stays, although a grey vehicle in the fourth looks like the road."""
+    views = np.full((4, 90, 90, 3), ROAD, np.float32)
+    for left in range(10, 80, 8):
+        views[:, 30:60, left:left + 4] = PAINT
+    expected = views[0].copy()
+    views[3, 35:55, 20:60] = ROAD * 1.05
+    image = pick(views, vote(views, np.ones((4, 90, 90), bool), 255))
+    np.testing.assert_array_equal(image, expected)

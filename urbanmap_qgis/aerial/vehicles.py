@@ -16,13 +16,25 @@ AGREEMENT = 0.12
 AGREEMENT_FLOOR = 0.04
 """... or by less than this share of the full scale."""
 
-LIKENESS = 0.25
+LIKENESS = 0.2
 """A view is like the road around where its channels differ by less than this share of the road's brightness."""
 
 ROAD_BOX = 41
 """Pixels, side of the neighbourhood in which the road's colour is looked for."""
 
-REACH = ROAD_BOX // 2 + 3
+OBJECT_BOX = 25
+"""Pixels, about the size of a vehicle: over this neighbourhood a view is judged as a whole."""
+
+FREE_SHARE = 0.6
+"""A view shows free road where at least this share of the neighbourhood is like the road around, or paint on it."""
+
+CLEARER = 0.2
+"""... and this share more than in the view that it replaces."""
+
+PAINT_WIDTH = 9
+"""Pixels: what is brighter than the road and narrower is paint; vehicles are wider."""
+
+REACH = ROAD_BOX + OBJECT_BOX // 2 + PAINT_WIDTH + 3
 """Pixels: what lies farther off has no say in a pixel's vote."""
 
 
@@ -42,12 +54,16 @@ def darkest(views: np.ndarray, seen: np.ndarray) -> np.ndarray:
 
 
 def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -> np.ndarray:
-    """Number of the view that most of the others agree with.
+    """Number of the view that most of the others agree with, unless another shows the road far more freely.
 
     Taking the darkest lets a dark vehicle over a zebra crossing win against every view of the free paint. Here the
     views that agree are grouped, and the largest group wins; of it, the view whose brightness is the group's middle is
     taken. Where no group holds more than half of the views, the view most like the road around is taken if one is
     like it, and otherwise the group with the darkest member.
+
+    A queue stands in most views at the same place and would win. So each view is also judged over the size of a
+    vehicle: the one chosen is replaced where little of it is like the road around and most of another is. What is
+    bright and narrow counts as road there, so that a grey vehicle does not win over a zebra crossing.
 
     Parameters
     ----------
@@ -71,9 +87,40 @@ def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -
     agreed = (most >= 2) & (2 * most > seen.sum(axis=0))
     road, known = _road_around(pick(views, number), agreed)
     unlike = np.abs(smooth - road).max(axis=-1)
-    limit = np.maximum(LIKENESS * road.mean(axis=-1), AGREEMENT_FLOOR * full_scale)
-    alike = _lowest(unlike, seen & (unlike < limit))
-    return np.where(~agreed & known & (alike >= 0), alike, number)
+    like = seen & (unlike < np.maximum(LIKENESS * road.mean(axis=-1), AGREEMENT_FLOOR * full_scale))
+    alike = _lowest(unlike, like)
+    number = np.where(~agreed & known & (alike >= 0), alike, number)
+    like |= seen & (_narrow(total) > LIKENESS * road.sum(axis=-1))
+    return np.where(known, _freer(number, total, like, seen), number)
+
+
+def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, seen: np.ndarray) -> np.ndarray:
+    """The chosen views, or those that show far more free road over the size of a vehicle.
+
+    Parameters
+    ----------
+    total : (views, rows, columns) brightness; like, seen : where the views are like the road around, and see it.
+    """
+    free = np.stack([_share(flags, sees) for flags, sees in zip(like, seen)])
+    freest = free.max(axis=0, initial=0)
+    # Of several that are as free, the darkest, so that their order does not matter.
+    best = _lowest(total, seen & (free >= freest - 0.02))
+    chosen = np.take_along_axis(free, np.maximum(number, 0)[None], axis=0)[0]
+    return np.where((number >= 0) & (freest >= FREE_SHARE) & (freest > chosen + CLEARER), best, number)
+
+
+def _narrow(total: np.ndarray) -> np.ndarray:
+    """How much brighter than what is wider than paint each pixel of the views is, (views, rows, columns)."""
+    square = np.ones((PAINT_WIDTH, PAINT_WIDTH), np.uint8)
+    return np.stack([cv2.morphologyEx(view, cv2.MORPH_TOPHAT, square, borderType=cv2.BORDER_REPLICATE)
+                     for view in total])
+
+
+def _share(flags: np.ndarray, seen: np.ndarray) -> np.ndarray:
+    """Share of the seen pixels of the neighbourhood that are flagged; 0 where the pixel itself is not seen."""
+    counts = [cv2.boxFilter(part.astype(np.float32), -1, (OBJECT_BOX, OBJECT_BOX), normalize=False,
+                            borderType=cv2.BORDER_CONSTANT) for part in (flags, seen)]
+    return np.where(seen, np.rint(counts[0]) / np.maximum(np.rint(counts[1]), 1), 0).astype(np.float32)
 
 
 def _road_around(image: np.ndarray, agreed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
