@@ -9,6 +9,8 @@ import numpy as np
 import shapely
 
 ROOF, OUTER_WALL, INNER_WALL, GROUND = "roof", "outer wall", "inner wall", "ground"
+OVERHANG = "overhang"
+"""Underside of a part that stands out over what is below it; only models joined with measured walls have any."""
 
 Face = tuple[tuple[int, ...], ...]
 """Rings of vertex indices, not closed, the outer one first; counterclockwise seen from outside."""
@@ -22,7 +24,7 @@ class Solid:
     ----------
     vertices : (V, 3) coordinates, m.
     faces : for each face its rings of vertex indices, outer ring first.
-    surface_type : of each face: "roof", "outer wall", "inner wall" or "ground".
+    surface_type : of each face: "roof", "outer wall", "inner wall", "ground" or "overhang".
     roof_id : of each face: the roof, or for a wall the roof whose edge is its upper one; None for the ground.
     mended_nodes : plan nodes where a corner of about 1 cm was moved between cells to keep the solid valid.
     levelled_roofs : cells that got a neighbour's height, because their corners were too sharp for that.
@@ -38,6 +40,20 @@ class Solid:
     levelled_roofs: int = 0
     unmended_nodes: int = 0
     raised_roofs: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class FaceTexture:
+    """The part of an image that covers a face.
+
+    Attributes
+    ----------
+    image : name of the image file, relative to the model's file.
+    uv : (n, 2) for each ring of the face: place of its vertices in the image, from the lower left corner, 0 to 1.
+    """
+
+    image: str
+    uv: tuple[np.ndarray, ...]
 
 
 def surfaces(solid: Solid) -> np.ndarray:

@@ -17,7 +17,7 @@ from typing import IO, Any
 import numpy as np
 
 from ..errors import InputError
-from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 
@@ -29,7 +29,11 @@ _SEMANTICS = {
     OUTER_WALL: {"type": "WallSurface", "wall": "outer"},
     INNER_WALL: {"type": "WallSurface", "wall": "inner"},
     GROUND: {"type": "GroundSurface"},
+    OVERHANG: {"type": "OuterCeilingSurface"},
 }
+
+_THEME = "facades"
+"""Name of the textures' theme."""
 
 _REMEMBERED = 250_000
 """Vertices kept at hand to be shared; files of fewer vertices share all of theirs."""
@@ -37,11 +41,15 @@ _REMEMBERED = 250_000
 
 @dataclass(frozen=True)
 class CityBuilding:
-    """A building to write: its id, attributes (numbers, texts, None) and solids, none if it has no model."""
+    """A building to write: its id, attributes (numbers, texts, None) and solids, none if it has no model.
+
+    `textures` has, for each solid, one entry a face: its texture or None; it may be left empty.
+    """
 
     id: str
     attributes: Mapping[str, Any] = field(default_factory=dict)
     solids: Sequence[Solid] = ()
+    textures: Sequence[Sequence[FaceTexture | None]] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +88,7 @@ def write_cityjson(path: str | os.PathLike, buildings: Iterable[CityBuilding], *
     InputError : two buildings have the same id.
     OutputError : the file cannot be written.
     """
-    vertices = _Vertices()
+    vertices, appearance = _Vertices(), _Appearance()
     seen: set[str] = set()
     with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         file.write('{"type":"CityJSON","version":"2.0","CityObjects":{')
@@ -90,13 +98,14 @@ def write_cityjson(path: str | os.PathLike, buildings: Iterable[CityBuilding], *
                 raise InputError(f"Two buildings have the id '{building.id}': give each building its own.")
             seen.add(building.id)
             file.write(",\n" if number else "\n")
-            file.write(f"{_text(building.id)}:{_text(_city_object(building, lod, vertices))}")
+            file.write(f"{_text(building.id)}:{_text(_city_object(building, lod, vertices, appearance))}")
         file.write("\n}")
+        appearance.write(file)
         _write_end(file, vertices, epsg, title)
     return len(seen)
 
 
-def _city_object(building: CityBuilding, lod: str, vertices: _Vertices) -> dict[str, Any]:
+def _city_object(building: CityBuilding, lod: str, vertices: _Vertices, appearance: _Appearance) -> dict[str, Any]:
     """A building as a CityJSON object."""
     attributes = {str(name): _plain(value) for name, value in building.attributes.items()}
     geometry = []
@@ -112,6 +121,9 @@ def _city_object(building: CityBuilding, lod: str, vertices: _Vertices) -> dict[
             "boundaries": boundaries[0] if one else boundaries,
             "semantics": {"surfaces": surfaces, "values": values[0] if one else values},
         })
+        if any(texture is not None for textures in building.textures for texture in textures):
+            covers = [[appearance.shell(*pair)] for pair in zip(building.solids, building.textures)]
+            geometry[-1]["texture"] = {_THEME: {"values": covers[0] if one else covers}}
     return {"type": "Building", "attributes": attributes, "geometry": geometry}
 
 
@@ -128,6 +140,34 @@ def _shell(solid: Solid, vertices: _Vertices, surfaces: list[dict]) -> tuple[lis
             surfaces.append(surface)
         values.append(surfaces.index(surface))
     return boundary, values
+
+
+class _Appearance:
+    """The file's textures: images by name, and the places of vertices in them."""
+
+    def __init__(self) -> None:
+        self.images: dict[str, int] = {}
+        self.places: list[tuple[float, float]] = []
+
+    def shell(self, solid: Solid, textures: Sequence[FaceTexture | None]) -> list:
+        """Number of the image and of the places of each ring of a shell's faces; [[None]] for a face without."""
+        return [[self._ring(texture, ring) for ring in range(len(face))]
+                for face, texture in zip(solid.faces, textures)]
+
+    def _ring(self, texture: FaceTexture | None, ring: int) -> list:
+        if texture is None:
+            return [None]
+        first = len(self.places)
+        self.places.extend((round(u, 6), round(v, 6)) for u, v in texture.uv[ring].tolist())
+        return [self.images.setdefault(texture.image, len(self.images)), *range(first, len(self.places))]
+
+    def write(self, file: IO[str]) -> None:
+        """Write the appearance of the file, where it has any."""
+        if not self.images:
+            return
+        textures = [{"type": "PNG" if name.lower().endswith(".png") else "JPG", "image": name} for name in self.images]
+        file.write(f',"appearance":{_text({"default-theme-texture": _THEME, "textures": textures})[:-1]}'
+                   f',"vertices-texture":{_text(self.places)}}}')
 
 
 class _Vertices:

@@ -7,14 +7,14 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable
-from itertools import groupby
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from ..errors import InputError
-from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid
 from ..geometry.triangulation import triangulate_face
 from ..progress import SILENT, Progress
 from .atomic import written_beside
@@ -25,12 +25,15 @@ _MATERIALS = {
     OUTER_WALL: ("outer_wall", (0.85, 0.82, 0.75)),
     INNER_WALL: ("inner_wall", (0.75, 0.70, 0.62)),
     GROUND: ("ground", (0.45, 0.45, 0.45)),
+    OVERHANG: ("overhang", (0.60, 0.56, 0.50)),
 }
 
 
 def write_obj(path: str | os.PathLike, buildings: Iterable[CityBuilding], *,
               origin: tuple[float, float, float] | None = None, progress: Progress = SILENT) -> int:
     """Write the solids of buildings to an OBJ file and its materials to a .mtl beside it.
+
+    Faces with a texture get a material of their image, which is expected where its name says.
 
     Parameters
     ----------
@@ -51,9 +54,9 @@ def write_obj(path: str | os.PathLike, buildings: Iterable[CityBuilding], *,
     if target.suffix.lower() != ".obj":
         raise InputError(f"The mesh file {target.name} needs a name that ends in .obj.")
     material_file = target.with_suffix(".mtl")
-    written = vertices = 0
+    written = 0
+    count = _Count()
     with written_beside(material_file) as materials, written_beside(target) as temporary:
-        materials.write_bytes(_material_text().encode("utf-8"))
         with open(temporary, "w", encoding="utf-8", newline="\n") as file:
             for building in buildings:
                 progress.check()
@@ -64,13 +67,23 @@ def write_obj(path: str | os.PathLike, buildings: Iterable[CityBuilding], *,
                 if not written:
                     file.write(_head(material_file.name, origin))
                 file.write(f"g {_group(building.id)}\n")
-                for solid in building.solids:
-                    file.write(_solid_text(solid, np.asarray(origin), vertices))
-                    vertices += len(solid.vertices)
+                for number, solid in enumerate(building.solids):
+                    textures = building.textures[number] if building.textures else [None] * len(solid.faces)
+                    file.write(_solid_text(solid, textures, np.asarray(origin), count))
                 written += 1
             if not written:
                 file.write(_head(material_file.name, origin or (0.0, 0.0, 0.0)))
+        materials.write_bytes(_material_text(count.images).encode("utf-8"))
     return written
+
+
+@dataclass
+class _Count:
+    """What is in the file already: vertices, places in images, images."""
+
+    vertices: int = 0
+    places: int = 0
+    images: list[str] = field(default_factory=list)
 
 
 def _head(material_file: str, origin: tuple[float, float, float]) -> str:
@@ -84,18 +97,47 @@ def _group(name: str) -> str:
     return re.sub(r"\s+", "_", name.strip()) or "_"
 
 
-def _solid_text(solid: Solid, origin: np.ndarray, before: int) -> str:
-    """Vertices and faces of a solid; `before`: number of vertices already in the file."""
+def _solid_text(solid: Solid, textures: Sequence[FaceTexture | None], origin: np.ndarray, count: _Count) -> str:
+    """Vertices and faces of a solid, first those without texture by kind, then the others by image."""
     lines = [f"v {x:.4f} {y:.4f} {z:.4f}" for x, y, z in (solid.vertices - origin).tolist()]
-    ordered = sorted(zip(solid.surface_type, solid.faces), key=lambda item: list(_MATERIALS).index(item[0]))
-    for surface_type, faces in groupby(ordered, key=lambda item: item[0]):
-        lines.append(f"usemtl {_MATERIALS[surface_type][0]}")
-        for _, face in faces:
-            lines.extend(f"f {a + before + 1} {b + before + 1} {c + before + 1}"
-                         for a, b, c in triangulate_face(solid.vertices, face))
+    kinds = list(_MATERIALS)
+    order = sorted(range(len(solid.faces)), key=lambda face: (
+        textures[face].image if textures[face] else "", kinds.index(solid.surface_type[face])))
+    material = None
+    for face in order:
+        texture = textures[face]
+        wanted = _material_name(texture.image, count) if texture else _MATERIALS[solid.surface_type[face]][0]
+        if wanted != material:
+            material = wanted
+            lines.append(f"usemtl {material}")
+        lines.extend(_face_lines(solid, face, texture, count))
+    count.vertices += len(solid.vertices)
     return "\n".join(lines) + "\n"
 
 
-def _material_text() -> str:
+def _face_lines(solid: Solid, face: int, texture: FaceTexture | None, count: _Count) -> list[str]:
+    """Triangles of a face, with places in its image where it has one."""
+    triangles, before = triangulate_face(solid.vertices, solid.faces[face]), count.vertices + 1
+    if texture is None:
+        return [f"f {a + before} {b + before} {c + before}" for a, b, c in triangles]
+    names = [vertex for ring in solid.faces[face] for vertex in ring]
+    places = np.vstack(texture.uv)
+    number = {vertex: count.places + 1 + place for place, vertex in enumerate(names)}
+    count.places += len(names)
+    return [*(f"vt {u:.6f} {v:.6f}" for u, v in places.tolist()),
+            *("f " + " ".join(f"{vertex + before}/{number[vertex]}" for vertex in triangle) for triangle in triangles)]
+
+
+def _material_name(image: str, count: _Count) -> str:
+    """Name of the material that shows an image."""
+    if image not in count.images:
+        count.images.append(image)
+    return f"texture_{count.images.index(image)}"
+
+
+def _material_text(images: Sequence[str]) -> str:
     """Text of the material file."""
-    return "\n".join(f"newmtl {name}\nKd {r} {g} {b}\nd 1.0\n" for name, (r, g, b) in _MATERIALS.values())
+    plain = [f"newmtl {name}\nKd {r} {g} {b}\nd 1.0\n" for name, (r, g, b) in _MATERIALS.values()]
+    shown = [f"newmtl texture_{number}\nKd 1.0 1.0 1.0\nd 1.0\nmap_Kd {image}\n"
+             for number, image in enumerate(images)]
+    return "\n".join(plain + shown)

@@ -1,0 +1,1 @@
+"""Facades of building models textured from line images and frames (Z 4.2)."""

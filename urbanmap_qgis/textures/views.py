@@ -1,0 +1,218 @@
+"""Images that may show a facade: where its texels lie in them and how well they are seen."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from ..aerial.camera import Camera, read_camera, read_exterior
+from ..aerial.camera import project as project_frame
+from ..aerial.frames import Frame, FrameImage, find_frames
+from ..errors import InputError
+from ..mobile.calibration import read_calibration
+from ..mobile.lines.line_camera import StripImage, camera_poses
+from ..mobile.lines.line_camera import project as project_strip
+from ..mobile.lines.strip_images import read_columns, read_strips, sample_pixels
+from ..mobile.trajectory import Trajectory
+
+GRAZING = np.cos(np.radians(80.0))
+"""Rays that meet the facade flatter than this show nothing useful."""
+
+_MOST_SWEEPS = 4
+"""Times that a turning vehicle's camera may sweep over one place and be looked at."""
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """How one image shows n places of a facade, once.
+
+    Attributes
+    ----------
+    image : number of the image.
+    column, row : (n,) pixels, NaN where it does not show the place.
+    camera : (n, 3) where the ray starts, m.
+    detail : (n,) pixels a metre on the facade, in the less detailed direction.
+    """
+
+    image: int
+    column: np.ndarray
+    row: np.ndarray
+    camera: np.ndarray
+    detail: np.ndarray
+
+
+class Source(Protocol):
+    """An image that can be asked for its views of a facade and for colours at its pixels."""
+
+    number: int
+    name: str
+
+    def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
+        """Views of places (n, 3) up to `reach` m away on a facade with the normal (3,)."""
+
+    def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
+        """Colours (n, 3) float32 at pixels (n,)."""
+
+
+@dataclass(frozen=True, eq=False)
+class StripSource:
+    """A strip image of a line camera with its trajectory; `path` (columns, 3) are the camera's places, m.
+
+    See `strip_source`.
+    """
+
+    number: int
+    name: str
+    strip: StripImage
+    trajectory: Trajectory
+    path: np.ndarray
+
+    def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
+        """Its views of places (n, 3): one for each time that the camera passed and swept over them."""
+        return [view for first, last in self._passes(places, normal, reach)
+                for view in self._pass_views(first, last, places, normal, reach)]
+
+    def _passes(self, places: np.ndarray, normal: np.ndarray, reach: float) -> np.ndarray:
+        """First and last column (k, 2) of the stretches from which the camera may see the places."""
+        low, high = places.min(axis=0), places.max(axis=0)
+        known = np.isfinite(self.path[:, 0])
+        off = np.where(known[:, None], self.path, 0.0) - np.clip(self.path, low, high)
+        near = np.zeros(len(known), bool)
+        near[known] = (((off[known] ** 2).sum(axis=1) < reach**2)
+                       & ((self.path[known] - places[0]) @ normal > 0))
+        ends = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]])))
+        return ends.reshape(-1, 2)
+
+    def _pass_views(self, first: int, last: int, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
+        """Views of the stretch of columns from `first` to before `last`."""
+        if last - first < 2:
+            return []
+        strip = StripImage(self.strip.camera, self.strip.times[first:last])
+        found = project_strip(places, strip, self.trajectory, reach)
+        if not len(found):
+            return []
+        turn = np.arange(len(found)) - np.searchsorted(found.point_index, found.point_index)
+        camera, axes = camera_poses(self.strip.camera, self.trajectory, found.time)
+        detail = self._detail(found, camera, axes, places, normal)
+        views = []
+        for number in range(min(turn.max() + 1, _MOST_SWEEPS)):
+            own = np.flatnonzero((turn == number) & np.isfinite(detail))
+            view = _empty_view(self.number, len(places))
+            index = found.point_index[own]
+            view.column[index], view.row[index] = found.column[own] + first, found.row[own]
+            view.camera[index], view.detail[index] = camera[own], detail[own]
+            views.append(view)
+        return views
+
+    def _detail(self, found, camera: np.ndarray, axes: np.ndarray, places: np.ndarray,
+                normal: np.ndarray) -> np.ndarray:
+        """Pixels a metre (m,): along the line by angle and distance, across it by how fast the plane moves."""
+        ray = (places[found.point_index] - camera) / found.distance[:, None]
+        facing = -ray @ normal
+        along = self.strip.camera.focal / found.distance * np.maximum(facing, 0.0)
+        later = np.clip(found.time + 0.05, *self.trajectory.time[[0, -1]])
+        earlier = np.clip(found.time - 0.05, *self.trajectory.time[[0, -1]])
+        swept = []
+        for time in (earlier, later):
+            place, turned = camera_poses(self.strip.camera, self.trajectory, time)
+            swept.append(np.einsum("ni,ni->n", places[found.point_index] - place, turned[:, :, 1]))
+        speed = np.abs(swept[1] - swept[0]) / np.maximum(later - earlier, 1e-6)
+        rate = 1.0 / np.median(np.diff(self.strip.times))
+        across = rate / np.maximum(speed, 1e-3)
+        return np.where(facing > GRAZING, np.minimum(along, across), np.nan)
+
+    def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
+        """Colours (n, 3) float32 at pixels (n,), bilinear; only the columns needed are read."""
+        first, last = max(int(column.min()) - 1, 0), int(column.max()) + 3
+        return sample_pixels(read_columns(self.strip, first, last), column - first, row)
+
+
+def strip_source(number: int, name: str, strip: StripImage, trajectory: Trajectory) -> StripSource:
+    """A strip image as a source of views: as much of it as the trajectory covers.
+
+    Raises
+    ------
+    InputError : the trajectory covers less than two columns.
+    """
+    inside = trajectory.within(strip.times)
+    if np.count_nonzero(inside) < 2:
+        raise InputError(f"The strip image {name} was taken from {strip.times[0]:.1f} to {strip.times[-1]:.1f} s, the "
+                         f"trajectory runs from {trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s: give those of "
+                         "one survey.")
+    path = np.full((strip.columns, 3), np.inf)
+    path[inside] = camera_poses(strip.camera, trajectory, strip.times[inside])[0]
+    return StripSource(number, name, strip, trajectory, path)
+
+
+@dataclass(frozen=True)
+class FrameSource:
+    """A perspective frame with its exterior orientation."""
+
+    number: int
+    name: str
+    frame: Frame
+    camera: Camera
+
+    def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
+        """Its view of places (n, 3); `reach` does not matter, frames are taken from afar."""
+        column, row, _ = project_frame(self.camera, self.frame.pose, places)
+        centre = np.asarray(self.frame.pose.centre)
+        ray = places - centre
+        distance = np.linalg.norm(ray, axis=1)
+        facing = -(ray @ normal) / distance
+        inside = (column >= 1) & (column <= self.camera.width - 2) & (row >= 1) & (row <= self.camera.height - 2)
+        seen = inside & (facing > GRAZING)
+        if not seen.any():
+            return []
+        view = _empty_view(self.number, len(places))
+        view.column[seen], view.row[seen] = column[seen], row[seen]
+        view.camera[seen] = centre
+        view.detail[seen] = facing[seen] / self.camera.ground_pixel(1.0) / distance[seen]
+        return [view]
+
+    def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
+        """Colours (n, 3) float32 at pixels (n,), bilinear; only the window needed is read."""
+        top, left = max(int(row.min()) - 1, 0), max(int(column.min()) - 1, 0)
+        bottom, right = min(int(row.max()) + 3, self.camera.height), min(int(column.max()) + 3, self.camera.width)
+        with FrameImage(self.frame.path, self.camera) as image:
+            pixels = image.read(slice(top, bottom), slice(left, right))
+        pixels = (pixels[:3] if len(pixels) >= 3 else np.repeat(pixels[:1], 3, axis=0)).transpose(1, 2, 0)
+        if pixels.dtype == np.uint16:
+            pixels = pixels >> 8
+        return sample_pixels(pixels, column - left, row - top)
+
+
+def strip_sources(images: Sequence[str | os.PathLike], trajectory: Trajectory, calibration: str | os.PathLike,
+                  first: int = 0) -> list[StripSource]:
+    """Strip images with their calibration file as sources, numbered from `first`.
+
+    Raises
+    ------
+    InputError : an image, its table of times or its camera cannot be read, or do not fit together.
+    """
+    strips = read_strips(images, read_calibration(calibration))
+    return [strip_source(first + number, strip.path.name, strip, trajectory) for number, strip in enumerate(strips)]
+
+
+def frame_sources(images: Sequence[str | os.PathLike], camera: str | os.PathLike, exterior: str | os.PathLike,
+                  first: int = 0) -> list[FrameSource]:
+    """Frames with their camera and exterior orientation as sources, numbered from `first`.
+
+    Raises
+    ------
+    InputError : a file cannot be read, or an image is not named in the exterior orientation.
+    """
+    frames, device = find_frames(images, read_exterior(exterior)), read_camera(camera)
+    for frame in frames:
+        with FrameImage(frame.path, device):
+            pass
+    return [FrameSource(first + number, frame.path.name, frame, device) for number, frame in enumerate(frames)]
+
+
+def _empty_view(image: int, count: int) -> View:
+    nothing = np.full(count, np.nan)
+    return View(image, nothing.copy(), nothing.copy(), np.full((count, 3), np.nan), nothing.copy())
