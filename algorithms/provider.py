@@ -24,6 +24,7 @@ ALGORITHMS = (
     ("occlusionmap", "OcclusionMap"),
     ("roadmarkingsfromorthophoto", "RoadMarkingsFromOrthophoto"),
     ("aerialmarkings", "AerialMarkings"),
+    ("registermms", "RegisterMms"),
     ("applytrajectory", "ApplyTrajectory"),
     ("landmarkupdate", "LandmarkUpdate"),
     ("checkaccuracy", "CheckAccuracy"),

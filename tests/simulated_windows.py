@@ -93,7 +93,8 @@ def _information(way, heading, gaps, three_d, crossings, rng):
         seen[(way >= start) & (way < end)] = 0.0
     dash = seen * (np.mod(way, 11.0) < 5.0) * rng.uniform(0.5, 1.5, n)
     zebra = seen * (np.mod(way, crossings) < 4.0)
-    for direction, amount, arm in ((across, 60.0 * dash + 200.0 * zebra, 8.0), (along, 0.5 * dash + 200.0 * zebra, 3.0)):
+    for direction, amount, arm in ((across, 60.0 * dash + 200.0 * zebra, 8.0),
+                                   (along, 0.5 * dash + 200.0 * zebra, 3.0)):
         row = np.zeros((n, 6))
         row[:, :2] = direction
         for sign in (-1, 1):  # markings ahead and behind, left and right: they fix the heading
@@ -145,7 +146,7 @@ def _windows(time, way, pose, information, pull, linearised, correction, three_d
 
 
 def shifted(drive: Drive, start: float, end: float, shift: tuple[float, float], **changes: object) -> Drive:
-    """The drive with the evidence of a stretch (m of way) moved in plan, as by repainted markings or a slip by a dash."""
+    """The drive with the evidence of a stretch (m of way) moved in plan: repainted markings, a slip by a dash."""
     windows = drive.windows
     there = (windows.way >= start) & (windows.way < end)
     move = np.zeros(6)

@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
-            "applytrajectory", "landmarkupdate", "checkaccuracy",
+            "registermms", "applytrajectory", "landmarkupdate", "checkaccuracy",
             "facadetextures", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",

@@ -83,7 +83,7 @@ class RasterSampler:
 
     Attributes
     ----------
-    grid : its place. crs_wkt : its CRS as WKT, "" where the file states none.
+    grid : its place. crs_wkt : its CRS as WKT, "" where the file states none. bands : how many the file has.
 
     Raises
     ------
@@ -99,8 +99,9 @@ class RasterSampler:
                 self.crs_wkt = self._source.crs.to_wkt() if self._source.crs else ""
         except (RasterioError, OSError) as error:
             raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
-        if not 1 <= band <= self._source.count:
-            raise InputError(f"{self.path.name} has {self._source.count} bands, no band {band}.")
+        self.bands = self._source.count
+        if not 1 <= band <= self.bands:
+            raise InputError(f"{self.path.name} has {self.bands} bands, no band {band}.")
         self.grid = _grid_of(self._source, self.path)
 
     def __enter__(self) -> RasterSampler:

@@ -94,10 +94,10 @@ class Correction:
     three_d: bool
     drift_factor: float
     noise_factor: float
-    _clock: np.ndarray = field(repr=False)
     _node_clock: np.ndarray = field(repr=False)
     _node_state: np.ndarray = field(repr=False)
     _active: tuple[int, ...] = field(repr=False)
+    _standing: float = field(repr=False)
 
     def __len__(self) -> int:
         return len(self.time)
@@ -111,12 +111,9 @@ class Correction:
         return _plan_sigma(self.covariance)
 
 
-def correct_trajectory(trajectory: Trajectory, correction: Correction, standing: float) -> Trajectory:
-    """The trajectory with the correction at all its epochs; before the first and after the last node it is rigid.
-
-    `standing` must be that of the correction's settings.
-    """
-    clock = drift_clock(trajectory, standing)
+def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
+    """The trajectory with the correction at all its epochs; before the first and after the last node it is rigid."""
+    clock = drift_clock(trajectory, correction._standing)
     change = np.zeros((len(clock), 6))
     change[:, correction._active] = _smooth_between(correction._node_clock, correction._node_state, clock)
     return Trajectory(trajectory.time, trajectory.place + change[:, :3], trajectory.angles + change[:, 3:])
@@ -345,8 +342,8 @@ def _result(windows: WindowResults, evidence: Evidence, chain: _Chain, fit: _Fit
     residual = windows.correction - value
     status, reason = _judge(windows, evidence, weight, _plan_sigma(covariance), doubtful, settings)
     return Correction(windows.time, windows.way, value, covariance, status, reason, weight, residual,
-                      evidence.three_d, fit.drift_factor, fit.noise_factor, chain.at_patches, chain.nodes, fit.state,
-                      evidence.active)
+                      evidence.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
+                      evidence.active, settings.standing)
 
 
 def _judge(windows: WindowResults, evidence: Evidence, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,

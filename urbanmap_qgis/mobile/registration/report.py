@@ -1,0 +1,186 @@
+"""The report of a registration: what was corrected, how surely, pictures before and after, what to distrust."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+from ...io.raster import RasterSampler
+from ...io.report import Report
+from ...io.svg_profile import COLOURS, Series, profile
+from ...io.svg_profile import Stretch as Shade
+from ..movement import movement_between
+from .correction import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
+from .reference import Reference
+from .stage import RegisteredSurvey, stretches
+
+_SIDE = 24.0  # m of road that a picture shows
+_PIXEL = 0.04  # m
+_PICTURES = 4
+_SHADES = {STATUS_NAMES[BRIDGED]: "#e09a2b", STATUS_NAMES[DISTRUSTED]: "#d7263d"}
+_BEFORE, _AFTER = (60, 60, 235), (60, 200, 40)  # blue, green, red
+
+
+def write_registration_report(path: str | os.PathLike, made: RegisteredSurvey, reference: Reference,
+                              settings: Mapping[str, str], image: str | os.PathLike | None = None) -> None:
+    """Write the report (HTML).
+
+    Parameters
+    ----------
+    image : aerial image behind the pictures (1 or 3 bands of 8 or 16 bits); without it the reference markings.
+    """
+    report = Report("Registration of a mobile survey")
+    _summary(report, made)
+    _profiles(report, made)
+    _distrust(report, made)
+    _before_and_after(report, made, reference, image)
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _summary(report: Report, made: RegisteredSurvey) -> None:
+    correction = made.correction
+    plan, sigma = np.hypot(correction.value[:, 0], correction.value[:, 1]), correction.plan_sigma()
+    facts = {"Way driven (m)": float(correction.way[-1]), "Patches": len(correction),
+             "Marking points": len(made.markings),
+             "Registered (% of the way)": 100 * made.share(REGISTERED), "Bridged (%)": 100 * made.share(BRIDGED),
+             "Not to be trusted (%)": 100 * made.share(DISTRUSTED),
+             "Correction in plan, mean and largest (m)": f"{plan.mean():.3f}, {plan.max():.3f}",
+             "Standard deviation in plan, median and largest (m)": f"{np.median(sigma):.3f}, {sigma.max():.3f}"}
+    if correction.three_d:
+        up, sigma_up = correction.value[:, 2], correction.sigma()[:, 2]
+        facts["Correction in height, mean and largest (m)"] = (f"{up.mean():.3f}, "
+                                                               f"{up[np.argmax(np.abs(up))]:.3f}")
+        facts["Standard deviation in height, median and largest (m)"] = (f"{np.median(sigma_up):.3f}, "
+                                                                         f"{sigma_up.max():.3f}")
+    facts["Drift, times the expected one"] = correction.drift_factor
+    facts["Variance of the evidence, times the stated one"] = correction.noise_factor
+    report.facts(facts)
+    report.paragraph("Registered: found from markings around. Bridged: between or beyond registered parts, by how "
+                     "trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard "
+                     "deviations include what the reference itself is off by."
+                     + ("" if correction.three_d else " Heights, roll and pitch were not touched."))
+
+
+def _profiles(report: Report, made: RegisteredSurvey) -> None:
+    correction, windows = made.correction, made.windows
+    shades = [Shade(item.start, item.end, _SHADES[item.status], item.status) for item in stretches(made)]
+    way, sigma = correction.way, correction.sigma()
+    report.section("Correction over the driven way")
+    names = ("east", "north", "up") if correction.three_d else ("east", "north")
+    series = [Series(name, correction.value[:, k], colour) for k, (name, colour) in enumerate(zip(names, COLOURS))]
+    report.figure(profile(way, series, "way (m)", "m", stretches=shades), "What the reported places lack")
+    angles = ("roll", "pitch", "heading") if correction.three_d else ("heading",)
+    numbers = (3, 4, 5) if correction.three_d else (5,)
+    series = [Series(name, correction.value[:, k], colour) for name, k, colour in zip(angles, numbers, COLOURS)]
+    report.figure(profile(way, series, "way (m)", "degrees", stretches=shades), "What the reported angles lack")
+    series = [Series("plan", correction.plan_sigma(), COLOURS[0])]
+    if correction.three_d:
+        series.append(Series("height", sigma[:, 2], COLOURS[2]))
+    report.figure(profile(way, series, "way (m)", "m", stretches=shades), "Standard deviation of the correction")
+    off = np.hypot(correction.residual[:, 0], correction.residual[:, 1])
+    if np.isfinite(off).any():
+        report.figure(profile(way, [Series("windows", off, COLOURS[3], dots=True)], "way (m)", "m", stretches=shades),
+                      "How far each window alone lies from the smooth correction, in plan")
+    report.section("Windows")
+    report.figure(profile(way, [Series("window length", windows.window_length, COLOURS[0])], "way (m)", "m"),
+                  "Length of the window of each patch: as long as it needs for enough markings")
+    report.figure(profile(way, [Series("overlap", windows.overlap, COLOURS[0])], "way (m)", "share"),
+                  "Share of a window's marking points that lie on reference markings")
+
+
+def _distrust(report: Report, made: RegisteredSurvey) -> None:
+    report.section("What to distrust")
+    found = stretches(made)
+    if not found:
+        report.paragraph("Nothing: the whole way is registered.")
+        return
+    report.table(("From (m)", "to (m)", "from time (s)", "to time (s)", "status", "why", "largest sigma (m)"),
+                 [(round(item.start, 1), round(item.end, 1), item.start_time, item.end_time, item.status,
+                   item.reason, item.sigma) for item in found])
+
+
+def _before_and_after(report: Report, made: RegisteredSurvey, reference: Reference,
+                      image: str | os.PathLike | None) -> None:
+    places = _places(made)
+    if not len(places):
+        return
+    report.section("Markings before and after")
+    report.paragraph("Marking points of the survey over the " + ("aerial image" if image else "reference markings")
+                     + f": left as reported (red), right corrected (green). A picture is {_SIDE:.0f} m wide.")
+    moved = movement_between(made.reported, made.trajectory)
+    with tempfile.TemporaryDirectory() as folder:
+        for number, patch in enumerate(places):
+            picture = _picture(made, patch, moved, reference, image)
+            file = Path(folder) / f"{number}.png"
+            file.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
+            report.picture(file, f"{made.correction.way[patch]:.0f} m: {STATUS_NAMES[made.correction.status[patch]]}")
+
+
+def _places(made: RegisteredSurvey) -> np.ndarray:
+    """Patches to show: in each quarter of the way the one with the most markings around, and the least sure one."""
+    points = made.windows.points * (made.windows.overlap > 0)
+    if not points.any():
+        return np.zeros(0, int)
+    parts = np.array_split(np.arange(len(points)), min(_PICTURES, len(points)))
+    chosen = [int(part[np.argmax(points[part])]) for part in parts]
+    chosen.append(int(np.argmax(made.correction.plan_sigma())))
+    return np.unique(chosen)
+
+
+def _picture(made: RegisteredSurvey, patch: int, moved, reference: Reference,
+             image: str | os.PathLike | None) -> np.ndarray:
+    """Two views side by side (rows, columns, 3) uint8: points of the window before and after over the background."""
+    correction, windows, markings = made.correction, made.windows, made.markings
+    x, y = (windows.place + correction.value[:, :3])[patch, :2]
+    box = (x - _SIDE / 2, y - _SIDE / 2, x + _SIDE / 2, y + _SIDE / 2)
+    ground = _background(box, reference, image)
+    start, end = correction.time[windows.window_first[patch]], correction.time[windows.window_last[patch]]
+    rows = np.flatnonzero((markings.time >= start) & (markings.time <= end)
+                          & (np.abs(markings.x - x) < _SIDE) & (np.abs(markings.y - y) < _SIDE))
+    points = np.column_stack([markings.x[rows], markings.y[rows], markings.z[rows]])
+    views = []
+    for places, colour in ((points, _BEFORE), (points + moved.at(points, markings.time[rows]), _AFTER)):
+        view = ground.copy()
+        column = ((places[:, 0] - box[0]) / _PIXEL).astype(int)
+        row = ((box[3] - places[:, 1]) / _PIXEL).astype(int)
+        inside = (column >= 0) & (column < view.shape[1]) & (row >= 0) & (row < view.shape[0])
+        view[row[inside], column[inside]] = colour
+        views.append(view)
+    return np.hstack([views[0], np.full((len(ground), 6, 3), 255, np.uint8), views[1]])
+
+
+def _background(box: tuple[float, float, float, float], reference: Reference,
+                image: str | os.PathLike | None) -> np.ndarray:
+    """The aerial image, or the reference's coverage in grey, on the picture's pixels."""
+    size = round(_SIDE / _PIXEL)
+    if image is None:
+        coverage = reference.coverage(*box)
+        bands, grid = [255.0 * (0.15 + 0.5 * coverage.share)] * 3, coverage.grid
+    else:
+        bands, grid = _image_bands(image, box)
+    column = (box[0] + (np.arange(size) + 0.5) * _PIXEL - grid.x_min) / grid.cell - 0.5
+    row = (grid.y_max - box[3] + (np.arange(size) + 0.5) * _PIXEL) / grid.cell - 0.5
+    at = np.meshgrid(column.astype(np.float32), row.astype(np.float32))
+    drawn = [cv2.remap(np.nan_to_num(band).astype(np.float32), *at, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT)
+             for band in bands]
+    return np.clip(np.dstack(drawn), 0, 255).astype(np.uint8)
+
+
+def _image_bands(image: str | os.PathLike, box: tuple[float, float, float, float]):
+    """Blue, green and red (or three times grey) of a raster around a box, 0 to 255, and their grid."""
+    bands = []
+    for number in (3, 2, 1):
+        with RasterSampler(image) as source:
+            number = number if source.bands >= 3 else 1
+            rows, columns, grid = source.grid.window(*box)
+        with RasterSampler(image, number) as source:
+            bands.append(source.read(rows, columns))
+    brightest = max((float(np.nanmax(band)) for band in bands if np.isfinite(band).any()), default=255.0)
+    return [band * (255.0 / brightest if brightest > 255 else 1.0) for band in bands], grid

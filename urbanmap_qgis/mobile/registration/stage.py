@@ -1,0 +1,201 @@
+"""From a survey's files to its corrected trajectory: markings, windows, one smooth correction (J 3.2.4, chapter 4)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...io.pointcloud import PointCloud, iter_chunks, open_cloud
+from ...progress import SILENT, Progress
+from ..apply_correction import survey_time_shift
+from ..calibration import Calibration
+from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
+from ..trajectory import Trajectory
+from .correction import (
+    BRIDGED,
+    DISTRUSTED,
+    REGISTERED,
+    STATUS_NAMES,
+    Correction,
+    CorrectionSettings,
+    adjust_correction,
+    correct_trajectory,
+)
+from .reference import Reference
+from .register import register_windows
+from .results import MarkingPoints, RegistrationSettings, WindowResults
+
+_SHORTEST = 1.0  # m: shorter stretches are joined to what is around them when they are told
+
+
+@dataclass(frozen=True)
+class RegistrationRun:
+    """How a survey is registered.
+
+    Attributes
+    ----------
+    windows : of the windows. correction : of the adjustment. extraction : of markings, where a survey is given.
+    """
+
+    windows: RegistrationSettings = field(default_factory=RegistrationSettings)
+    correction: CorrectionSettings = field(default_factory=CorrectionSettings)
+    extraction: ExtractionSettings = field(default_factory=ExtractionSettings)
+
+
+@dataclass(frozen=True)
+class RegisteredSurvey:
+    """What came out.
+
+    Attributes
+    ----------
+    trajectory : corrected, with the reported one's epochs.  reported : the trajectory as it was given.
+    markings : the marking points used, as reported.  windows : result of each patch's window.
+    correction : the smooth one.
+    """
+
+    trajectory: Trajectory
+    reported: Trajectory
+    markings: MarkingPoints
+    windows: WindowResults
+    correction: Correction
+
+    def share(self, status: int) -> float:
+        """Share of the patches with a status, 0 to 1."""
+        return float(np.mean(self.correction.status == status))
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """A part of the path that is not registered throughout.
+
+    Attributes
+    ----------
+    start, end : m of way.  start_time, end_time : s.  status, reason : of its patches.
+    sigma : largest standard deviation in plan, m.
+    """
+
+    start: float
+    end: float
+    start_time: float
+    end_time: float
+    status: str
+    reason: str
+    sigma: float
+
+
+def register_survey(paths: Sequence[str | os.PathLike], trajectory: Trajectory, reference: Reference,
+                    run: RegistrationRun | None = None, calibration: Calibration | None = None,
+                    progress: Progress = SILENT, executor: Executor | None = None) -> RegisteredSurvey:
+    """Register a survey, or the marking points of one, to the reference markings.
+
+    Parameters
+    ----------
+    paths : LAS, LAZ or COPC files: a survey, or markings as “Road markings of a mobile survey” writes them.
+    trajectory : with which the points were placed.  calibration : of the survey's scanners; not needed for markings.
+
+    Raises
+    ------
+    InputError : no GPS time, times that do not overlap, or heights of another datum.
+    InsufficientDataError : no markings in the survey or near it in the reference, or none that fit.
+    """
+    run = run or RegistrationRun()
+    cloud = open_cloud(paths)
+    markings = survey_markings(cloud, trajectory, run.extraction, calibration, progress.part(0.0, 0.6), executor)
+    return register_markings(markings, trajectory, reference, run, progress.part(0.6, 1.0), executor)
+
+
+def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
+                      run: RegistrationRun | None = None, progress: Progress = SILENT,
+                      executor: Executor | None = None) -> RegisteredSurvey:
+    """The same from marking points in the trajectory's time."""
+    run = run or RegistrationRun()
+    progress.message(f"Registering {len(markings):,} marking points.")
+    windows = register_windows(markings, trajectory, reference, run.windows, progress.part(0.0, 0.8), executor)
+    correction = adjust_correction(windows, trajectory, run.correction, progress.part(0.8, 1.0))
+    made = RegisteredSurvey(correct_trajectory(trajectory, correction), trajectory, markings, windows, correction)
+    _tell(made, progress)
+    return made
+
+
+def survey_markings(cloud: PointCloud, trajectory: Trajectory, settings: ExtractionSettings,
+                    calibration: Calibration | None, progress: Progress = SILENT,
+                    executor: Executor | None = None) -> MarkingPoints:
+    """Marking points of a cloud in the trajectory's time: the cloud's own, or extracted from a survey."""
+    if cloud.has_dimension(WEIGHT):
+        return _read_markings(cloud, trajectory, progress)
+    progress.message("Taking road markings out of the survey.")
+    extraction = extract_markings(cloud, trajectory, calibration, settings, progress, executor)
+    if not len(extraction.points):
+        raise InsufficientDataError("No road marking was found in the survey: check its intensities with “Road "
+                                    "markings of a mobile survey”.")
+    return extraction.points
+
+
+def _read_markings(cloud: PointCloud, trajectory: Trajectory, progress: Progress) -> MarkingPoints:
+    shift = survey_time_shift(cloud, trajectory)
+    columns: dict[str, list[np.ndarray]] = {name: [] for name in ("x", "y", "z", "gps_time", WEIGHT, "point_source_id")}
+    for chunk in iter_chunks(cloud, progress):
+        for name, pieces in columns.items():
+            pieces.append(np.asarray(chunk[name], np.float64))
+    x, y, z, time, weight, source = (np.concatenate(pieces) for pieces in columns.values())
+    if not np.isfinite(weight).all() or (weight < 0).any():
+        raise InputError(f"The attribute {WEIGHT} of {cloud.paths[0].name} holds values below 0: give markings as "
+                         "“Road markings of a mobile survey” writes them, or the survey itself.")
+    return MarkingPoints(x, y, z, time + shift, weight, source.astype(np.int64))
+
+
+def _tell(made: RegisteredSurvey, progress: Progress) -> None:
+    """Say what was reached, and warn of what must not be trusted."""
+    correction = made.correction
+    sigma = 100 * float(np.median(correction.plan_sigma()))
+    progress.message(f"{100 * made.share(REGISTERED):.0f} % of the way is registered, "
+                     f"{100 * made.share(BRIDGED):.0f} % bridged; standard deviation {sigma:.1f} cm (median).")
+    if made.share(DISTRUSTED) > 0:
+        spans = [item for item in stretches(made) if item.status == STATUS_NAMES[DISTRUSTED]]
+        longest = max(spans, key=lambda item: item.end - item.start)
+        progress.warn(f"{100 * made.share(DISTRUSTED):.0f} % of the way is not to be trusted, the longest stretch from "
+                      f"{longest.start:.0f} to {longest.end:.0f} m ({longest.reason}): see the patches' layer.")
+
+
+def stretches(made: RegisteredSurvey) -> list[Stretch]:
+    """Parts of the path that are not registered, in the order driven."""
+    correction, sigma = made.correction, made.correction.plan_sigma()
+    half = 0.5 * float(np.median(np.diff(correction.way))) if len(correction) > 1 else 0.0
+    label = np.where(correction.status == REGISTERED, -1, correction.status)
+    code = np.array([f"{number}{reason}" if number >= 0 else "" for number, reason in zip(label, correction.reason)])
+    starts = np.flatnonzero(np.r_[True, code[1:] != code[:-1]])
+    found = []
+    for first, end in zip(starts, np.r_[starts[1:], len(code)]):
+        part = slice(first, end)
+        if code[first] and correction.way[end - 1] - correction.way[first] + 2 * half >= _SHORTEST:
+            found.append(Stretch(float(correction.way[first] - half), float(correction.way[end - 1] + half),
+                                 float(correction.time[first]), float(correction.time[end - 1]),
+                                 STATUS_NAMES[correction.status[first]], str(correction.reason[first]),
+                                 float(sigma[part].max())))
+    return found
+
+
+def patch_table(made: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]:
+    """Columns of the patches' layer, and their corrected places (n, 3)."""
+    correction, windows = made.correction, made.windows
+    sigma = correction.sigma()
+    estimated = np.isfinite(sigma)
+    value = np.where(estimated, correction.value, np.nan)
+    names = ("east", "north", "up", "roll", "pitch", "heading")
+    columns: dict[str, object] = {
+        "patch": np.arange(len(correction)), "way": correction.way, "time": correction.time,
+        "status": [STATUS_NAMES[number] for number in correction.status], "reason": list(correction.reason),
+        "sigma": correction.plan_sigma(), "correction": np.hypot(value[:, 0], value[:, 1])}
+    columns.update({name: value[:, k] for k, name in enumerate(names)})
+    columns.update({f"sigma_{name}": sigma[:, k] for k, name in enumerate(names)})
+    columns.update({
+        "window": windows.window_length, "features": windows.features, "points": windows.points,
+        "score": windows.score, "overlap": windows.overlap, "margin": np.where(np.isfinite(windows.margin),
+                                                                              windows.margin, np.nan),
+        "weight": correction.weight, "residual": np.hypot(correction.residual[:, 0], correction.residual[:, 1])})
+    return columns, windows.place + correction.value[:, :3]
