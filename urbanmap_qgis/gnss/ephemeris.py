@@ -72,6 +72,15 @@ class Navigation:
         return float(min(first)), float(max(last))
 
 
+    def covers(self, first: float, last: float) -> bool:
+        """Whether any orbit is good for a time between two GPS times."""
+        for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
+            reach = np.array([LARGEST_AGE.get(name[0], 0.0) for name in names])
+            if np.any((times + reach >= first) & (times - reach <= last)):
+                return True
+        return any(orbits.time[-1] >= first and orbits.time[0] <= last for orbits in self.precise)
+
+
 @dataclass(frozen=True)
 class States:
     """Of n satellites, each at its own time.

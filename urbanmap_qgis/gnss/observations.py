@@ -100,11 +100,11 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
 
 
 def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> None:
-    first, last = navigation.span()
     for file in files:
-        if file.time[-1] < first or file.time[0] > last:
-            raise InputError(f"{file.name} was observed {span_text(file.time[0], file.time[-1])} GPS time, but the "
-                             f"navigation files are good for {span_text(first, last)}: give those of the same day.")
+        if not navigation.covers(file.time[0], file.time[-1]):
+            observed, good = span_text(file.time[0], file.time[-1]), span_text(*navigation.span())
+            raise InputError(f"{file.name} was observed {observed} GPS time, but the navigation files are good for "
+                             f"{good}: give those of the same day.")
 
 
 @dataclass(frozen=True)

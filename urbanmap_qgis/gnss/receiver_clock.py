@@ -61,17 +61,21 @@ def estimate_clocks(signals: Signals, line_of_sight: np.ndarray, settings: Clock
     bad = used < settings.least_satellites
     clock, clock_sigma = np.where(bad, np.nan, clock), np.where(bad, np.nan, clock_sigma)
     mine = clock[groups.clock] + offset[groups.offset]
-    return Clocks(mine, clock_sigma[groups.clock], used[groups.clock].astype(int), signals.residual - mine, unit)
+    sigma_of_offset = _offset_sigma(signals.satellite[rows], left, weight, part, len(offset), unit)
+    own_sigma = np.hypot(clock_sigma[groups.clock], np.where(groups.linked, sigma_of_offset, 0.0)[groups.offset])
+    return Clocks(mine, own_sigma, used[groups.clock].astype(int), signals.residual - mine, unit)
 
 
 @dataclass(frozen=True)
 class _Groups:
-    """Which clock (n,) and which offset (n,) a signal has; count of clocks; offsets at the start (k,), m."""
+    """Which clock (n,) and which offset (n,) a signal has; count of clocks; offsets at the start (k,), m; which of
+    them are linked to others (k,)."""
 
     clock: np.ndarray
     offset: np.ndarray
     count: int
     start: np.ndarray
+    linked: np.ndarray
 
 
 def _groups(signals: Signals, line_of_sight: np.ndarray, settings: ClockSettings) -> _Groups:
@@ -89,7 +93,7 @@ def _groups(signals: Signals, line_of_sight: np.ndarray, settings: ClockSettings
     # A clock of its own has a number beyond those of the epochs.
     joint = np.where(linked[part], signals.epoch * kinds, own + len(signals.epochs) * kinds)
     names, clock = np.unique(joint, return_inverse=True)
-    return _Groups(clock.ravel(), part, len(names), start)
+    return _Groups(clock.ravel(), part, len(names), start, linked)
 
 
 def _links(signals: Signals, line_of_sight: np.ndarray, own: np.ndarray, kinds: int, start: np.ndarray,
@@ -137,6 +141,24 @@ def _solve(value: np.ndarray, weight: np.ndarray, group: np.ndarray, part: np.nd
     clock = mean - share @ offset[used]
     clock[total <= 0] = np.nan
     return clock, offset
+
+
+def _offset_sigma(satellite: np.ndarray, left: np.ndarray, weight: np.ndarray, part: np.ndarray, count: int,
+                  unit: float) -> np.ndarray:
+    """(count,) sigma of the systems' offsets, m: a satellite's orbit errs the same way for the whole file, so that
+    its mean residual is one observation however many epochs it has."""
+    pair = np.unique(np.stack([part, np.unique(satellite, return_inverse=True)[1].ravel()]), axis=1,
+                     return_inverse=True)[1].ravel()
+    total = np.bincount(pair, weight)
+    mean = np.bincount(pair, weight * np.nan_to_num(left)) / np.where(total > 0, total, 1.0)
+    owner = np.zeros(len(total), np.int64)
+    owner[pair] = part
+    there = total > 0
+    sums, squares = (np.bincount(owner, total ** power, count) for power in (1, 2))
+    effective = np.divide(sums ** 2, squares, out=np.full(count, np.nan), where=squares > 0)
+    freedom = there.sum() - len(np.unique(owner[there]))
+    scatter = np.sqrt(np.sum(mean[there] ** 2) / freedom) if freedom >= 3 else unit
+    return np.nan_to_num(scatter / np.sqrt(effective), nan=np.inf)
 
 
 def _unit_weight(left: np.ndarray, sigma: np.ndarray, group: np.ndarray, count: int) -> float:

@@ -1,0 +1,279 @@
+"""From files to code residuals, against the truth of the sample city; and what is refused."""
+
+from __future__ import annotations
+
+import csv
+import gzip
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
+from urbanmap_qgis.gnss.observations import load_observations, trajectory_shift
+from urbanmap_qgis.gnss.receiver_clock import estimate_clocks, estimate_height
+from urbanmap_qgis.gnss.signals import Signals, SignalSettings, join
+from urbanmap_qgis.mobile.trajectory import Trajectory
+from urbanmap_qgis.progress import Progress
+
+CRS = "EPSG:6677"
+SEPARATION = 36.6
+PASS = 3
+
+
+@pytest.fixture(scope="module")
+def gnss(small_city) -> Path:
+    return small_city / "gnss"
+
+
+def drive(folder: Path, number: int = PASS) -> Trajectory:
+    table = np.loadtxt(folder / f"pass_{number:02d}_trajectory.csv", delimiter=",", skiprows=1)
+    return Trajectory(table[:, 0], table[:, 1:4], np.unwrap(table[:, 4:7], axis=0, period=360.0))
+
+
+def load(folder: Path, number: int = PASS, trajectory: Trajectory | None = None, separation: float | None = SEPARATION,
+         **settings) -> Signals:
+    return load_observations([folder / f"pass_{number:02d}.obs"], [folder / "satellites.nav"],
+                             trajectory or drive(folder, number), CRS, separation, SignalSettings(**settings))
+
+
+@pytest.fixture(scope="module")
+def signals(gnss) -> Signals:
+    return load(gnss)
+
+
+@pytest.fixture(scope="module")
+def truth(small_city) -> dict[tuple[float, str], dict]:
+    with gzip.open(small_city / "truth" / "gnss_signals.csv.gz", "rt") as file:
+        return {(float(row["time"]), row["satellite"]): row for row in csv.DictReader(file)
+                if row["pass"] == str(PASS) and row["tracked"] == "1"}
+
+
+def columns(signals: Signals, truth: dict, *names: str) -> list[np.ndarray]:
+    rows = [truth[round(float(time), 3), str(name)] for time, name in zip(signals.time, signals.satellite)]
+    return [np.array([float(row[name]) for row in rows]) for name in names]
+
+
+def test_directions_and_strengths(signals, truth):
+    elevation, azimuth, cn0, code = columns(signals, truth, "elevation", "azimuth", "cn0", "code")
+    assert np.abs(signals.elevation - elevation).max() < 0.01
+    turn = (signals.azimuth - azimuth + 180) % 360 - 180
+    assert np.abs(turn * np.cos(np.radians(elevation))).max() < 0.01
+    el, az = np.radians(signals.elevation), np.radians(signals.azimuth)
+    assert signals.direction == pytest.approx(np.column_stack([np.cos(el) * np.sin(az), np.cos(el) * np.cos(az),
+                                                               np.sin(el)]))
+    assert np.abs(signals.cn0 - cn0).max() < 1e-3 and np.abs(signals.code - code).max() < 2e-3
+
+
+def test_residuals_hold_clock_and_errors_only(signals, truth):
+    """What the simulation added, clock, excess path and noise, is what is left; the air's mapping differs a little."""
+    expected = sum(columns(signals, truth, "clock", "excess_path", "multipath", "late", "noise"))
+    left = signals.residual + signals.clock_datum[0] - expected
+    high = signals.elevation > 30
+    # The trajectory's noise of some centimetres, the sky's 5 cm of mapping at 30 degrees.
+    assert np.abs(left[high]).max() < 0.3 and np.abs(np.median(left)) < 0.1
+    assert np.abs(left).max() < 0.8
+
+
+def test_every_tracked_signal_is_there(signals, truth):
+    assert {(round(float(time), 3), str(name)) for time, name in zip(signals.time, signals.satellite)} == set(truth)
+    assert signals.left_out == {} and np.all(np.diff(signals.epoch) >= 0)
+    assert np.array_equal(signals.system, signals.satellite.astype("U1"))
+    assert np.array_equal(signals.place, signals.epochs.place[signals.epoch])
+
+
+def test_line_of_sight_centres_on_zero(small_city, gnss):
+    """Over all passes: clock by truly visible satellites; reflected ones come late by their excess."""
+    with gzip.open(small_city / "truth" / "gnss_signals.csv.gz", "rt") as file:
+        rows = {(row["pass"], float(row["time"]), row["satellite"]): row for row in csv.DictReader(file)}
+    parts = [load(gnss, number) for number in range(1, 17)]
+    whole = join(parts)
+    number = whole.epochs.source[whole.epoch] + 1
+    of = [rows[str(n), round(float(t), 3), str(s)] for n, t, s in zip(number, whole.time, whole.satellite)]
+    free = np.array([row["class"] == "los" for row in of])
+    clocks = estimate_clocks(whole, free)
+    seen = clocks.corrected[free & np.isfinite(clocks.corrected)]
+    low, middle, high = np.percentile(seen, [25, 50, 75])
+    assert abs(middle) < 0.1 and high - low < 1.2
+    bounced = np.array([row["class"] == "reflected" for row in of]) & np.isfinite(clocks.corrected)
+    late = np.array([float(row["excess_path"]) + float(row["late"]) for row in of])
+    assert abs(np.median((clocks.corrected - late)[bounced])) < 0.3
+    error = clocks.clock + whole.clock_datum[number - 1] - np.array([float(row["clock"]) for row in of])
+    known = np.isfinite(error)
+    assert known.mean() > 0.9 and abs(np.median(error[known])) < 0.2
+    # Multipath of a standing car lasts for minutes, which no sigma of an epoch knows.
+    assert np.mean(np.abs(error[known]) < 2 * clocks.sigma[known]) > 0.85
+    assert np.mean(np.abs(error[known]) < 3 * clocks.sigma[known]) > 0.95
+
+
+def test_height_and_its_check(gnss):
+    free = load(gnss, separation=None)
+    assert abs(free.geoid_separation - SEPARATION) < 3 * free.geoid_sigma and free.geoid_sigma < 2.5
+    assert any("geoid separation was not given" in note for note in free.notes)
+    with pytest.raises(InputError, match=r"antenna is 3\d m higher .* separation of about 3\d m"):
+        load(gnss, separation=0.0)
+    wrong = load(gnss, separation=0.0, check_height=False)
+    assert abs(estimate_height(wrong, wrong.cn0 > 40)[0] - SEPARATION) < 4.0
+
+
+def shifted(trajectory: Trajectory, seconds: float) -> Trajectory:
+    return replace(trajectory, time=trajectory.time + seconds)
+
+
+@pytest.mark.parametrize("kind", ["week", "full", "standard", "unix", "next week"])
+def test_times_of_the_trajectory_are_recognised(gnss, signals, kind):
+    week = json.loads((gnss / "gnss.json").read_text())["gps_week"]
+    start = week * 604800.0
+    shift = {"week": 0.0, "full": start, "standard": start - 1e9, "unix": start + 315964800.0 - 18.0,
+             "next week": 604800.0}[kind]
+    found = load(gnss, trajectory=shifted(drive(gnss), shift))
+    assert len(found) == len(signals) and np.abs(found.residual - signals.residual).max() < 1e-4
+    assert found.time == pytest.approx(signals.time + shift)
+    assert found.epochs.gps_time == pytest.approx(signals.time[0] + start + (
+        found.epochs.gps_time - found.epochs.gps_time[0]))
+
+
+def test_trajectory_of_another_time(gnss):
+    with pytest.raises(InputError, match=r"trajectory covers \d+ to \d+ s of week, the observations cover .* GPS time"):
+        load(gnss, trajectory=shifted(drive(gnss), -20000.0))
+    full = Trajectory(np.array([1.0e9, 1.0e9 + 60]), np.zeros((2, 3)), np.zeros((2, 3)))
+    with pytest.raises(InputError, match="covers 2011-09-14"):
+        trajectory_shift(full, [(1.3e9, 1.3e9 + 60)])
+
+
+def test_epochs_outside_and_in_gaps_are_left_out(gnss, signals):
+    whole = drive(gnss)
+    first = signals.time[0]
+    kept = (whole.time > first + 10) & ~((whole.time > first + 30) & (whole.time < first + 45))
+    cut = Trajectory(whole.time[kept], whole.place[kept], whole.angles[kept])
+    found = load(gnss, trajectory=cut)
+    since = found.time - first
+    assert since.min() > 10 and not np.any((since > 30) & (since < 45)) and np.any(since > 45)
+    assert found.left_out["outside the trajectory or in a gap of it"] == len(signals) - len(found)
+    assert len(load(gnss, trajectory=cut, longest_gap=60.0)) > len(found)
+
+
+def test_masks_and_systems(gnss, signals):
+    found = load(gnss, elevation_mask=40.0, least_cn0=38.0, systems="GE")
+    assert set(found.system) == {"G", "E"} and found.elevation.min() >= 40 and found.cn0.min() >= 38
+    wanted = np.isin(signals.system, ["G", "E"]) & (signals.elevation >= 40) & (signals.cn0 >= 38)
+    assert len(found) == wanted.sum()
+    assert found.left_out["weaker than 38 dB-Hz"] == (np.isin(signals.system, ["G", "E"]) & (signals.cn0 < 38)).sum()
+
+
+def test_antenna_beside_the_body(gnss, signals):
+    """A lever arm forward and up moves the antenna with the heading."""
+    found = load(gnss, lever_arm=(2.0, 0.0, -1.0))
+    whole = drive(gnss)
+    heading = np.radians(np.interp(found.epochs.time, whole.time, whole.angles[:, 2]))
+    step = found.epochs.place - signals.epochs.place
+    assert step[:, 2] == pytest.approx(np.ones(len(step)), abs=0.1)
+    assert step[:, 0] == pytest.approx(2 * np.sin(heading), abs=0.1)
+    assert step[:, 1] == pytest.approx(2 * np.cos(heading), abs=0.1)
+    along = np.einsum("ij,ij->i", step[found.epoch], found.direction)
+    change = found.residual + found.clock_datum[0] - signals.residual - signals.clock_datum[0]
+    assert change == pytest.approx(along, abs=5e-3)
+
+
+def test_packed_files_and_several_at_once(gnss, tmp_path, signals):
+    for name in (f"pass_{PASS:02d}.obs", "satellites.nav"):
+        with open(gnss / name, "rb") as source, gzip.open(tmp_path / f"{name}.gz", "wb") as target:
+            shutil.copyfileobj(source, target)
+    packed = load_observations([tmp_path / f"pass_{PASS:02d}.obs.gz"], [tmp_path / "satellites.nav.gz"], drive(gnss),
+                               CRS, SEPARATION)
+    assert np.array_equal(packed.residual, signals.residual)
+    one, two = drive(gnss, 3), drive(gnss, 4)
+    both = Trajectory(*(np.concatenate([getattr(one, name), getattr(two, name)])
+                        for name in ("time", "place", "angles")))
+    found = load_observations([gnss / "pass_03.obs", gnss / "pass_04.obs"], [gnss / "satellites.nav"], both, CRS,
+                              SEPARATION)
+    assert set(found.epochs.source) == {0, 1} and len(found) == len(signals) + len(load(gnss, 4))
+    assert np.abs(found.residual[:len(signals)] - signals.residual).max() < 1e-6
+
+
+# What cannot be used
+
+def test_satellites_without_ephemeris_and_unhealthy_ones_are_counted(gnss, tmp_path, signals):
+    lines = (gnss / "satellites.nav").read_text().splitlines(keepends=True)
+    end = next(i for i, line in enumerate(lines) if "END OF HEADER" in line) + 1
+    names = sorted(set(signals.satellite))
+    gone, sick = names[0], names[1]
+    text = "".join(lines[:end])
+    for i in range(end, len(lines), 8):
+        record = lines[i:i + 8]
+        if record[0].startswith(gone):
+            continue
+        if record[0].startswith(sick):
+            record[6] = record[6][:23] + f"{1:19.12E}".replace("E", "D") + record[6][42:]
+        text += "".join(record)
+    (tmp_path / "some.nav").write_text(text)
+    found = load_observations([gnss / f"pass_{PASS:02d}.obs"], [tmp_path / "some.nav"], drive(gnss), CRS, SEPARATION)
+    assert found.left_out == {"without an ephemeris": int((signals.satellite == gone).sum()),
+                              "of unhealthy satellites": int((signals.satellite == sick).sum())}
+    assert set(found.satellite) == set(names) - {gone, sick}
+
+
+def test_a_system_without_navigation_is_told(gnss, tmp_path, signals):
+    text = (gnss / "satellites.nav").read_text().splitlines(keepends=True)
+    end = next(i for i, line in enumerate(text) if "END OF HEADER" in line) + 1
+    records = ["".join(text[i:i + 8]) for i in range(end, len(text), 8)]
+    (tmp_path / "gps.nav").write_text("".join(text[:end]) + "".join(one for one in records if one[0] == "G"))
+    found = load_observations([gnss / f"pass_{PASS:02d}.obs"], [tmp_path / "gps.nav"], drive(gnss), CRS, SEPARATION)
+    assert set(found.system) == {"G"} and found.left_out["without an ephemeris"] == (signals.system != "G").sum()
+    assert [note for note in found.notes if "Galileo" in note] and [note for note in found.notes if "BeiDou" in note]
+
+
+def test_without_ionosphere_it_says_so_and_trusts_less(gnss, tmp_path, signals):
+    text = "".join(line for line in (gnss / "satellites.nav").read_text().splitlines(keepends=True)
+                   if "IONOSPHERIC" not in line)
+    (tmp_path / "bare.nav").write_text(text)
+    found = load_observations([gnss / f"pass_{PASS:02d}.obs"], [tmp_path / "bare.nav"], drive(gnss), CRS, SEPARATION)
+    assert not found.ionosphere.any() and any("ionosphere" in note for note in found.notes)
+    assert np.all(found.sigma > signals.sigma)
+
+
+def test_navigation_of_another_day(gnss, tmp_path):
+    text = (gnss / "satellites.nav").read_text().replace("2024 04 18", "2024 04 25").replace("2024 04 17", "2024 04 24")
+    (tmp_path / "late.nav").write_text(text)
+    with pytest.raises(InputError, match=r"was observed 2024-04-18 .* good for 2024-04-2.*same day"):
+        load_observations([gnss / "pass_03.obs"], [tmp_path / "late.nav"], drive(gnss), CRS, SEPARATION)
+
+
+def test_a_cut_observation_file_is_used_up_to_there(gnss, tmp_path, signals):
+    data = (gnss / f"pass_{PASS:02d}.obs").read_bytes()
+    (tmp_path / "cut.obs").write_bytes(data[:len(data) * 2 // 3])
+    found = load_observations([tmp_path / "cut.obs"], [gnss / "satellites.nav"], drive(gnss), CRS, SEPARATION)
+    assert 0.4 < len(found) / len(signals) < 0.7
+    assert any("cut.obs" in note for note in found.notes)
+    whole = dict(zip(zip(signals.time, signals.satellite), signals.code))
+    assert all(whole[key] == code for key, code in zip(zip(found.time, found.satellite), found.code))
+
+
+def test_files_swapped_or_missing(gnss):
+    observed, navigation = gnss / "pass_03.obs", gnss / "satellites.nav"
+    with pytest.raises(InputError, match="holds no observations"):
+        load_observations([navigation], [navigation], drive(gnss), CRS)
+    with pytest.raises(InputError, match="holds observations: give a navigation file"):
+        load_observations([observed], [observed], drive(gnss), CRS)
+    with pytest.raises(InputError, match="No observation file"):
+        load_observations([], [navigation], drive(gnss), CRS)
+    with pytest.raises(InputError, match="No navigation file"):
+        load_observations([observed], [], drive(gnss), CRS)
+    with pytest.raises(InputError, match="not a projected CRS"):
+        load_observations([observed], [navigation], drive(gnss), "EPSG:4326")
+
+
+def test_nothing_left(gnss):
+    with pytest.raises(InsufficientDataError, match=r"No observation can be used \(\d+ below 89 degrees"):
+        load(gnss, elevation_mask=89.0)
+    with pytest.raises(InsufficientDataError, match="no code observation of the chosen systems"):
+        load(gnss, systems="R")
+
+
+def test_cancel(gnss):
+    with pytest.raises(Cancelled):
+        load_observations([gnss / "pass_03.obs"], [gnss / "satellites.nav"], drive(gnss), CRS, SEPARATION,
+                          progress=Progress(cancelled=lambda: True))
