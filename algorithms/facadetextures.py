@@ -64,7 +64,7 @@ class FacadeTextures(UrbanMapAlgorithm):
 
     def check(self, parameters, context):
         from ..urbanmap_qgis.errors import InputError
-        from ..urbanmap_qgis.textures.texture_files import check_model_name
+        from ..urbanmap_qgis.imagery.texture_files import check_model_name
 
         check_model_name(self.output_path(parameters, "OUTPUT", context))
         lines, frames = (self.parameterAsFileList(parameters, name, context) for name in ("IMAGES", "FRAMES"))
@@ -76,8 +76,8 @@ class FacadeTextures(UrbanMapAlgorithm):
                 raise InputError(tr("{0}: is needed for these images; give it.").format(", ".join(missing)))
 
     def compute(self, parameters, context, feedback):
-        from ..urbanmap_qgis.textures.texture_files import write_textured
-        from ..urbanmap_qgis.textures.texture_stage import buildings_of, summary, texture_buildings
+        from ..urbanmap_qgis.imagery.texture_files import write_textured
+        from ..urbanmap_qgis.imagery.texture_stage import buildings_of, summary, texture_buildings
 
         progress = self.progress(feedback)
         table = self.read_vector(parameters, "BUILDINGS", context, progress)
@@ -108,14 +108,14 @@ class FacadeTextures(UrbanMapAlgorithm):
         return results
 
     def _settings(self, parameters, context):
-        from ..urbanmap_qgis.textures.facade_texture import TextureSettings
+        from ..urbanmap_qgis.imagery.facade_texture import TextureSettings
 
         return TextureSettings(*(self.parameterAsDouble(parameters, name, context)
                                  for name in ("RESOLUTION", "REACH", "MIN_SEEN")))
 
     def _sources(self, parameters, context, table, progress):
         """Line images and frames as the core takes them."""
-        from ..urbanmap_qgis.textures.views import frame_sources, strip_sources
+        from ..urbanmap_qgis.imagery.views import frame_sources, strip_sources
 
         found = []
         lines = [path for path in self.parameterAsFileList(parameters, "IMAGES", context) if path]
@@ -130,7 +130,7 @@ class FacadeTextures(UrbanMapAlgorithm):
 
     def _voxels(self, parameters, context, table, progress):
         """Cells with laser points round the buildings."""
-        from ..urbanmap_qgis.textures.obstacles import NO_POINTS, voxels_from_cloud
+        from ..urbanmap_qgis.imagery.obstacles import NO_POINTS, voxels_from_cloud
 
         paths = self.point_files(parameters, "POINTS", context)
         if not paths:

@@ -1,1 +1,0 @@
-"""Facades of building models textured from line images and frames (Z 4.2)."""
