@@ -55,7 +55,9 @@ def _survey(report: Report, made: Extraction, files: Sequence[str]) -> None:
         "Ground within R2": made.in_reach, "Marking points": count,
         "Share of marking points among these, %": 100.0 * count / max(made.in_reach, 1),
         "Contrast of paint to the ground beside it (median)": contrast_of(made),
-        "Driven way with markings, %": 100.0 * made.marked_way, "Reference intensity": made.reference})
+        "Driven way with markings, %": 100.0 * made.marked_way,
+        "Scatter of the ground's heights, m": made.height_scatter,
+        "Reference intensity": made.reference})
     for sentence in doubts(made):
         report.warning(sentence)
 

@@ -24,10 +24,16 @@ CELL = 0.05
 _SPACINGS = (1.0, 2.0, 4.0, 8.0)
 _SUPPORT = 0.02
 _COARSEST = 8
+_STAND_OUT = 1.25
+_CLEAR = 3.0
 _NEAR_CORE = 0.12
 _PAINT_REACH = 0.25
 _STEP_REACH = 0.12
 _STEP_SHARE = 0.3
+_STEP_SIGMAS = 7.0
+_ROUGH_CELL = 0.2
+_ROUGH_POINTS = 5
+_FEWEST = 50
 
 
 @dataclass(frozen=True)
@@ -39,7 +45,8 @@ class MarkingPointSettings:
     block_size : side of the block whose Gaussian mean is the threshold's base (J Table 3-2).
     contrast : how much brighter than the ground paint is, as a share of the ground's own intensity.
     max_width : strokes of paint are narrower; what is wider in both directions is ground.
-    step : a point this far above lower ground beside it lies on a kerb or at a wall's foot.
+    step : a point this far above lower ground beside it lies on a kerb or at a wall's foot; or, where heights scatter
+        (`roughness`), so far that scatter does not explain it.
     min_length, min_points : smaller pieces are specks. join : gaps in a piece of marking, and between its points.
     longest : pieces of this length or more are not judged by their size.
     """
@@ -80,13 +87,47 @@ class MarkingAnswer:
     contrast: np.ndarray
 
 
-def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.ndarray,
+@dataclass(frozen=True)
+class Noise:
+    """What single points scatter by.
+
+    Parameters
+    ----------
+    height : standard deviation of heights of neighbouring ground points, m (`roughness`).
+    brightness : standard deviation of asphalt's brightness, as a share of it.
+    """
+
+    height: float = 0.0
+    brightness: float = 0.0
+
+
+def roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> float:
+    """Scatter of the heights of ground points (n,), m: the median of the standard deviations in small cells.
+
+    NaN where the points are too few to tell.
+    """
+    if len(x) < _FEWEST:
+        return float("nan")
+    column = np.floor(x / _ROUGH_CELL).astype(np.int64)
+    row = np.floor(y / _ROUGH_CELL).astype(np.int64)
+    columns = int(np.ptp(column)) + 1
+    _cells, cell = np.unique((row - row.min()) * columns + column - column.min(), return_inverse=True)
+    count = np.bincount(cell)
+    offset = z - (np.bincount(cell, weights=z) / count)[cell]
+    spread = np.bincount(cell, weights=offset ** 2)[count >= _ROUGH_POINTS]
+    if len(spread) < _FEWEST:
+        return float("nan")
+    return float(np.median(np.sqrt(spread / (count[count >= _ROUGH_POINTS] - 1))))
+
+
+def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.ndarray, noise: Noise = Noise(),
                    settings: MarkingPointSettings = MarkingPointSettings()) -> MarkingAnswer:
     """Which ground points lie on paint.
 
     Parameters
     ----------
     x, y, z : (n,) m. brightness : (n,) calibrated intensity in units of asphalt's.
+    noise : of the points; where it is large paint must stand out more.
     """
     n = len(x)
     if not n:
@@ -94,15 +135,16 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
     grid = _grid(x, y)
     row, column, _inside = grid.cells(x, y)
     cell = row * grid.columns + column
-    image, seen = _image(cell, brightness, grid)
+    image, share = _image(cell, brightness, grid)
     ground = _ground_level(image, settings)
-    core = _core(image, ground, seen, settings)
+    contrast = np.maximum(max(settings.contrast, _STAND_OUT * noise.brightness), _CLEAR * noise.brightness * share)
+    core = _core(image, ground, contrast, settings)
     if not core.any():
         return MarkingAnswer(np.zeros(n, bool), np.zeros(n, np.float32), np.full(n, np.nan, np.float32))
     near = cv2.dilate(core.astype(np.uint8), _disc(_NEAR_CORE)).ravel()[cell] > 0
     some = np.flatnonzero(near)
     bright, paint_level = _above_middle(some, cell, brightness, image, ground, core, grid)
-    bright &= ~_on_steps(some, cell, z, bright, grid, settings)
+    bright &= ~_on_steps(some, cell, z, bright, grid, max(settings.step, _STEP_SIGMAS * noise.height))
     bright &= _large_enough(some, cell, bright, grid, settings)
     return _answer(n, some[bright], brightness, ground.ravel()[cell[some[bright]]], paint_level[bright])
 
@@ -114,16 +156,21 @@ def _grid(x: np.ndarray, y: np.ndarray) -> Grid:
 
 
 def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
-    """Brightness of the ground on the grid, smoothed over the points' spacing, and where there are points near."""
+    """Brightness of the ground on the grid, smoothed over the points' spacing, NaN where there are no points near.
+
+    Also, of the same shape, by what share of a single point's its noise is.
+    """
     size = grid.rows * grid.columns
     count = np.bincount(cell, minlength=size).astype(np.float32).reshape(grid.shape)
     total = np.bincount(cell, weights=brightness, minlength=size).astype(np.float32).reshape(grid.shape)
-    image = np.full(grid.shape, np.nan, dtype=np.float32)
+    image, number = np.full(grid.shape, np.nan, dtype=np.float32), np.ones(grid.shape, dtype=np.float32)
     for spacing in _SPACINGS:
         weight, value = (_blurred(layer, spacing) for layer in (count, total))
         open_ = np.isnan(image) & (weight > _SUPPORT)
         image[open_] = value[open_] / weight[open_]
-    return image, ~np.isnan(image)
+        # Of n evenly spread points a cell, 4 pi sigma^2 n enter a Gaussian mean with full weight.
+        number[open_] = np.maximum(4 * np.pi * spacing ** 2 * weight[open_], 1.0)
+    return image, 1.0 / np.sqrt(number)
 
 
 def _blurred(layer: np.ndarray, sigma: float) -> np.ndarray:
@@ -149,12 +196,13 @@ def _ground_level(image: np.ndarray, settings: MarkingPointSettings) -> np.ndarr
     return cv2.dilate(low, kernel, borderType=cv2.BORDER_CONSTANT, borderValue=-1.0)
 
 
-def _core(image: np.ndarray, ground: np.ndarray, seen: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
+def _core(image: np.ndarray, ground: np.ndarray, contrast: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
     """Cells that are surely paint, bool."""
     sigma = 0.15 * settings.block_size / CELL
+    seen = ~np.isnan(image)
     weight = _blurred(seen.astype(np.float32), sigma)
     mean = _blurred(np.where(seen, image, np.float32(0)), sigma) / np.maximum(weight, 1e-3)
-    margin = settings.contrast * ground
+    margin = contrast * ground
     with np.errstate(invalid="ignore"):
         return seen & (image > mean + margin) & (image > ground + margin)
 
@@ -183,7 +231,7 @@ def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, im
 
 
 def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndarray, grid: Grid,
-              settings: MarkingPointSettings) -> np.ndarray:
+              step: float) -> np.ndarray:
     """Which of some points lie above lower ground beside them, as on a kerb or a wall, or among bright ones that do."""
     size = grid.rows * grid.columns
     low = np.full(size, np.inf, np.float32)
@@ -191,7 +239,7 @@ def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndar
     np.minimum.at(low, cell, height)
     low[np.isinf(low)] = 1e6
     low = cv2.erode(low.reshape(grid.shape), _disc(_STEP_REACH)).ravel()[cell[some]]
-    above = height[some] - low > settings.step
+    above = height[some] - low > step
     counts = [cv2.GaussianBlur(np.bincount(cell[some[part]], minlength=size).astype(np.float32).reshape(grid.shape),
                                (0, 0), 1.5).ravel()[cell[some]] for part in (bright & above, bright)]
     return above | (counts[0] > _STEP_SHARE * counts[1])

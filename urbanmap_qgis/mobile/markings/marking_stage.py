@@ -22,7 +22,7 @@ from ..calibration import Calibration
 from ..registration.results import MarkingPoints
 from ..trajectory import Trajectory
 from .intensity_calibration import IntensityCurve, RangeHistogram, calibrated, fit_curve
-from .marking_points import MarkingPointSettings, marking_points
+from .marking_points import MarkingPointSettings, Noise, marking_points, roughness
 from .survey_points import RECORD, SurveyPoints, require_points
 
 CALIBRATED, WEIGHT = "calibrated_intensity", "marking_weight"
@@ -74,6 +74,7 @@ class Extraction:
         because the vehicle stood; within range; on the ground; of these within R2 of a curve.
     ground_method : "classes" or "cloth".
     marked_way : share of the units of driven way (20 m) with marking points.
+    height_scatter : m, of ground points within 20 cm.
     """
 
     points: MarkingPoints
@@ -91,6 +92,7 @@ class Extraction:
     in_reach: int
     ground_method: str
     marked_way: float
+    height_scatter: float
 
 
 def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Calibration | None = None,
@@ -143,6 +145,7 @@ class _Run:
         self.curves: dict[int, IntensityCurve] = {}
         self.failed: dict[int, str] = {}
         self.ground_points = self.in_reach = 0
+        self.scatter = 0.0
         self.method = ground_source(survey.tally.classes, settings.ground).method
 
     @property
@@ -168,14 +171,18 @@ class _Run:
                 owned.append(records[own])
                 yield records[["x", "y", "z", "ground"]], own
 
-        for step, mask in enumerate(in_order(work, pieces(), self.executor, progress.check)):
+        scatters = []
+        for step, (mask, scatter) in enumerate(in_order(work, pieces(), self.executor, progress.check)):
             records = owned[step][mask]
+            scatters.append(scatter)
             owned[step] = records[:0]
             self.ground_points += len(records)
             self._count(records)
             ground.add(self.survey.unit(records["time"]), records)
             progress.step(min((step + 1) / self.pieces, 1.0))
         require_points(self.ground_points, self.survey.cloud.paths[0].name)
+        known = np.array(scatters)[np.isfinite(scatters)]
+        self.scatter = float(np.median(known)) if len(known) else 0.0
 
     def _count(self, records: np.ndarray) -> None:
         scanner = self._scanner(records["source"])
@@ -207,7 +214,7 @@ class _Run:
         """The marking points of all stretches."""
         progress.message("Finding the markings.")
         owned: list[np.ndarray] = []
-        work = partial(_markings_of_stretch, settings=self.settings.marking)
+        work = partial(_markings_of_stretch, noise=self._noise(), settings=self.settings.marking)
 
         def pieces() -> Iterator[tuple[np.ndarray, ...]]:
             for records, own in self.survey.stretches(ground, self.length, _MARGIN):
@@ -223,6 +230,12 @@ class _Run:
             owned[step] = owned[step][:0]
             progress.step(min((step + 1) / self.pieces, 1.0))
         return self._result(found)
+
+    def _noise(self) -> Noise:
+        """Scatter of heights, and of asphalt's brightness over all scanners."""
+        points, scatter = np.array([(curve.points[curve.used].sum(), curve.scatter)
+                                    for curve in self.curves.values()]).T
+        return Noise(self.scatter, float((points * scatter).sum() / points.sum()))
 
     def _calibrated(self, records: np.ndarray, own: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Records within R2, which are own, and their brightness (asphalt: 1)."""
@@ -247,7 +260,7 @@ class _Run:
         marked = len(np.unique(self.survey.unit(records["time"]))) / max(len(self.survey.units), 1)
         return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
                           self.curves, self.failed, self.reference, tally.points, tally.outside, tally.standing,
-                          tally.kept, self.ground_points, self.in_reach, self.method, marked)
+                          tally.kept, self.ground_points, self.in_reach, self.method, marked, self.scatter)
 
 
 def _first_ids(survey: SurveyPoints) -> np.ndarray:
@@ -260,16 +273,18 @@ def _first_ids(survey: SurveyPoints) -> np.ndarray:
     return first
 
 
-def _ground_of_stretch(piece: tuple[np.ndarray, np.ndarray], settings: ClothSettings, by_class: bool) -> np.ndarray:
-    """Which of a stretch's own points are ground, (own,) bool."""
+def _ground_of_stretch(piece: tuple[np.ndarray, np.ndarray], settings: ClothSettings,
+                       by_class: bool) -> tuple[np.ndarray, float]:
+    """Which of a stretch's own points are ground, (own,) bool, and how much their heights scatter, m."""
     records, own = piece
-    if by_class:
-        return records["ground"][own]
     x, y, z = (np.ascontiguousarray(records[name]) for name in "xyz")
-    return classify_ground(x, y, z, settings)[own]
+    ground = records["ground"] if by_class else classify_ground(x, y, z, settings)
+    mine = ground & own
+    return ground[own], roughness(x[mine], y[mine], z[mine])
 
 
-def _markings_of_stretch(piece: tuple[np.ndarray, ...], settings: MarkingPointSettings) -> tuple[np.ndarray, ...]:
+def _markings_of_stretch(piece: tuple[np.ndarray, ...], noise: Noise,
+                         settings: MarkingPointSettings) -> tuple[np.ndarray, ...]:
     """Rows among a stretch's own points that are paint, with weight, contrast and brightness."""
     x, y, z, brightness, own = piece
     if not own.any():
@@ -277,7 +292,7 @@ def _markings_of_stretch(piece: tuple[np.ndarray, ...], settings: MarkingPointSe
     box = x[own].min(), x[own].max(), y[own].min(), y[own].max()
     reach = settings.reach
     near = ((x >= box[0] - reach) & (x <= box[1] + reach) & (y >= box[2] - reach) & (y <= box[3] + reach))
-    answer = marking_points(x[near], y[near], z[near], brightness[near], settings)
+    answer = marking_points(x[near], y[near], z[near], brightness[near], noise, settings)
     mine = own[near]
     rows = np.flatnonzero(answer.paint[mine])
     return rows, answer.weight[mine][rows], answer.contrast[mine][rows], brightness[own][rows]
