@@ -23,6 +23,9 @@ from ..trajectory import Trajectory, driven_way
 SPACING = 2.0
 """m along the course between samples."""
 
+STANDING_STEP = 5.0
+"""s between samples where the vehicle stands."""
+
 LARGEST_ERROR = 3.0
 """m: ground farther from where it should be is not believed to be the vehicle's (bridges, roofs)."""
 
@@ -31,6 +34,7 @@ _LEAST_SCATTER = 0.03  # m
 _LOWEST_EIGHTH = 0.48  # sigmas from the lower quartile to the lowest eighth
 _SIGMAS = 4.0
 _FEWEST = 5
+_SPANS = (2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)  # s
 _EXPECTED = np.log([0.01, 0.03])  # m per square root of a second, m
 _SPREAD = np.log([4.0, 4.0])
 
@@ -107,10 +111,15 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
 
 
 def _samples(trajectory: Trajectory) -> np.ndarray:
-    """Epochs at equal distances along the course."""
+    """Epochs at equal distances along the course, and some while the vehicle stands."""
     way = driven_way(trajectory)
     row = np.searchsorted(way, np.arange(0.0, way[-1] + 1e-9, SPACING))
-    return np.unique(np.minimum(row, len(way) - 1))
+    row = np.unique(np.minimum(row, len(way) - 1))
+    standing = np.searchsorted(trajectory.time, np.arange(trajectory.time[0], trajectory.time[-1], STANDING_STEP))
+    taken = np.concatenate([[-np.inf], trajectory.time[row], [np.inf]])
+    next_one = np.searchsorted(taken, trajectory.time[standing])
+    away = np.minimum(taken[next_one] - trajectory.time[standing], trajectory.time[standing] - taken[next_one - 1])
+    return np.unique(np.concatenate([row, standing[away > 0.5 * STANDING_STEP]]))
 
 
 def _on_the_ground(error: np.ndarray) -> np.ndarray:
@@ -131,7 +140,10 @@ def _rms(values: np.ndarray) -> float:
 
 @dataclass(frozen=True)
 class _HeightWalk:
-    """A random walk through samples: values and variances at nodes, and covariances with the next."""
+    """A random walk through samples: values and variances at nodes, and covariances with the next.
+
+    `pace` is what errors change over the longest gaps, which may be more than the walk from sample to sample says.
+    """
 
     time: np.ndarray
     value: np.ndarray
@@ -164,7 +176,22 @@ def _fitted(time: np.ndarray, error: np.ndarray) -> tuple[_HeightWalk, np.ndarra
     alike = float(np.clip((left[1:] @ left[:-1]) / max(left @ left, 1e-12), 0.0, 0.95))
     inflation = (1 + alike) / (1 - alike)
     variance, lag = _inverse_bands(factor)
+    pace = max(pace, _long_pace(time, value))
     return _HeightWalk(time, value, variance * inflation, lag * inflation, pace, sigma), used
+
+
+def _long_pace(time: np.ndarray, value: np.ndarray) -> float:
+    """Largest pace, m per square root of a second, at which errors change over some span of time."""
+    paces = [0.0]
+    longest = 0.5 * (time[-1] - time[0])
+    for span in (item for item in _SPANS if item < longest):
+        later = np.searchsorted(time, time + span)
+        there = later < len(time)
+        there[there] = time[later[there]] - time[there] < 1.5 * span
+        if there.any():
+            change = value[later[there]] - value[there]
+            paces.append(float(np.sqrt(np.mean(change**2 / (time[later[there]] - time[there])))))
+    return max(paces)
 
 
 def _solve(time: np.ndarray, error: np.ndarray, pace: float, sigma: float) -> tuple[np.ndarray, np.ndarray, float]:
