@@ -27,7 +27,7 @@ from .signals import SPEED_OF_LIGHT, SYSTEM_NAMES, Epochs, Signals, SignalSettin
 HEIGHT_LIMIT = 12.0
 """Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights."""
 
-_GLONASS_FACTOR = 1.5
+_GLONASS_FACTOR, _GLONASS_CHANNEL = 1.5, 2.5
 _NO_CN0 = 38.0
 
 
@@ -238,8 +238,8 @@ def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, d
     """Standard deviation of a line-of-sight code residual, m, clock aside.
 
     Code noise grows as the strength falls; broadcast orbits and clocks err by most of a metre, the troposphere's
-    model by a tenth of a metre at the zenith, the ionosphere's by 30 % of the delay; GLONASS's channels are delayed
-    differently in a receiver.
+    model by a tenth of a metre at the zenith, the ionosphere's by 30 % of the delay; a receiver delays GLONASS's
+    channels differently, by some metres.
 
     Parameters
     ----------
@@ -248,7 +248,7 @@ def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, d
     """
     strength = np.where(np.isfinite(cn0), cn0, _NO_CN0)
     noise = np.sqrt(0.25 ** 2 + 1500.0 * 10 ** (-strength / 10))
-    noise = np.where(system == "R", _GLONASS_FACTOR * noise + 1.0, noise)
+    noise = np.where(system == "R", np.hypot(_GLONASS_FACTOR * noise, _GLONASS_CHANNEL), noise)
     air = 0.1 / np.sin(elevation)
     free = np.full(len(air), 5.0) / np.sin(elevation + 0.2) if without_ionosphere else 0.3 * delay
     return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + free ** 2)

@@ -1,0 +1,120 @@
+"""GNSS observations of Hong Kong and Berlin: files, residuals in line of sight, clocks."""
+
+from __future__ import annotations
+
+import sqlite3
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.gnss.ephemeris import read_navigation, turned_with_earth
+from urbanmap_qgis.gnss.observations import expected_sigma, load_observations
+from urbanmap_qgis.gnss.rays import Obstacles
+from urbanmap_qgis.gnss.receiver_clock import estimate_clocks, estimate_height, strong_signals
+from urbanmap_qgis.gnss.rinex_observations import read_observations
+from urbanmap_qgis.gnss.signals import Epochs, Signals
+from urbanmap_qgis.gnss.walls import building_walls
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+CRS = "EPSG:32650"
+
+
+def files(real_data, name: str) -> tuple[list, list, object]:
+    folder = real_data / "gnss" / name
+    return (sorted(folder.glob("*.obs")), sorted(folder.glob("hksc*")),
+            read_trajectory(folder / "trajectory.csv").trajectory)
+
+
+@pytest.fixture(scope="module")
+def obstacles(real_data):
+    """Walls by the rings drawn round the streets, tops above the ellipsoid."""
+    base = sqlite3.connect(real_data / "gnss" / "buildings_tst" / "buildings.gpkg")
+    table, column = base.execute("SELECT table_name, column_name FROM gpkg_geometry_columns").fetchone()
+    rows = base.execute(f"SELECT {column}, roof_height_ellipsoidal FROM {table}").fetchall()
+    base.close()
+    envelope = (0, 32, 48, 48, 64)
+    shapes = [shapely.from_wkb(blob[8 + envelope[blob[3] >> 1 & 7]:]) for blob, _ in rows]
+    return Obstacles.of(building_walls(shapes, top=np.array([top for _, top in rows], float)))
+
+
+@pytest.mark.parametrize("name, epochs, systems", [("tst_2019", 1760, "GC"), ("tst_2020", 986, "GRECJ")])
+def test_every_file_is_read(real_data, name, epochs, systems):
+    observed, navigation, _ = files(real_data, name)
+    found = read_observations(observed[0])
+    text = observed[0].read_bytes()
+    assert len(found.time) == epochs == text.count(b"\n>") and set(found.bands) == set(systems)
+    assert not found.notes and np.all((found.code > 1.8e7) & (found.code < 4.3e7))
+    assert np.isfinite(found.cn0).all()
+    assert all(len(read_navigation([path]).satellites()) > 5 for path in navigation)
+
+
+def test_static_receiver_of_2020(real_data, obstacles):
+    """Four systems: in line of sight the residuals centre on zero, quartiles 1.5 m apart; hidden signals come late."""
+    signals = load_observations(*files(real_data, "tst_2020"), CRS, 0.0)
+    assert any("QZSS" in note for note in signals.notes) and signals.left_out["without an ephemeris"] > 3000
+    free = obstacles.free(signals.place, signals.direction)
+    clocks = estimate_clocks(signals, free)
+    low, middle, high = np.percentile(clocks.corrected[free & np.isfinite(clocks.corrected)], [25, 50, 75])
+    assert abs(middle) < 0.15 and high - low < 2.0 and 0.4 < clocks.unit_weight < 1.2
+    hidden = ~free & np.isfinite(clocks.corrected)
+    assert np.median(clocks.corrected[hidden]) > 20 and np.mean(clocks.corrected[hidden] > -5) > 0.95
+    height, sigma = estimate_height(signals, free)
+    assert abs(height) < 3 * sigma < 4.0
+
+
+def test_car_of_2019(real_data, obstacles):
+    """A single-frequency receiver in a car among towers: wider, and one-sided where signals are hidden."""
+    signals = load_observations(*files(real_data, "tst_2019"), CRS, 0.0)
+    free = obstacles.free(signals.place, signals.direction)
+    clear = free & (signals.cn0 >= 35)
+    clocks = estimate_clocks(signals, clear)
+    low, middle, high = np.percentile(clocks.corrected[clear & np.isfinite(clocks.corrected)], [25, 50, 75])
+    assert abs(middle) < 0.2 and high - low < 3.2
+    hidden = ~free & np.isfinite(clocks.corrected)
+    assert np.median(clocks.corrected[hidden]) > 15
+
+
+@pytest.mark.parametrize("name", ["tst_2019", "tst_2020"])
+def test_heights_of_another_kind_are_noticed(real_data, name):
+    """The trajectories are above the ellipsoid; with a separation of some other country they do not fit."""
+
+
+    with pytest.raises(InputError, match=r"antenna is \d\d m lower"):
+        load_observations(*files(real_data, name), CRS, 40.0)
+    free = load_observations(*files(real_data, name), CRS, None)
+    assert abs(free.geoid_separation) < 3 * free.geoid_sigma + 3.0
+
+
+def test_clock_on_corrected_ranges_of_berlin(real_data):
+    """Ranges corrected by others, satellites and truth earth-fixed: the clock is found and residuals centre on zero."""
+    folder = real_data / "gnss" / "smartloc_berlin"
+    lines = [line.split() for line in next(folder.glob("*Input.txt")).read_text().splitlines()]
+    rows = np.array([line[1:] for line in lines if line[0] == "pseudorange3"], float)
+    truth = np.array([line.split()[1:5] for line in next(folder.glob("*GT.txt")).read_text().splitlines()], float)
+    time, epoch = np.unique(rows[:, 0], return_inverse=True)
+    epoch = epoch.ravel()
+    antenna = np.column_stack([np.interp(time, truth[:, 0], truth[:, k]) for k in (1, 2, 3)])
+    vector, distance = turned_with_earth(rows[:, 3:6], antenna[epoch])
+    up = antenna / np.linalg.norm(antenna, axis=1, keepdims=True)
+    lift = np.einsum("ij,ij->i", vector / distance[:, None], up[epoch])
+    assert np.degrees(np.arcsin(lift)) == pytest.approx(rows[:, 8], abs=1.5)
+    letters = np.array([{1: "G", 4: "R"}[int(code)] for code in rows[:, 7]])
+    names = np.array([f"{letter}{int(number) % 100:02d}" for letter, number in zip(letters, rows[:, 6])])
+    zero = np.zeros(len(rows))
+    elevation = np.radians(rows[:, 8])
+    sigma = expected_sigma(rows[:, 9], elevation, letters, zero)
+    residual = rows[:, 1] - distance
+    signals = Signals(Epochs(time, time, antenna, np.zeros(len(time), int)), epoch, time[epoch], names, letters,
+                      rows[:, 1], rows[:, 9], antenna[epoch], np.column_stack([zero, np.cos(elevation), lift]),
+                      rows[:, 8], zero, residual - np.median(residual), sigma, zero, zero, zero, np.zeros(1), 0.0)
+    # The truth is a point of the vehicle some metres from the antenna; which one is not told.
+    height, _ = estimate_height(signals, strong_signals(signals))
+    raised = signals.raised(height)
+    seen = strong_signals(raised)
+    clocks = estimate_clocks(raised, seen)
+    low, middle, high = np.percentile(clocks.corrected[seen & np.isfinite(clocks.corrected)], [25, 50, 75])
+    assert abs(height) < 8 and abs(middle) < 0.3 and high - low < 5.0
+    weak = ~seen & np.isfinite(clocks.corrected)
+    assert np.percentile(clocks.corrected[weak], 90) > 4 * -np.percentile(clocks.corrected[weak], 10)
