@@ -41,6 +41,8 @@ ALGORITHMS = (
     ("wallsfrommms", "WallsFromMms"),
     ("mergebuildingmodels", "MergeBuildingModels"),
     ("buildingsfromals", "BuildingsFromAls"),
+    ("gnssreflections", "GnssReflections"),
+    ("adjustwalls", "AdjustWalls"),
 )
 
 # What importing a module with a mistake in it raises.

@@ -17,7 +17,8 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "facadetextures", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "buildingsfromals")
+            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "buildingsfromals",
+            "gnssreflections", "adjustwalls")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

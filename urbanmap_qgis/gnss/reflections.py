@@ -78,8 +78,8 @@ class Ways:
         return excess
 
 
-def trace(walls: Walls, signals: Signals, settings: TraceSettings = TraceSettings(),
-          progress: Progress = SILENT, obstacles: Obstacles | None = None) -> Ways:
+def trace(walls: Walls, signals: Signals, settings: TraceSettings, progress: Progress = SILENT,
+          obstacles: Obstacles | None = None) -> Ways:
     """The way of each signal among walls.
 
     Raises

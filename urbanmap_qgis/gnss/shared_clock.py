@@ -33,6 +33,7 @@ class PassClock:
     ----------
     rows : (r,) rows of the signals of this file.
     corrected : (r,) residual less clock, offset and satellite error, m; NaN where the clock is not known.
+    less_clock : (r,) residual less clock and offset only, m.
     share : (r, k) by how much the error of each latent parameter enters `corrected`.
     covariance : (k, k) of the latent parameters, m2.
     white : (r,) variance of the clock at the epoch by noise alone, m2.
@@ -43,6 +44,7 @@ class PassClock:
 
     rows: np.ndarray
     corrected: np.ndarray
+    less_clock: np.ndarray
     share: np.ndarray
     covariance: np.ndarray
     white: np.ndarray
@@ -72,7 +74,7 @@ def pass_clocks(signals: Signals, in_sight: np.ndarray, least: int = 3, progress
 def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least: int) -> PassClock:
     _, epoch = np.unique(signals.epoch[rows], return_inverse=True)
     epoch = epoch.ravel()
-    design, systems = _design(signals.system[rows], signals.satellite[rows])
+    design, systems = _design(signals.system[rows], signals.satellite[rows], in_sight)
     residual, sigma = signals.residual[rows], signals.sigma[rows]
     enough = np.bincount(epoch, weights=in_sight)[epoch] >= least
     fit = in_sight & enough
@@ -96,16 +98,19 @@ def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least:
     heard = design[fit, :systems].any(axis=0) if fit.any() else np.zeros(systems, bool)
     # A system without a signal in sight has no clock of its own.
     known = enough & ((design[:, :systems] == 0) | heard).all(axis=1) & fit.any()
-    # The first system has no column of its own: it is the reference and is heard wherever the clock is.
     white = np.where(total > 0, 1.0 / np.where(total > 0, total, 1.0), np.nan)[epoch]
-    return PassClock(rows, np.where(known, left, np.nan), design - mean[epoch], covariance,
-                     np.where(known, white, np.nan), fit, satellite_error, unit)
+    return PassClock(rows, np.where(known, left, np.nan), np.where(known, whole, np.nan), design - mean[epoch],
+                     covariance, np.where(known, white, np.nan), fit, satellite_error, unit)
 
 
-def _design(system: np.ndarray, satellite: np.ndarray) -> tuple[np.ndarray, int]:
-    """Columns (r, k) of the latent parameters, and how many of them are offsets of systems (all but the commonest)."""
-    names, count = np.unique(system, return_counts=True)
-    others = [name for name in names if name != names[count.argmax()]]
+def _design(system: np.ndarray, satellite: np.ndarray, in_sight: np.ndarray) -> tuple[np.ndarray, int]:
+    """Columns (r, k) of the latent parameters, and how many of them are offsets of systems.
+
+    The system of which most signals are in sight has none: it is the reference.
+    """
+    names = np.unique(system)
+    count = [np.count_nonzero(in_sight & (system == name)) for name in names]
+    others = [name for name in names if name != names[int(np.argmax(count))]]
     satellites = np.unique(satellite)
     columns = [system == name for name in others] + [satellite == name for name in satellites]
     return np.column_stack(columns).astype(float), len(others)

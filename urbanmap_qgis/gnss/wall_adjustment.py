@@ -14,12 +14,13 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
-from ..errors import InputError, InsufficientDataError
+from ..errors import InputError
 from ..progress import SILENT, Progress
 from .moved_buildings import PlanNet, applied_offsets, moved_walls, settle
 from .rays import Obstacles, bounces
 from .reflections import LOS, REFLECTED, TraceSettings, Ways, possible_walls, trace
-from .shared_clock import PassClock, pass_clocks
+from .residuals import corrected_residuals, line_of_sight_clocks
+from .shared_clock import PassClock
 from .signal_strength import weaker_by
 from .signals import Signals
 from .wall_posterior import Offsets, estimate_offsets
@@ -28,9 +29,6 @@ from .walls import Walls, WallTable, building_walls, wall_table
 
 ADJUSTED, NOT_OBSERVABLE, HELD = "adjusted", "not observable", "held"
 """Moved by its votes; left because the votes do not decide; decided, but the building would not stay valid."""
-
-WEAKENED = 7.0
-"""Signals weaker than free ones by more than this are not in line of sight, whatever the model says, dB."""
 
 UNWEAKENED = 3.0
 """Signals weaker by less than this are no reflections, dB."""
@@ -140,7 +138,7 @@ class _Round:
 
 def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray, signals: Signals,
                  top: np.ndarray | None = None, low: np.ndarray | None = None,
-                 settings: AdjustmentSettings = AdjustmentSettings(), progress: Progress = SILENT) -> Adjustment:
+                 settings: AdjustmentSettings | None = None, progress: Progress = SILENT) -> Adjustment:
     """Adjust the walls of buildings.
 
     Parameters
@@ -153,6 +151,7 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
     InputError : buildings without heights.
     InsufficientDataError : no signals, or all antennas within buildings.
     """
+    settings = settings or AdjustmentSettings()
     before = building_walls(shapes, building, top, low)
     row = np.unique(np.asarray(building), return_inverse=True)[1].ravel()
     net = PlanNet.of(before)
@@ -173,29 +172,9 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
         if settled:
             break
     ways = trace(walls, signals, settings.trace, progress.part(0.95, 1.0))
-    corrected = np.full(len(signals), np.nan)
-    for clock in one.clocks:
-        corrected[clock.rows] = clock.corrected
+    corrected = corrected_residuals(signals, one.clocks)
     return Adjustment(current, _explained(result, before, signals, one, settings), before, walls, ways, corrected,
                       one.used, one.votes, one.offsets, one.clocks, number + 1)
-
-
-def line_of_sight_clocks(signals: Signals, ways: Ways) -> list[PassClock]:
-    """Clock of every pass from the signals that are in line of sight for sure and as strong as such signals are.
-
-    Raises
-    ------
-    InsufficientDataError : no epoch has enough of them.
-    """
-    in_sight = (ways.kind == LOS) & ways.sure
-    with np.errstate(invalid="ignore"):
-        in_sight &= ~(weaker_by(signals, in_sight) > WEAKENED)
-    clocks = pass_clocks(signals, in_sight)
-    if not any(np.isfinite(clock.corrected).any() for clock in clocks):
-        raise InsufficientDataError("At no epoch are three satellites in line of sight, so that the receiver's clock "
-                                    "is not known: give observations of more satellites, or check heights and "
-                                    "coordinate systems.")
-    return clocks
 
 
 def _round(walls: Walls, signals: Signals, outwards: np.ndarray, settings: AdjustmentSettings,

@@ -23,6 +23,9 @@ _GRID = np.arange(-4.0, 4.0001, 0.02)
 
 _ROUNDS = 60
 
+_FACADE = 0.1
+"""What no number of votes makes smaller, m: facades are not planes, and antennas are not where the trajectory says."""
+
 _USUAL = 5.0
 """Votes that the scatter of all votes counts for in that of one wall."""
 
@@ -82,15 +85,17 @@ class Offsets:
     model: ErrorModel
 
 
-def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel = ErrorModel(), learn: bool = True
+def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel | None = None, learn: bool = True
                      ) -> Offsets:
     """Offsets of all walls with votes.
 
     Parameters
     ----------
     prior_sigma : how far walls are off before anything is measured, m (normal about 0).
+    model : to begin with, or to keep.
     learn : whether the error model is fitted to the votes; else it is taken as it is.
     """
+    model = model or ErrorModel()
     system = _System.of(votes, prior_sigma)
     offset, latent = system.start(model), [np.zeros(share.shape[1]) for share in system.share]
     fitted = np.zeros(len(votes))
@@ -235,8 +240,8 @@ class _System:
         shared = np.maximum(np.diag(covariance) - alone, 0.0)
         on_time = model.shares(error, self.votes.variance)[0]
         widened = spread * self._scatter(error, on_time, model)
-        return Offsets(self.walls, mean, np.sqrt(widened + shared), np.sqrt(widened), _rival(density), on_time, error,
-                       model)
+        return Offsets(self.walls, mean, np.sqrt(widened + shared + _FACADE**2), np.sqrt(widened), _rival(density),
+                       on_time, error, model)
 
     def _scatter(self, error: np.ndarray, on_time: np.ndarray, model: ErrorModel) -> np.ndarray:
         """(k,) factor on the variance of walls whose votes scatter more than the model of all votes says."""
