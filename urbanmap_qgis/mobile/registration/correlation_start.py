@@ -23,7 +23,8 @@ EVIDENCE_AREA = 0.15
 """m2 of paint (1 m of a lane line) that count as one independent observation."""
 
 _BLUR = 0.2
-_MOST_IN_CELL = 4.0
+_SIGMAS = 2.0
+_MOST_STEPS = 12
 
 
 @dataclass(frozen=True)
@@ -112,41 +113,48 @@ class BestWay:
     beaten: np.ndarray
 
 
-def best_way(scores: np.ndarray, drift: float, length: float, likely: float) -> BestWay:
+def best_way(scores: np.ndarray, wander: np.ndarray, likely: float) -> BestWay:
     """Best sequence of shifts through blocks (b, s, s) of scores.
 
     Parameters
     ----------
-    drift : m in the root of a metre, by which the error wanders. length : m, of a block.
+    wander : (b - 1,) m2, variance of the error's change from each block to the next.
     likely : m, standard deviation of the whole error, which decides between places that fit alike.
     """
     count, size = len(scores), scores.shape[1]
-    step = CELL ** 2 / (2 * drift ** 2 * length)
     offset = (np.arange(size) - size // 2) * CELL
     total = np.empty_like(scores)
     ahead = -(offset[:, None] ** 2 + offset ** 2).astype(np.float32) / (2 * likely ** 2)
     for block in range(count):
         total[block] = ahead
-        ahead = _spread(ahead + scores[block], step)
-        ahead -= ahead.max()
+        if block < count - 1:
+            ahead = _spread(ahead + scores[block], wander[block])
+            ahead -= ahead.max()
     back = np.zeros((size, size), dtype=np.float32)
     for block in reversed(range(count)):
         total[block] += scores[block] + back
-        back = _spread(back + scores[block], step)
-        back -= back.max()
+        if block:
+            back = _spread(back + scores[block], wander[block - 1])
+            back -= back.max()
     best = total.reshape(count, -1).argmax(axis=1)
     beaten = total.reshape(count, -1).max(axis=1)[:, None, None] - total
     return BestWay(np.stack([best % size, best // size], axis=1) - size // 2, beaten)
 
 
-def _spread(score: np.ndarray, step: float) -> np.ndarray:
-    """Best score that can be reached at each shift from itself or a neighbour, a step costing `step`."""
-    for axis in (0, 1):
-        score = np.moveaxis(score, axis, 0)
-        spread = score.copy()
-        np.maximum(spread[1:], score[:-1] - step, out=spread[1:])
-        np.maximum(spread[:-1], score[1:] - step, out=spread[:-1])
-        score = np.moveaxis(spread, 0, axis)
+def _spread(score: np.ndarray, variance: float) -> np.ndarray:
+    """Best score that can be reached at each shift from the others, a change d costing d2 / (2 variance).
+
+    A large change is made in several steps of a cell each.
+    """
+    steps = int(np.clip(np.ceil(_SIGMAS * math.sqrt(variance) / CELL), 1, _MOST_STEPS))
+    cost = np.float32(steps * CELL ** 2 / (2 * max(variance, 1e-6)))
+    for _ in range(steps):
+        for axis in (0, 1):
+            score = np.moveaxis(score, axis, 0)
+            spread = score.copy()
+            np.maximum(spread[1:], score[:-1] - cost, out=spread[1:])
+            np.maximum(spread[:-1], score[1:] - cost, out=spread[:-1])
+            score = np.moveaxis(spread, 0, axis)
     return score
 
 

@@ -11,14 +11,19 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg import LinAlgError, solveh_banded
 
+from .block_chain import solve_chain
 from .ndt_match import turn_matrix
 from .patch_points import PatchPoints
-from .patch_sums import PatchSums
+from .patch_sums import PatchSums, window_sums
 
-DRIFT = np.array([0.03, 0.03, 0.03, 6e-4, 6e-4, 6e-4])
-"""Wander of an error in the root of a metre driven: m, and radians (0.03 degrees)."""
+DRIFT = np.array([0.02, 0.02, 0.02, 3e-4, 3e-4, 3e-4])
+"""Wander of an error in the root of a metre driven: m, and radians."""
+
+STANDING_DRIFT = np.array([0.15, 0.15, 0.15, 5e-4, 5e-4, 5e-4])
+"""Wander of an error in the root of a second that the vehicle stands: m, and radians."""
 
 _LIKELY = np.array([3.0, 3.0, 5.0, 0.01, 0.01, 0.01])  # standard deviation of the whole error, m and radians
+_SMOOTHED = 10  # patches over which evidence is spread
 
 
 @dataclass(frozen=True)
@@ -27,19 +32,22 @@ class Course:
 
     Attributes
     ----------
-    way : (n,) m, of the patches' middles. shift : (n, 3) m. turn : (n, 3) rotation vectors in the map's axes, radians.
+    way, standing : (n,) m driven and s waited up to the patches' middles. shift : (n, 3) m.
+    turn : (n, 3) rotation vectors in the map's axes, radians.
     """
 
     way: np.ndarray
+    standing: np.ndarray
     shift: np.ndarray
     turn: np.ndarray
 
     def moved(self, points: PatchPoints) -> np.ndarray:
         """(m, 3) the points as this course corrects them."""
-        before = np.clip(np.searchsorted(self.way, points.way) - 1, 0, max(len(self.way) - 2, 0))
-        after = np.minimum(before + 1, len(self.way) - 1)
-        span = np.maximum(self.way[after] - self.way[before], 1e-9)
-        share = np.clip((points.way - self.way[before]) / span, 0, 1)[:, None]
+        clock = self.way + self.standing
+        before = np.clip(np.searchsorted(clock, points.clock) - 1, 0, max(len(clock) - 2, 0))
+        after = np.minimum(before + 1, len(clock) - 1)
+        span = np.maximum(clock[after] - clock[before], 1e-9)
+        share = np.clip((points.clock - clock[before]) / span, 0, 1)[:, None]
         shift = self.shift[before] + share * (self.shift[after] - self.shift[before])
         turn = self.turn[before] + share * (self.turn[after] - self.turn[before])
         side = np.cross(turn, points.arm)
@@ -49,7 +57,7 @@ class Course:
         """After small movements (n, 6) about the corrected places."""
         small = np.abs(self.turn).max(initial=0.0) + np.abs(step[:, 3:]).max(initial=0.0) < 0.02
         turn = self.turn + step[:, 3:] if small else _composed(step[:, 3:], self.turn)
-        return Course(self.way, self.shift + step[:, :3], turn)
+        return Course(self.way, self.standing, self.shift + step[:, :3], turn)
 
 
 def _composed(second: np.ndarray, first: np.ndarray) -> np.ndarray:
@@ -61,7 +69,7 @@ def _composed(second: np.ndarray, first: np.ndarray) -> np.ndarray:
     return axis / np.sinc(np.arccos(cosine) / np.pi)[:, None]
 
 
-def course_step(course: Course, sums: PatchSums, active: tuple[int, ...], drift: np.ndarray = DRIFT) -> np.ndarray:
+def course_step(course: Course, sums: PatchSums, active: tuple[int, ...]) -> np.ndarray:
     """(n, 6) movements of the patches about their corrected places, towards the most likely course.
 
     Parameters
@@ -71,7 +79,7 @@ def course_step(course: Course, sums: PatchSums, active: tuple[int, ...], drift:
     count, parameters = len(course.way), list(active)
     width = len(parameters)
     state = np.concatenate([course.shift, course.turn], axis=1)[:, parameters]
-    stiff = 1.0 / (drift[parameters] ** 2 * np.maximum(np.diff(course.way), 1e-3)[:, None])
+    stiff = _stiffness(course, parameters)
     hold = 1.0 / (_LIKELY[parameters] ** 2 * max(count, 1))
     gradient = sums.gradient[:, parameters] - hold * state
     pull = stiff * np.diff(state, axis=0)
@@ -104,6 +112,36 @@ def _solve_chain(blocks: np.ndarray, diagonal: np.ndarray, stiff: np.ndarray, ri
         banded[width, np.arange(count) * width + a] += diagonal[:, a]
         banded[0, np.arange(1, count) * width + a] = -stiff[:, a]
     return solveh_banded(banded, right.ravel(), check_finite=False).reshape(count, width)
+
+
+def _stiffness(course: Course, parameters: list[int]) -> np.ndarray:
+    """(n - 1, p) inverse variances of the wander from each patch to the next."""
+    driven, waited = np.maximum(np.diff(course.way), 1e-3)[:, None], np.diff(course.standing)[:, None]
+    return 1.0 / (DRIFT[parameters] ** 2 * driven + STANDING_DRIFT[parameters] ** 2 * waited)
+
+
+def course_covariance(course: Course, information: np.ndarray, active: tuple[int, ...]) -> np.ndarray:
+    """(n, 6, 6) covariance of the course at each patch, 0 in what is not active: what evidence and wander leave open.
+
+    `information` (n, 6, 6) of the patches, each about its own corrected place, of independent evidence.
+    """
+    count, parameters = len(course.way), list(active)
+    half = _SMOOTHED // 2
+    low, high = np.maximum(np.arange(count) - half, 0), np.minimum(np.arange(count) + half, count - 1)
+    mean = window_sums(information[:, parameters][:, :, parameters], low, high) / (high - low + 1)[:, None, None]
+    values, vectors = np.linalg.eigh(mean)
+    blocks = np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors)
+    stiff = _stiffness(course, parameters)
+    diagonal = blocks + np.diag(1.0 / (_LIKELY[parameters] ** 2 * count))
+    each = np.arange(len(parameters))
+    diagonal[:-1, each, each] += stiff
+    diagonal[1:, each, each] += stiff
+    ahead = np.zeros((count - 1, len(parameters), len(parameters)))
+    ahead[:, each, each] = -stiff
+    full = np.zeros((count, 6, 6))
+    full[np.ix_(np.arange(count), parameters, parameters)] = solve_chain(
+        diagonal, ahead, np.zeros((count, len(parameters)))).covariance
+    return full
 
 
 def turned_about(information: np.ndarray) -> np.ndarray:

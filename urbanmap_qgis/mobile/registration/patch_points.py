@@ -20,17 +20,17 @@ class PatchPoints:
     Attributes
     ----------
     place : (m, 3) m, reported. arm : (m, 3) m, from the body's reported place at the time of measuring.
-    way : (m,) m driven when measured. patch : (m,) number, not falling. weight : (m,).
+    clock : (m,) of the patches, when measured. patch : (m,) number, not falling. weight : (m,).
     """
 
     place: np.ndarray
     arm: np.ndarray
-    way: np.ndarray
+    clock: np.ndarray
     patch: np.ndarray
     weight: np.ndarray
 
     def __len__(self) -> int:
-        return len(self.way)
+        return len(self.clock)
 
     def of_patches(self, first: int, last: int) -> PatchPoints:
         """Points of the patches `first` to `last`."""
@@ -55,11 +55,12 @@ def thin_points(markings: MarkingPoints, trajectory: Trajectory, patches: Patche
         total = np.add.reduceat((values - base)[order], start, axis=0)
         return base + total / (count if values.ndim == 1 else count[:, None])
 
-    way = mean(patches.way_at(markings.time))
+    clock = mean(patches.clock_at(markings.time))
     place, arm, weight = mean(reported), mean(reported - body), mean(np.asarray(markings.weight, float))
+    way = np.interp(clock, patches.epoch_way + patches.epoch_standing, patches.epoch_way)
     patch = np.clip((way / patches.length).astype(np.int64), 0, len(patches) - 1)
     order = np.argsort(patch, kind="stable")
-    return PatchPoints(place[order], arm[order], way[order], patch[order], weight[order])
+    return PatchPoints(place[order], arm[order], clock[order], patch[order], weight[order])
 
 
 def _cells(markings: MarkingPoints, group: np.ndarray, cell: float) -> np.ndarray:

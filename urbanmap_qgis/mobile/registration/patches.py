@@ -19,7 +19,8 @@ class Patches:
     length : m.
     time : (n,) s, when the vehicle is at the patch's middle. way : (n,) m driven up to there.
     place : (n, 3) m, angles : (n, 3) degrees, reported.
-    epoch_time, epoch_way : the trajectory's epochs and the way driven until then.
+    standing : (n,) s waited up to there.
+    epoch_time, epoch_way, epoch_standing : the trajectory's epochs, the way driven and the time waited until then.
     """
 
     length: float
@@ -27,8 +28,10 @@ class Patches:
     way: np.ndarray
     place: np.ndarray
     angles: np.ndarray
+    standing: np.ndarray
     epoch_time: np.ndarray
     epoch_way: np.ndarray
+    epoch_standing: np.ndarray
 
     def __len__(self) -> int:
         return len(self.time)
@@ -36,6 +39,15 @@ class Patches:
     def way_at(self, time: np.ndarray) -> np.ndarray:
         """(m,) m driven at times (m,) s."""
         return np.interp(time, self.epoch_time, self.epoch_way)
+
+    @property
+    def clock(self) -> np.ndarray:
+        """(n,) m driven and s waited, together: between patches errors change evenly with it."""
+        return self.way + self.standing
+
+    def clock_at(self, time: np.ndarray) -> np.ndarray:
+        """(m,) the same at times (m,) s."""
+        return np.interp(time, self.epoch_time, self.epoch_way + self.epoch_standing)
 
     def number_at(self, time: np.ndarray) -> np.ndarray:
         """(m,) number of the patch that the vehicle is in at times (m,) s."""
@@ -58,4 +70,6 @@ def cut_patches(trajectory: Trajectory, length: float) -> Patches:
     moving = np.concatenate([[True], np.diff(way) > 0])
     time = np.interp(middle, way[moving], trajectory.time[moving])
     pose = interpolate(trajectory, time)
-    return Patches(length, time, middle, pose.place, pose.angles, trajectory.time, way)
+    waited = np.concatenate([[0.0], np.cumsum(np.where(np.diff(way) > 0, 0.0, np.diff(trajectory.time)))])
+    return Patches(length, time, middle, pose.place, pose.angles, np.interp(time, trajectory.time, waited),
+                   trajectory.time, way, waited)

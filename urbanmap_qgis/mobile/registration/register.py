@@ -33,8 +33,8 @@ BLOCK = 5
 _STRETCH = 400  # patches of a stretch's core
 _AROUND = 10  # patches more than its windows need
 _DRIFT = 0.05  # m in the root of a metre, what the start lets the error wander by
+_STANDING_DRIFT = 0.15  # m in the root of a second that the vehicle stands
 _LIKELY = 2.5  # m
-_FURTHEST_HEIGHT = 5.0  # m: beyond this the heights belong to another datum
 
 
 def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
@@ -106,9 +106,15 @@ def _start(points: PatchPoints, patches: Patches, reference: Reference, settings
         raise InsufficientDataError("There is no reference marking near the survey: check the CRS of both and that the "
                                     "reference covers the drive.")
     scores = np.concatenate(scores)
-    way = best_way(scores, _DRIFT, BLOCK * patches.length, _LIKELY)
+    way = best_way(scores, _wander(patches), _LIKELY)
     shift = way.shift if settings.start else np.zeros_like(way.shift)
     return Start(BLOCK, shift * CELL, centred(scores, way.shift), way.beaten, way.shift)
+
+
+def _wander(patches: Patches) -> np.ndarray:
+    """(b - 1,) m2, variance of the error's change from each block to the next."""
+    middle = np.minimum(np.arange(0, len(patches), BLOCK) + BLOCK // 2, len(patches) - 1)
+    return _DRIFT ** 2 * np.diff(patches.way[middle]) + _STANDING_DRIFT ** 2 * np.diff(patches.standing[middle])
 
 
 def _block_scores(piece: _Blocks, reference: Reference, settings: RegistrationSettings) -> tuple[np.ndarray, int]:
@@ -139,6 +145,7 @@ def _stretches(points: PatchPoints, patches: Patches, windows: Windows, start: S
         first = max(int(windows.first[core].min()) - _AROUND, 0)
         last = min(int(windows.last[core].max()) + _AROUND, len(patches) - 1)
         here = np.arange(first, last + 1)
-        yield Stretch(first, core_first - first, core_last - first, patches.way[here], patches.place[here],
+        yield Stretch(first, core_first - first, core_last - first, patches.way[here], patches.standing[here],
+                      patches.place[here],
                       start.shift_at(here), windows.first[core] - first, windows.last[core] - first,
                       points.of_patches(first, last))

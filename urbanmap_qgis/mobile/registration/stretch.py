@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import InputError
 from .correlation_start import EVIDENCE_AREA
-from .course import Course, course_step
+from .course import Course, course_covariance, course_step
 from .ndt_map import NdtMap, build_ndt
 from .ndt_match import Mixture, ndt_terms
 from .patch_points import PatchPoints
@@ -38,7 +38,7 @@ class Stretch:
     Attributes
     ----------
     first : number of the first patch in the survey. core_first, core_last : of the core, counted from `first`.
-    way : (n,) m. place : (n, 3) m, reported. shift : (n, 2) m, where to start.
+    way, standing : (n,) m driven and s waited. place : (n, 3) m, reported. shift : (n, 2) m, where to start.
     window_first, window_last : (k,) of the core's windows, counted from `first`.
     points : thinned marking points of these patches.
     """
@@ -47,6 +47,7 @@ class Stretch:
     core_first: int
     core_last: int
     way: np.ndarray
+    standing: np.ndarray
     place: np.ndarray
     shift: np.ndarray
     window_first: np.ndarray
@@ -82,7 +83,8 @@ class AdjustedStretch:
 def adjust_stretch(stretch: Stretch, reference: Reference, settings: RegistrationSettings) -> AdjustedStretch:
     """Course of the stretch, and its windows about it."""
     count = len(stretch.way)
-    course = Course(stretch.way, np.column_stack([stretch.shift, np.zeros(count)]), np.zeros((count, 3)))
+    shift = np.column_stack([stretch.shift, np.zeros(count)])
+    course = Course(stretch.way, stretch.standing, shift, np.zeros((count, 3)))
     points = stretch.points
     if not len(points):
         return _empty(stretch, course)
@@ -218,7 +220,7 @@ def _level(course: Course, scene: _Scene) -> Course:
                          "two.")
     shift = course.shift.copy()
     shift[:, 2] = middle
-    return Course(course.way, shift, course.turn)
+    return Course(course.way, course.standing, shift, course.turn)
 
 
 def _windows_about(course: Course, converged: bool, stretch: Stretch, scene: _Scene) -> AdjustedStretch:
@@ -239,8 +241,9 @@ def _windows_about(course: Course, converged: bool, stretch: Stretch, scene: _Sc
     first, last = stretch.window_first, stretch.window_last
     window = sums.windows(first, last).about(arms[core])
     spread = PatchSums(np.zeros((len(first), 6)), window_sums(scatter, first, last)).about(arms[core]).information
-    step, covariance = _solve(window, spread, active)
+    step, covariance, excess = _solve(window, spread, active)
     own = sums.about(arms)
+    covariance += course_covariance(course, own.information / float(np.median(excess)), scene.active)[core]
     shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.share > 0.5]), scene.patch,
                       scene.patches)
     counted = window_sums(shares, first, last)
@@ -272,8 +275,9 @@ def _scatter(moved: np.ndarray, gradient: tuple, scene: _Scene) -> np.ndarray:
     return by_patch(squares, patch, scene.patches)
 
 
-def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]) -> tuple[np.ndarray, np.ndarray]:
-    """Movements of windows (k, 6) and their covariances (k, 6, 6), NaN where nothing determines them."""
+def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]
+           ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Movements of windows (k, 6), their covariances (k, 6, 6), and by how much evidence is counted too often (k,)."""
     count, width = len(window.gradient), len(active)
     information = window.information[:, active][:, :, active]
     gradient = window.gradient[:, active]
@@ -289,7 +293,7 @@ def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]) -> tuple[n
     step[:, active] = solution
     full = np.zeros((count, 6, 6))
     full[np.ix_(np.arange(count), active, active)] = covariance
-    return step, full
+    return step, full, excess
 
 
 def _empty(stretch: Stretch, course: Course) -> AdjustedStretch:
