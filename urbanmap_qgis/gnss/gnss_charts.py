@@ -105,7 +105,7 @@ def _stroke(line: np.ndarray, colour: str, width: float, dashes: str = "") -> st
 def _dots(x: np.ndarray, y: np.ndarray, colour: np.ndarray, radius: float) -> str:
     """Points, one path a colour."""
     return "".join(
-        f'<path d="{"".join(f"M{a:.1f} {b:.1f}h0" for a, b in zip(x[colour == one], y[colour == one]))}" '
+        f'<path d="{"".join(f"M{a:.1f} {b:.1f}h.1" for a, b in zip(x[colour == one], y[colour == one]))}" '
         f'stroke="{one}" stroke-width="{2 * radius}" stroke-linecap="round"/>' for one in np.unique(colour))
 
 

@@ -131,7 +131,8 @@ def _signals(report: Report, signals: Signals, ways: Ways, corrected: np.ndarray
     for kind in (LOS, REFLECTED, NLOS):
         rows = known & (ways.kind == kind)
         if rows.any():
-            counts, edges = np.histogram(np.clip(corrected[rows], -20.0, 80.0), bins=50, range=(-20.0, 80.0))
+            low, high = (-10.0, 10.0) if kind == LOS else (-20.0, 80.0)
+            counts, edges = np.histogram(np.clip(corrected[rows], low, high), bins=50, range=(low, high))
             report.figure(bars(counts, edges, "residual, m"), f"Residuals of signals {_NAMES[kind]} ({rows.sum():,}).")
     rows = np.flatnonzero(known & (ways.kind == REFLECTED))
     if len(rows):
