@@ -1,0 +1,213 @@
+"""2.5D meshes of buildings from their points: surfaces, walls at the height steps, simplified to a stated error."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+import shapely
+
+from ...errors import InputError, InsufficientDataError
+from ...execution import in_order
+from ...geometry.solid import Solid
+from ...io.pointcloud import PointCloud
+from ...progress import SILENT, Progress
+from ..outlines.footprint import Footprints
+from ..solids.validity import check_solid
+from .height_grid import HeightGrid, height_grid
+from .mesh_build import build_mesh
+from .mesh_points import building_points
+from .mesh_quality import MeshFit, is_watertight, mesh_fit
+from .node_heights import border_heights
+from .surface_plan import SurfacePlan, surface_plan
+
+OK, COARSE, GROUND_UNKNOWN, NOT_MODELLED = "ok", "error exceeded", "ground unknown", "not modelled"
+"""Status of a mesh: sound; fewer than 95 % of the points within the stated error; its foot is assumed; none."""
+
+STOREY = 3.0
+_ENOUGH = 0.95
+_TRIES = (1.0, 0.7, 0.4)
+"""Shares of the stated error, step and least area that are tried one after another while the points are not met."""
+
+_CHECKED = 4000
+"""Meshes of up to so many triangles are checked for self-intersection."""
+
+
+@dataclass(frozen=True)
+class MeshSettings:
+    """How meshes are made.
+
+    Parameters
+    ----------
+    max_error : distance within which at least 95 % of the points shall lie, m.
+    step : height steps above this become upright walls, m. least_area : smallest surface of its own, m2.
+    """
+
+    max_error: float = 0.3
+    step: float = 0.5
+    least_area: float = 2.0
+
+    def __post_init__(self) -> None:
+        if not (self.max_error > 0 and self.step > 0 and self.least_area >= 0):
+            raise InputError("The largest error and the height step must be greater than 0.")
+
+
+@dataclass(frozen=True, eq=False)
+class BuildingMesh:
+    """The mesh of a building, None with a reason where there is none; valid: closed without self-intersection, None
+    where that was not looked at; surfaces: pieces parted by height steps."""
+
+    building_id: int
+    mesh: Solid | None
+    status: str
+    reason: str
+    base: float = math.nan
+    surfaces: int = 0
+    watertight: bool = False
+    valid: bool | None = None
+    fit: MeshFit | None = None
+
+
+def mesh_buildings(cloud: PointCloud, footprints: Footprints, base: np.ndarray,
+                   settings: MeshSettings = MeshSettings(), executor: Executor | None = None,
+                   progress: Progress = SILENT) -> list[BuildingMesh]:
+    """Meshes of all buildings, in the order of the outlines.
+
+    Parameters
+    ----------
+    cloud : points with building_id, or any that the outlines cut. base : (n,) height of the ground, NaN where unknown.
+
+    Raises
+    ------
+    InsufficientDataError : no outline has any point.
+    """
+    pieces = _pieces(cloud, footprints, base, progress)
+    meshes = []
+    for mesh in in_order(partial(_mesh_piece, settings=settings), pieces, executor, progress.check):
+        progress.check()
+        meshes.append(mesh)
+    return meshes
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    building_id: int
+    plan: shapely.Geometry | None
+    note: str
+    points: np.ndarray
+    base: float
+
+
+def _pieces(cloud: PointCloud, footprints: Footprints, base: np.ndarray, progress: Progress) -> Iterator[_Piece]:
+    for row, points, ground in building_points(cloud, footprints, progress.part(0.0, 0.4)):
+        progress.step(0.4 + 0.6 * row / len(footprints))
+        yield _Piece(int(footprints.ids[row]), footprints.polygons[row], footprints.notes[row], points,
+                     float(base[row]) if np.isfinite(base[row]) else ground)
+
+
+def _mesh_piece(piece: _Piece, settings: MeshSettings) -> BuildingMesh:
+    return mesh_building(piece.building_id, piece.plan, piece.points, piece.base, settings, piece.note)
+
+
+def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray, base: float,
+                  settings: MeshSettings = MeshSettings(), note: str = "") -> BuildingMesh:
+    """The mesh of one building from its points (n, 3) within its plan; `base`: height of the ground, NaN unknown."""
+    if plan is None:
+        return BuildingMesh(number, None, NOT_MODELLED, note or "it has no outline")
+    try:
+        assumed = not math.isfinite(base)
+        if assumed and len(points):
+            base = float(np.quantile(points[:, 2], 0.05)) - STOREY
+        best = None
+        for share in _TRIES:
+            made = _meshed(number, plan, points, base, settings, share)
+            if best is None or (made.watertight, made.fit.within) > (best.watertight, best.fit.within):
+                best = made
+            if best.watertight and best.fit.within >= _ENOUGH:
+                break
+    except InsufficientDataError as error:
+        return BuildingMesh(number, None, NOT_MODELLED, "; ".join(filter(None, (note, str(error)))))
+    return _judged(best, assumed, note, settings)
+
+
+def _meshed(number: int, plan: shapely.Geometry, points: np.ndarray, base: float, settings: MeshSettings,
+            share: float) -> BuildingMesh:
+    tolerance = share * settings.max_error
+    heights = height_grid(points, plan, share * settings.step, share * settings.least_area)
+    parts = surface_plan(heights, heights.grid.cell)
+    cells = surface_cells(heights, parts)
+    levels = border_heights(parts, cells, base, max(1.0, 3 * heights.grid.cell), 0.5 * tolerance)
+    mesh = build_mesh(parts, levels, cells, base, 0.7 * tolerance)
+    return BuildingMesh(number, mesh, OK, "", base, len(parts.label), is_watertight(mesh), None,
+                        mesh_fit(mesh, points, settings.max_error))
+
+
+def surface_cells(heights: HeightGrid, plan: SurfacePlan) -> list[np.ndarray]:
+    """Places and smoothed heights (k, 3) of the measured cells of each surface; its nearest cell where it has none."""
+    grid = heights.grid
+    x, y = np.meshgrid(*grid.centres())
+    smooth = _smoothed(heights)
+    cells = []
+    for surface, label in enumerate(plan.label.tolist()):
+        rings = [plan.edges.coordinates(ring) for ring in plan.rings(surface)]
+        shape = shapely.Polygon(rings[0], rings[1:])
+        shapely.prepare(shape)
+        inside = shapely.contains_xy(shape, x, y) & (heights.label == label)
+        chosen = inside & heights.measured
+        chosen = chosen if chosen.any() else inside if inside.any() else heights.label == label
+        cells.append(np.column_stack([x[chosen], y[chosen], smooth[chosen]]))
+    return cells
+
+
+def _smoothed(heights: HeightGrid) -> np.ndarray:
+    """Median of each cell and those beside it of its own surface."""
+    z, label = heights.z, heights.label
+    padded, names = np.pad(z, 1, constant_values=np.nan), np.pad(label, 1, constant_values=-1)
+    rows, columns = z.shape
+    stack = [np.where(names[i:i + rows, j:j + columns] == label, padded[i:i + rows, j:j + columns], np.nan)
+             for i, j in ((1, 1), (0, 1), (2, 1), (1, 0), (1, 2))]
+    return np.nanmedian(stack, axis=0)
+
+
+def _judged(mesh: BuildingMesh, assumed: bool, note: str, settings: MeshSettings) -> BuildingMesh:
+    """The mesh with its status; one that is not closed is not given."""
+    reasons = [note] if note else []
+    if not mesh.watertight:
+        return BuildingMesh(mesh.building_id, None, NOT_MODELLED,
+                            "; ".join([*reasons, "no closed mesh could be made"]), mesh.base)
+    valid = not check_solid(mesh.mesh) if len(mesh.mesh.faces) <= _CHECKED else None
+    status = OK
+    if assumed:
+        status = GROUND_UNKNOWN
+        reasons.append(f"its ground is not known, the foot is put {STOREY:g} m under its lowest roof")
+    if mesh.fit.within < _ENOUGH:
+        status = COARSE
+        reasons.append(f"only {100 * mesh.fit.within:.0f} % of its points lie within {settings.max_error:g} m")
+    if valid is False:
+        reasons.append("its surfaces touch or cross somewhere")
+    return BuildingMesh(mesh.building_id, mesh.mesh, status, "; ".join(reasons), mesh.base, mesh.surfaces, True, valid,
+                        mesh.fit)
+
+
+MESH_COLUMNS: tuple[tuple[str, str], ...] = (
+    ("building_id", "int"), ("status", "text"), ("reason", "text"), ("triangles", "int"), ("surfaces", "int"),
+    ("base", "real"), ("height", "real"), ("points", "int"), ("rmse", "real"), ("p95", "real"), ("max_error", "real"),
+    ("within", "real"), ("watertight", "bool"), ("valid", "bool"),
+)
+"""Names and kinds of the columns of meshes."""
+
+
+def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
+    """Columns of `MESH_COLUMNS`; distances in m, `within` the share of points within the stated error."""
+    rows = []
+    for item in meshes:
+        fit, mesh = item.fit, item.mesh
+        top = float(mesh.vertices[:, 2].max()) - item.base if mesh else math.nan
+        figures = (fit.points, fit.rmse, fit.p95, fit.largest, fit.within) if fit else (0, *(math.nan,) * 4)
+        rows.append((item.building_id, item.status, item.reason, len(mesh.faces) if mesh else 0, item.surfaces,
+                     item.base, top, *figures, item.watertight, item.valid))
+    return {name: [row[place] for row in rows] for place, (name, _) in enumerate(MESH_COLUMNS)}

@@ -1,0 +1,129 @@
+"""The plan of a building cut into its surfaces along simplified lines, edge by edge beside each other."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ...errors import InsufficientDataError
+from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
+from .height_grid import HeightGrid
+
+GRID = 0.01
+_LEAST_FACE = 0.3
+"""Pieces of plan smaller than this (m2) go to the neighbour with the longest common edge."""
+
+
+@dataclass(frozen=True, eq=False)
+class SurfacePlan:
+    """Directed edges between nodes; `edges.cell` names the surface (0, 1, ...) at the left of each.
+
+    `label` (surfaces,) is the number of each one on the height grid. Edges with one surface at both sides are left out.
+    """
+
+    edges: HalfEdges
+    label: np.ndarray
+
+    def rings(self, surface: int) -> list[list[int]]:
+        """Rings of nodes of a surface, the outer one first; it is one connected piece."""
+        directed = [edge for edge, cell in self.edges.cell.items() if cell == surface]
+        return sorted(trace_rings(self.edges, directed), key=lambda ring: self.edges.twice_area(ring) < 0)
+
+
+def surface_plan(heights: HeightGrid, tolerance: float) -> SurfacePlan:
+    """Cut the plan along the borders of the surfaces, simplified to `tolerance` (m).
+
+    Raises
+    ------
+    InsufficientDataError : nothing of the plan is left.
+    """
+    origin = whole_metre_origin(heights.plan.bounds)
+    outline = shapely.transform(shapely.force_2d(heights.plan), lambda c: c - origin)
+    outline = shapely.make_valid(shapely.set_precision(outline, GRID))
+    borders = shapely.transform(_borders(heights), lambda c: c - origin)
+    simple = [shapely.simplify(line, tolerance) for line in shapely.get_parts(shapely.line_merge(borders))]
+    lines = shapely.union_all([shapely.boundary(outline), *simple], grid_size=GRID)
+    faces = shapely.get_parts(shapely.polygonize([lines]))
+    faces = faces[shapely.contains(outline, shapely.point_on_surface(faces))]
+    if not len(faces):
+        raise InsufficientDataError("its outline has no area")
+    label = _joined(faces, _labels(faces, heights, origin))
+    edges = half_edges(faces, (0.0, 0.0), GRID)
+    edges.origin = origin
+    return _surfaces(edges, label)
+
+
+def _borders(heights: HeightGrid) -> shapely.MultiLineString:
+    """The sides of cells between different surfaces."""
+    grid, label = heights.grid, heights.label
+    pieces = []
+    row, column = np.nonzero(label[:, :-1] != label[:, 1:])
+    x, y = grid.x_min + (column + 1) * grid.cell, grid.y_max - row * grid.cell
+    pieces.append(np.stack([np.stack([x, y], 1), np.stack([x, y - grid.cell], 1)], 1))
+    row, column = np.nonzero(label[:-1] != label[1:])
+    x, y = grid.x_min + column * grid.cell, grid.y_max - (row + 1) * grid.cell
+    pieces.append(np.stack([np.stack([x, y], 1), np.stack([x + grid.cell, y], 1)], 1))
+    segments = np.round(np.concatenate(pieces), 6)
+    return shapely.multilinestrings(shapely.linestrings(segments))
+
+
+def _labels(faces: np.ndarray, heights: HeightGrid, origin) -> np.ndarray:
+    """The surface that most cells in each face belong to."""
+    grid = heights.grid
+    label = np.empty(len(faces), np.int64)
+    inside = shapely.point_on_surface(faces)
+    row, column, _ = grid.cells(shapely.get_x(inside) + origin[0], shapely.get_y(inside) + origin[1])
+    label[:] = heights.label[row, column]
+    for number, face in enumerate(faces):
+        x_min, y_min, x_max, y_max = face.bounds
+        rows, columns, part = grid.window(x_min + origin[0], y_min + origin[1], x_max + origin[0], y_max + origin[1])
+        x, y = np.meshgrid(*part.centres())
+        shapely.prepare(face)
+        own = heights.label[rows, columns][shapely.contains_xy(face, x - origin[0], y - origin[1])]
+        if len(own):
+            label[number] = np.bincount(own).argmax()
+    return label
+
+
+def _joined(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
+    """Labels of the faces with small ones given to the neighbour with the longest common edge."""
+    label = label.copy()
+    area = shapely.area(faces)
+    edges = half_edges(faces, (0.0, 0.0), GRID)
+    beside: list[dict[int, float]] = [{} for _ in faces]
+    for (a, b), face in edges.cell.items():
+        other = edges.cell.get((b, a))
+        if other is not None:
+            beside[face][other] = beside[face].get(other, 0.0) + edges.length(a, b)
+    for face in np.argsort(area, kind="stable"):
+        if area[face] >= _LEAST_FACE:
+            break
+        length: dict[int, float] = {}
+        for other, common in beside[face].items():
+            length[label[other]] = length.get(label[other], 0.0) + common
+        if length:
+            label[face] = max(length, key=lambda name: (round(length[name], 6), -name))
+    return label
+
+
+def _surfaces(edges: HalfEdges, label: np.ndarray) -> SurfacePlan:
+    """Faces of one label that hang together as one surface, without the edges inside."""
+    piece = list(range(len(label)))
+
+    def root(face: int) -> int:
+        while piece[face] != face:
+            piece[face] = piece[piece[face]]
+            face = piece[face]
+        return face
+
+    for (a, b), face in edges.cell.items():
+        other = edges.cell.get((b, a))
+        if other is not None and label[face] == label[other]:
+            piece[root(face)] = root(other)
+    roots = sorted({root(face) for face in range(len(label))})
+    number = {face: place for place, face in enumerate(roots)}
+    owner = {edge: number[root(face)] for edge, face in edges.cell.items()}
+    edges.cell = {edge: surface for edge, surface in owner.items() if owner.get(edge[::-1]) != surface}
+    return SurfacePlan(edges, label[roots])
