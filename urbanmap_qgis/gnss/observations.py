@@ -76,11 +76,11 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
     return signals
 
 
-def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]]) -> float:
+def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]], what: str = "observations") -> float:
     """Seconds to add to the trajectory's time to get GPS seconds since 1980-01-06.
 
-    `spans` : first and last GPS time of the observations. Weeks, full GPS seconds, adjusted standard GPS time and
-    Unix time are tried; the one that brings the trajectory together with the observations is taken.
+    `spans` : first and last GPS time of the observations (or of what else `what` says). Weeks, full GPS seconds,
+    adjusted standard GPS time and Unix time are tried; the one that brings the two together is taken.
 
     Raises
     ------
@@ -90,13 +90,13 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
     start, end = min(span[0] for span in spans), max(span[1] for span in spans)
     week = WEEK * np.floor(start / WEEK)
     unix = -UNIX_START + float(leap_seconds(np.array([start]))[0])
-    for shift in (week, week - WEEK, 0.0, STANDARD_OFFSET, unix):
+    for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
         if any(min(last + shift, high) - max(first + shift, low) >= 0 for low, high in spans):
             return float(shift)
     told = (f"{first:.0f} to {last:.0f} s of week" if last < 2 * WEEK else
             span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
-    raise InputError(f"Trajectory and observations are not of one time: the trajectory covers {told}, the observations "
-                     f"cover {span_text(start, end)} GPS time ({start - week:.0f} to {end - week:.0f} s of week).")
+    raise InputError(f"Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
+                     f"{span_text(start, end)} GPS time ({start - week:.0f} to {end - week:.0f} s of week).")
 
 
 def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> None:
@@ -128,7 +128,7 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     """Epochs of a file that the trajectory covers, with the satellites at transmission."""
     left_out: Counter = Counter()
     time = file.time - shift
-    covered = _covered(trajectory, time, settings.longest_gap)
+    covered = within_trajectory(trajectory, time, settings.longest_gap)
     _count(left_out, "outside the trajectory or in a gap of it", ~covered[file.epoch])
     rows = np.flatnonzero(covered[file.epoch])
     weak = file.cn0[rows] < settings.least_cn0
@@ -156,8 +156,8 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
                      file.bands, left_out)
 
 
-def _covered(trajectory: Trajectory, time: np.ndarray, longest_gap: float) -> np.ndarray:
-    """Which times lie in the trajectory and not in a gap of it."""
+def within_trajectory(trajectory: Trajectory, time: np.ndarray, longest_gap: float) -> np.ndarray:
+    """Which times (n,), in the trajectory's own time, lie in it and not in a gap longer than so many seconds."""
     covered = trajectory.within(time)
     spans = gaps(trajectory, longest_gap)
     if len(spans):
