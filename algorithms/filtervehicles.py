@@ -6,12 +6,15 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ..urbanmap_qgis.errors import InputError
 from .base import UrbanMapAlgorithm
+from .crs import crs_from, metres_per_unit
+from .frame_shifts import FrameShiftsOutput
 from .parameters import tr
+from .workers import workers
 
 METHODS = ("vote", "darkest")
 
 
-class FilterVehicles(UrbanMapAlgorithm):
+class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
     ID = "filtervehicles"
     NAME = "Filter vehicles"
     GROUP = "aerial"
@@ -34,8 +37,10 @@ class FilterVehicles(UrbanMapAlgorithm):
                         "dissertation.", METHODS, "vote", advanced=True)
         self.add_boolean("EVEN_EXPOSURE", "Even exposure", "Bring all to one brightness and contrast before they are "
                          "compared.", True, advanced=True)
+        self.add_workers()
         self.add_raster_output("OUTPUT", "Orthophoto", "Without moving vehicles; 0 where there is no data.")
         self.add_number_output("SHARE_SEEN", "Share with data", "Share of the pixels that hold an image, 0 to 1.")
+        self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
         from ..urbanmap_qgis.aerial.mosaic import Choice
@@ -47,6 +52,11 @@ class FilterVehicles(UrbanMapAlgorithm):
         choice = Choice(self.parameterAsString(parameters, "METHOD", context),
                         self.parameterAsBool(parameters, "EVEN_EXPOSURE", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
-        made = filter_vehicles([layer.source().split("|")[0] for layer in layers], output, choice,
-                               self.progress(feedback))
-        return {"OUTPUT": str(output), "SHARE_SEEN": made.pixels_seen / (made.grid.rows * made.grid.columns)}
+        progress, shifts, crs = self.progress(feedback), [], crs_from(layers[0].crs())
+        metres = 1.0 if crs.isGeographic() else metres_per_unit(crs)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = filter_vehicles([layer.source().split("|")[0] for layer in layers], output, choice,
+                                   progress.part(0.0, 0.98), shifts, metres, executor)
+        results = {"OUTPUT": str(output), "SHARE_SEEN": made.pixels_seen / (made.grid.rows * made.grid.columns)}
+        return results | self.write_shifts(parameters, context, shifts, made.grid.cell * metres, crs,
+                                           progress.part(0.98, 1.0))

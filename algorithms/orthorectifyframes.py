@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
+from ..urbanmap_qgis.errors import InputError
 from .base import UrbanMapAlgorithm
+from .frame_shifts import FrameShiftsOutput
 from .parameters import tr
+from .workers import workers
 
 METHODS = ("vote", "darkest")
 ANGLE_ORDERS = ("papers", "usual")
 ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
 
 
-class OrthorectifyFrames(UrbanMapAlgorithm):
+class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
     ID = "orthorectifyframes"
     NAME = "Orthorectify frames"
     GROUP = "aerial"
@@ -40,6 +43,10 @@ class OrthorectifyFrames(UrbanMapAlgorithm):
         self.add_raster("DSM", "Surface", "Heights of the surface (DSM) in metres, with which hidden ground is told.",
                         optional=True)
         self.add_polygons("FOOTPRINTS", "Building outlines", "Ground inside them is masked too.", optional=True)
+        self.add_field("HEIGHT_FIELD", "Field with the buildings' height", "Field of the outlines with the height "
+                       "above the ground in metres. Such buildings also hide what lies behind them, where the surface "
+                       "lacks them; without it only what the surface shows hides anything.", "FOOTPRINTS",
+                       advanced=True)
         self.add_distance("RESOLUTION", "Resolution", "Side of a pixel in metres; 0 for that of the frames.", 0.0, 0.0,
                           100.0)
         self.add_boolean("FILTER_VEHICLES", "Filter vehicles", "Take each pixel so that moving vehicles go; otherwise "
@@ -55,6 +62,7 @@ class OrthorectifyFrames(UrbanMapAlgorithm):
                         "R_omega, as most bundle adjustments write.", ANGLE_ORDERS, "papers", advanced=True)
         self.add_choice("ANGLE_UNIT", "Unit of the angles", "Automatic: degrees, and an error where they look "
                         "otherwise.", ANGLE_UNITS, "automatic", advanced=True)
+        self.add_workers()
         self.add_raster_output("OUTPUT", "Orthophoto", "Mosaic of the frames; 0 where there is no data.")
         self.add_raster_output("OUTPUT_COUNT", "Frames that see the ground", "How many frames see each pixel.",
                                optional=True)
@@ -63,14 +71,13 @@ class OrthorectifyFrames(UrbanMapAlgorithm):
         self.add_number_output("HOLE_AREA", "Area of holes", "Ground in the frames, outside buildings, that no frame "
                                "sees.", "m2")
         self.add_number_output("FRAMES_USED", "Frames used", "Frames that gave pixels.")
-        self.add_number_output("LARGEST_SHIFT", "Largest shift", "Largest distance between the same road markings in "
-                               "two overlapping frames, median over their places; no value where none are seen.", "m")
+        self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
         from ..urbanmap_qgis.aerial.camera import read_camera, read_exterior
         from ..urbanmap_qgis.aerial.frames import find_frames
-        from ..urbanmap_qgis.aerial.mosaic import Choice
-        from ..urbanmap_qgis.aerial.orthorectification import OrthoSettings, orthorectify
+        from ..urbanmap_qgis.aerial.mosaic import Choice, Output
+        from ..urbanmap_qgis.aerial.orthorectification import OrthoSettings, Place, orthorectify
         from ..urbanmap_qgis.io.raster import RasterSampler
 
         progress = self.progress(feedback)
@@ -98,15 +105,30 @@ class OrthorectifyFrames(UrbanMapAlgorithm):
                                  self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
         count = self.output_layer_path(parameters, "OUTPUT_COUNT", context)
+        place = Place(ground, surface, *self._buildings(parameters, context, outlines))
         shifts = []
-        made = orthorectify(frames, camera, ground, output, count, surface,
-                            outlines.geometries if outlines else (), settings, progress.part(0.02, 1.0), shifts=shifts)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = orthorectify(frames, camera, place, Output(output, count), settings, progress.part(0.02, 0.98),
+                                shifts=shifts, executor=executor)
         progress.message(tr("{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.")
                          .format(made.used, 100 * made.share_seen, made.hidden_area))
         results = {"OUTPUT": str(output), "SHARE_SEEN": made.share_seen, "HOLE_AREA": made.hidden_area,
                    "FRAMES_USED": made.used}
-        if shifts:
-            results["LARGEST_SHIFT"] = max(shift.length for shift in shifts)
         if count:
             results["OUTPUT_COUNT"] = str(count)
-        return results
+        return results | self.write_shifts(parameters, context, shifts, made.grid.cell, crs, progress.part(0.98, 1.0))
+
+    def _buildings(self, parameters, context, outlines):
+        """Polygons of the outlines and their heights (None where no field is given)."""
+        if outlines is None:
+            return (), None
+        name = self.parameterAsString(parameters, "HEIGHT_FIELD", context)
+        if not name:
+            return outlines.geometries, None
+        if name not in outlines.columns:
+            raise InputError(tr("{0} has no field {1}; choose another.").format(outlines.label, name))
+        try:
+            return outlines.geometries, [None if value is None else float(value) for value in outlines.columns[name]]
+        except (TypeError, ValueError):
+            raise InputError(tr("The field {0} of {1} must hold numbers: heights above the ground in metres.").format(
+                name, outlines.label)) from None

@@ -310,6 +310,21 @@ def marking_mask(layer) -> None:
         entry(0, QColor(0, 0, 0, 0), "no marking"), entry(255, QColor("#00c853"), "marking")]))
 
 
+def frame_shifts(layer) -> None:
+    """Shifts between overlapping frames: arrows a hundred times as long, red where the pair is apart."""
+    line = "make_line($geometry, translate($geometry, 100 * \"east\", 100 * \"north\"))"
+    entries = []
+    for label, status, colour in (("agree to a pixel", "agree", "#1a9850"), ("apart", "apart", "#d73027")):
+        symbol = marker(colour, 1.2)
+        symbol.insertSymbolLayer(0, arrow_along(line, colour))
+        entries.append((label, f"\"status\" = '{status}'", symbol))
+    rules(layer, entries)
+    layer.setMapTipTemplate(
+        "<b>[% \"second\" %]</b> against [% \"first\" %]: [% \"status\" %]<br>here [% round(\"length\", 2) %] m, "
+        "σ [% round(\"sigma\", 2) %] m<br>all [% \"patches\" %] places [% round(\"pair_length\", 2) %] m, "
+        "σ [% round(\"pair_sigma\", 3) %] m<br>(arrows 100 times enlarged)")
+
+
 def control_residuals(layer) -> None:
     """Control points by their error in plan, with an arrow that shows it enlarged."""
     east, north, plan = (f'coalesce("{name}_after", "{name}_before")' for name in ("east", "north", "plan"))
@@ -364,6 +379,8 @@ FIELDS = {
                     "walls_moved:integer mean_offset:double measured:double"),
     merged_walls: ("PolygonZ", "building_id:integer edge:integer status:string note:string offset:double turn:double "
                    "seen:double sigma:double"),
+    frame_shifts: ("Point", "first:string second:string east:double north:double length:double sigma:double "
+                   "pair_length:double pair_sigma:double patches:integer status:string"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

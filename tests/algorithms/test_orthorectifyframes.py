@@ -105,3 +105,46 @@ def test_vehicles_of_two_orthophotos(run, tmp_path):
     assert (image == 90).all() and result["SHARE_SEEN"] == 1.0 and source.crs.to_epsg() == 6677
     with pytest.raises(Exception, match="two or more"):
         run("urbanmap:filtervehicles", {"ORTHOPHOTOS": paths[:1], "OUTPUT": str(tmp_path / "one.tif")})
+
+
+def test_shifts_are_a_layer(run, tmp_path, make_frames_of_dashes):
+    """Two frames of the same dashes, one of which says it stood 0.6 m farther west."""
+    from qgis.core import QgsVectorLayer
+
+    result = run(ALGORITHM, {**make_frames_of_dashes(0.6), "OUTPUT_SHIFTS": str(tmp_path / "shifts.gpkg")})
+    layer = QgsVectorLayer(result["OUTPUT_SHIFTS"], "shifts", "ogr")
+    rows = list(layer.getFeatures())
+    assert len(rows) >= 5 and result["LARGEST_SHIFT"] == pytest.approx(0.6, abs=0.05)
+    assert all(abs(row["pair_east"] - 0.6) < 0.05 and abs(row["pair_north"]) < 0.05 for row in rows)
+    assert {row["status"] for row in rows} == {"apart"} and {row["first"] for row in rows} == {"a.tif"}
+    assert layer.crs().authid() == "EPSG:6677"
+
+
+def test_frames_that_agree_are_told_so(run, feedback, tmp_path, make_frames_of_dashes):
+    from qgis.core import QgsVectorLayer
+
+    result = run(ALGORITHM, {**make_frames_of_dashes(0.0), "OUTPUT_SHIFTS": str(tmp_path / "shifts.gpkg")})
+    layer = QgsVectorLayer(result["OUTPUT_SHIFTS"], "shifts", "ogr")
+    assert {row["status"] for row in layer.getFeatures()} == {"agree"} and result["LARGEST_SHIFT"] < 0.05
+
+
+@pytest.fixture
+def make_frames_of_dashes(tmp_path, block):
+    """Function of the error (m, east) of the second pose: two frames of dashes on the ground of `block`."""
+    def make(error):
+        camera = json.loads((tmp_path / "camera.json").read_text())
+        width, height = camera["image_width"], camera["image_height"]
+        pixel = 200.0 * camera["pixel_pitch_mm"] / camera["focal_length_mm"]
+        rng = np.random.default_rng(3)
+        spots = rng.uniform((-12, -12), (12, 12), (90, 2))
+        rows = ["image,x,y,z,omega,phi,kappa"]
+        for name, east, stated in (("a.tif", 0.0, 0.0), ("b.tif", 3.0, 3.0 + error)):
+            image = np.full((height, width, 3), 70, np.uint8)
+            for x, y in spots:
+                column, row = round((x - east) / pixel + (width - 1) / 2), round(-y / pixel + (height - 1) / 2)
+                image[max(row, 0):max(row + 4, 0), max(column, 0):max(column + 5, 0)] = 210
+            write_image(tmp_path / name, image)
+            rows.append(f"{name},{-8000 + stated},-34000,210,0,0,0")
+        (tmp_path / "exterior.csv").write_text("\n".join(rows), encoding="utf-8")
+        return {**block, "FRAMES": [str(tmp_path / "a.tif"), str(tmp_path / "b.tif")]}
+    return make

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.frame_shifts import frame_shifts
+from urbanmap_qgis.aerial.frame_shifts import apart, frame_shifts, shift_columns
 from urbanmap_qgis.aerial.mosaic import View
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -36,6 +36,29 @@ def test_a_displaced_frame_is_found():
     assert [(shift.first, shift.second) for shift in shifts] == [("a", "b"), ("a", "c"), ("b", "c")]
     assert (shifts[0].east, shifts[0].north) == pytest.approx((0.23, -0.11), abs=0.02)
     assert shifts[1].length < 0.01 and shifts[0].patches > 10
+    assert shifts[0].sigma < shifts[0].spread < 0.02
+    assert [apart(shift, 0.1) for shift in shifts] == [True, False, True]
+
+
+def test_every_patch_tells_its_place_and_shift():
+    shifts = frame_shifts([Painted("a"), Painted("b", 0.23, -0.11), Painted("c", light=110.0)], GRID)
+    columns = shift_columns(shifts, 0.1)
+    assert len(columns["x"]) == sum(shift.patches for shift in shifts)
+    x_min, y_min, x_max, y_max = GRID.bounds
+    assert (columns["x"] > x_min).all() and (columns["x"] < x_max).all() and columns["y"].max() < y_max
+    assert columns["y"].min() > y_min
+    first = columns["second"] == "b"
+    assert np.abs(columns["east"][first] - 0.23).max() < 0.1 and np.abs(columns["north"][first] + 0.11).max() < 0.1
+    assert set(columns["status"][first]) == {"apart"} and (columns["pair_sigma"] < 0.02).all()
+
+
+def test_nothing_compared_gives_an_empty_table():
+    assert all(len(column) == 0 for column in shift_columns([], 0.1).values())
+
+
+def test_shifts_are_in_metres_whatever_the_unit_of_the_grid():
+    [shift] = frame_shifts([Painted("a"), Painted("b", 0.23, -0.11)], GRID, metres=0.3048)
+    assert shift.east == pytest.approx(0.23 * 0.3048, abs=0.006)
 
 
 def test_frames_without_markings_say_nothing():

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+import multiprocessing
 import os
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -13,8 +15,8 @@ import shapely
 from urbanmap_qgis.aerial.camera import Camera, Pose, rays
 from urbanmap_qgis.aerial.frame_shifts import FrameShift
 from urbanmap_qgis.aerial.frames import Frame
-from urbanmap_qgis.aerial.mosaic import Choice
-from urbanmap_qgis.aerial.orthorectification import OrthoSettings, footprint, orthorectify
+from urbanmap_qgis.aerial.mosaic import Choice, Output
+from urbanmap_qgis.aerial.orthorectification import OrthoSettings, Place, footprint, orthorectify
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
@@ -26,6 +28,11 @@ GROUND = Grid(-60.0, 60.0, 0.5, 240, 240)
 HEIGHT = 5.0
 BLOCK = (-8.0, -8.0, 8.0, 8.0)
 TOP = 30.0
+
+
+def lay(frames, camera, ground, output, count=None, surface=None, outlines=(), heights=None, **more):
+    """Orthorectify with places given one by one."""
+    return orthorectify(frames, camera, Place(ground, surface, outlines, heights), Output(output, count), **more)
 
 
 def paint(x, y):
@@ -88,7 +95,7 @@ def read(path):
 def test_ground_is_where_it_is_and_the_block_is_out(place, method):
     ground, surface, frames, output = place
     count = output.with_name("count.tif")
-    made = orthorectify(frames(), CAMERA, ground, output, count, surface,
+    made = lay(frames(), CAMERA, ground, output, count, surface,
                         settings=OrthoSettings(0.2, Choice(method)))
     values, x, y = read(output)
     seen = (values > 0).all(axis=0)
@@ -107,7 +114,7 @@ def test_ground_is_where_it_is_and_the_block_is_out(place, method):
 
 def test_position_to_a_tenth_of_a_pixel(place):
     ground, _, frames, output = place
-    orthorectify(frames(block=False), CAMERA, ground, output, settings=OrthoSettings(0.2, Choice("nadir", even=False)))
+    lay(frames(block=False), CAMERA, ground, output, settings=OrthoSettings(0.2, Choice("nadir", even=False)))
     values, x, y = read(output)
     seen = (values > 0).all(axis=0)
     error = values[0].astype(float) - paint(x, y)
@@ -120,7 +127,7 @@ def test_position_to_a_tenth_of_a_pixel(place):
 def test_hidden_ground_comes_from_another_frame(place):
     ground, surface, frames, output = place
     def seen_behind_the_block(poses):
-        made = orthorectify(frames(poses), CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2))
+        made = lay(frames(poses), CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2))
         values, x, y = read(output)
         return made, (values[0] > 0)[(x > -9.4) & (x < -8.7) & (np.abs(y) < 6)].mean()
     east = Pose("d.tif", 18.0, 0.0, 305.0, 0.0, 0.0, 0.0)
@@ -132,7 +139,7 @@ def test_hidden_ground_comes_from_another_frame(place):
 def test_exposure_is_evened(place):
     ground, surface, frames, output = place
     pair = [*frames(POSES[:1]), *frames(POSES[1:2], gain=0.8)]
-    orthorectify(pair, CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2, Choice("nadir")))
+    lay(pair, CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2, Choice("nadir")))
     values, x, y = read(output)
     seen = (values[0] > 0) & ~((np.abs(x) < 10) & (np.abs(y) < 10))
     ratio = values[0][seen] / paint(x, y)[seen]
@@ -143,7 +150,7 @@ def test_exposure_is_evened(place):
 def test_outlines_mask_buildings_without_a_surface(place):
     ground, _, frames, output = place
     warnings = []
-    orthorectify(frames(), CAMERA, ground, output, outlines=[shapely.box(*BLOCK), None],
+    lay(frames(), CAMERA, ground, output, outlines=[shapely.box(*BLOCK), None],
                  settings=OrthoSettings(0.25), progress=Progress(warn=warnings.append))
     values, x, y = read(output)
     assert not values[:, (np.abs(x) < 7.8) & (np.abs(y) < 7.8)].any()
@@ -152,10 +159,10 @@ def test_outlines_mask_buildings_without_a_surface(place):
 
 def test_own_resolution_and_same_output_twice(place):
     ground, surface, frames, output = place
-    made = orthorectify(frames(), CAMERA, ground, output, surface=surface)
+    made = lay(frames(), CAMERA, ground, output, surface=surface)
     assert made.grid.cell == 0.2
     first = output.read_bytes()
-    orthorectify(frames(), CAMERA, ground, output, surface=surface)
+    lay(frames(), CAMERA, ground, output, surface=surface)
     assert output.read_bytes() == first
 
 
@@ -163,9 +170,9 @@ def test_frames_elsewhere(place):
     ground, surface, frames, output = place
     far = Pose("far.tif", 5000.0, 0.0, 305.0, 0.0, 0.0, 0.0)
     with pytest.raises(InsufficientDataError, match="same place"):
-        orthorectify(frames([far]), CAMERA, ground, output, surface=surface)
+        lay(frames([far]), CAMERA, ground, output, surface=surface)
     warnings = []
-    orthorectify(frames([POSES[0], far]), CAMERA, ground, output, surface=surface,
+    lay(frames([POSES[0], far]), CAMERA, ground, output, surface=surface,
                  progress=Progress(warn=warnings.append))
     assert any("far.tif" in sentence for sentence in warnings)
     assert sorted(os.listdir(output.parent)) == sorted(["far.tif", "東.tif", "地盤.tif", "dsm.tif", "正射.tif"])
@@ -176,7 +183,7 @@ def test_frames_of_two_kinds(place):
     pair = frames(POSES[:2])
     write_frame(pair[1].path, photograph(POSES[1])[..., :1])
     with pytest.raises(InputError, match="one kind"):
-        orthorectify(pair, CAMERA, ground, output)
+        lay(pair, CAMERA, ground, output)
     assert not output.exists()
 
 
@@ -184,7 +191,7 @@ def test_grey_16_bit(place):
     ground, _, frames, output = place
     given = frames(POSES[:1], block=False)
     write_frame(given[0].path, photograph(POSES[0], block=False)[..., :1].astype(np.uint16) * 100)
-    orthorectify(given, CAMERA, ground, output, settings=OrthoSettings(0.2))
+    lay(given, CAMERA, ground, output, settings=OrthoSettings(0.2))
     values, x, y = read(output)
     assert values.dtype == np.uint16 and len(values) == 1
     assert np.abs(values[0][values[0] > 0] / 100 - paint(x, y)[values[0] > 0]).max() < 6
@@ -199,9 +206,63 @@ def test_footprint_of_a_level_frame():
 
 def test_a_displaced_frame_is_told(place, monkeypatch):
     ground, _, frames, output = place
-    shift = FrameShift("東.tif", "b.tif", 0.3, -0.4, 9)
+    shift = FrameShift("東.tif", "b.tif", np.zeros((9, 2)), np.tile((0.3, -0.4), (9, 1)))
     monkeypatch.setattr("urbanmap_qgis.aerial.orthorectification.frame_shifts", lambda *_: [shift])
     warnings, shifts = [], []
-    orthorectify(frames(), CAMERA, ground, output, settings=OrthoSettings(0.2), shifts=shifts,
+    lay(frames(), CAMERA, ground, output, settings=OrthoSettings(0.2), shifts=shifts,
                  progress=Progress(warn=warnings.append))
     assert shifts == [shift] and "東.tif and b.tif lie 0.50 m apart" in warnings[-1]
+
+
+def pool(kind):
+    if kind == "threads":
+        return ThreadPoolExecutor(2)
+    return ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
+
+
+@pytest.mark.parametrize("kind", ["threads", "processes"])
+def test_workers_make_the_same_files(place, tmp_path, monkeypatch, kind):
+    monkeypatch.setattr("urbanmap_qgis.aerial.mosaic.tiles.__defaults__", (200,))
+    ground, surface, frames, output = place
+    given = frames(light=150.0)
+    made = [lay(given, CAMERA, ground, output, tmp_path / "count.tif", surface, [shapely.box(20, 20, 25, 25)],
+                settings=OrthoSettings(0.2))]
+    files = output.read_bytes(), (tmp_path / "count.tif").read_bytes()
+    with pool(kind) as executor:
+        made.append(lay(given, CAMERA, ground, output, tmp_path / "count.tif", surface,
+                        [shapely.box(20, 20, 25, 25)], settings=OrthoSettings(0.2), executor=executor))
+    assert files == (output.read_bytes(), (tmp_path / "count.tif").read_bytes())
+    assert (made[0].pixels_seen, made[0].pixels_hidden) == (made[1].pixels_seen, made[1].pixels_hidden)
+
+
+def test_an_outline_with_a_height_hides_what_the_surface_hides(place):
+    """Without the surface, the block's outline and height give the same holes; without its height they do not."""
+    ground, surface, frames, output = place
+    given, settings = frames(POSES[:1]), OrthoSettings(0.2)
+    by_surface = lay(given, CAMERA, ground, output, surface=surface, settings=settings)
+    holes = read(output)[0][0] == 0
+    outline = [None, shapely.box(*BLOCK)]
+    by_outline = lay(given, CAMERA, ground, output, outlines=outline, heights=[None, TOP - HEIGHT], settings=settings)
+    again = read(output)[0][0] == 0
+    assert (holes != again).mean() < 0.002
+    assert by_outline.hidden_area == pytest.approx(by_surface.hidden_area, rel=0.2)
+    without = lay(given, CAMERA, ground, output, outlines=outline, settings=settings)
+    assert without.hidden_area < by_outline.hidden_area - 10
+
+
+@pytest.mark.parametrize("how", ["black", "alpha"])
+def test_borders_of_a_frame_are_not_ground(place, how):
+    ground, _, frames, output = place
+    given = frames(POSES[:1], block=False)
+    image = photograph(POSES[0], block=False)
+    whole = lay(given, CAMERA, ground, output, settings=OrthoSettings(0.2)).pixels_seen
+    cut = np.ones(image.shape[:2], bool)
+    cut[6:-25, 40:] = False
+    image[cut] = 0 if how == "black" else 90
+    if how == "alpha":
+        image = np.concatenate((image, np.where(cut, 0, 255).astype(np.uint8)[..., None]), axis=-1)
+    write_frame(given[0].path, image)
+    made = lay(given, CAMERA, ground, output, settings=OrthoSettings(0.2, Choice("nadir", even=False)))
+    assert made.pixels_seen / whole == pytest.approx((~cut).mean(), abs=0.05)
+    values, x, y = read(output)
+    assert np.abs(values[0][values[0] > 0] - paint(x, y)[values[0] > 0]).max() < 6

@@ -10,8 +10,8 @@ import pytest
 
 from urbanmap_qgis.aerial.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.frames import find_frames
-from urbanmap_qgis.aerial.mosaic import Choice
-from urbanmap_qgis.aerial.orthorectification import FrameOnGround, FramePixels, OrthoSettings, Terrain, orthorectify
+from urbanmap_qgis.aerial.mosaic import Choice, Output
+from urbanmap_qgis.aerial.orthorectification import FrameOnGround, FramePixels, OrthoSettings, Place, Terrain, orthorectify
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import RasterSampler, read_raster, write_raster
 
@@ -68,7 +68,7 @@ def test_frames_fall_on_each_other(flight):
 
 def test_mosaic(flight, tmp_path):
     frames, camera, surface = flight
-    made = orthorectify(frames, camera, surface, tmp_path / "mosaic.tif", surface=surface,
+    made = orthorectify(frames, camera, Place(surface, surface), Output(tmp_path / "mosaic.tif"),
                         settings=OrthoSettings(0.3, Choice("vote")))
     assert made.used == 3 and made.share_seen > 0.6
     assert np.abs(np.log(made.exposure.gain)).max() < 0.5

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import rasterio
+from rasterio.enums import MaskFlags
 from rasterio.errors import NotGeoreferencedWarning, RasterioError
 from rasterio.windows import Window
 
@@ -128,5 +129,16 @@ class FrameImage:
         try:
             with own_gdal():
                 return self._source.read(window=window)
+        except RasterioError as error:
+            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+
+    def valid(self, rows: slice, columns: slice) -> np.ndarray | None:
+        """Where a window holds an image by the file's own word (no-data value, alpha, mask), bool; None: everywhere."""
+        if all(MaskFlags.all_valid in flags for flags in self._source.mask_flag_enums):
+            return None
+        window = Window(columns.start, rows.start, columns.stop - columns.start, rows.stop - rows.start)
+        try:
+            with own_gdal():
+                return self._source.dataset_mask(window=window) > 0
         except RasterioError as error:
             raise InputError(f"{self.path.name} is damaged: {error}.") from error

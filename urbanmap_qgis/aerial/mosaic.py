@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Executor
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Protocol
 
@@ -18,11 +20,13 @@ from rasterio.transform import Affine
 from rasterio.windows import Window
 
 from ..errors import InputError, InsufficientDataError, OutputError
+from ..execution import in_order
 from ..geometry.grid import Grid
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from .exposure import Exposure, Samples, even_exposure
+from .shared_sources import Shared, shared
 from .vehicles import REACH, darkest, nearest_nadir, pick, vote
 
 TILE = 768
@@ -183,25 +187,64 @@ def tile_image(sources: Sequence[Source], tile: Grid, choice: Choice, exposure: 
     return pick(values, taken)[own], source_number[own], seen.sum(axis=0)[own], reached[own]
 
 
-def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int, dtype: str,
-                 output: str | os.PathLike, output_count: str | os.PathLike | None = None,
+@dataclass(frozen=True)
+class _Piece:
+    """A finished piece of the mosaic: `image` (bands, rows, columns), the rest as `tile_image` has it."""
+
+    top: int
+    left: int
+    image: np.ndarray
+    number: np.ndarray
+    count: np.ndarray
+    hidden: int
+
+
+def _piece(sources: Sequence[Source] | Shared, choice: Choice, exposure: Exposure, bands: int, dtype: str,
+           place: tuple[int, int, Grid]) -> _Piece:
+    """Work on one piece, here or in a worker."""
+    top, left, tile = place
+    opened = sources.get() if isinstance(sources, Shared) else sources
+    image, number, count, reached = tile_image(opened, tile, choice, exposure, bands, _FULL_SCALE[dtype])
+    seen = number >= 0
+    whole = np.where(seen[..., None], np.clip(np.rint(image), 1, _FULL_SCALE[dtype]), 0).astype(dtype)
+    return _Piece(top, left, np.moveaxis(whole, -1, 0), number.astype(np.int32), count.astype(np.uint16),
+                  int((reached & ~seen).sum()))
+
+
+@dataclass(frozen=True)
+class Output:
+    """Where a mosaic goes: `image` and, optional, `count`, the raster of how many sources see each pixel."""
+
+    image: str | os.PathLike
+    count: str | os.PathLike | None = None
+
+
+@dataclass(frozen=True)
+class Workers:
+    """Who works on the pieces: an executor, and how a worker opens the sources (picklable); None for here."""
+
+    executor: Executor | None = None
+    open_sources: Callable[[ExitStack], Sequence[Source]] | None = None
+
+
+def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int, dtype: str, output: Output,
                  choice: Choice | None = None, progress: Progress = SILENT,
-                 watch: Callable[[int, int, np.ndarray], None] | None = None) -> Mosaic:
-    """Make the mosaic and write it as GeoTIFF, piece by piece.
+                 watch: Callable[[int, int, np.ndarray], None] | None = None,
+                 workers: Workers | None = None) -> Mosaic:
+    """Make the mosaic and write it as GeoTIFF, piece by piece; it does not depend on the workers.
 
     Pixels without an image hold 0 in all bands, the file's no-data value; all others hold at least 1.
 
     Parameters
     ----------
     bands, dtype : of the sources, "uint8" or "uint16".
-    output_count : raster of how many sources see each pixel, optional.
     watch : called with the first row, first column and source numbers of each piece.
 
     Raises
     ------
     InsufficientDataError : no source sees any ground. OutputError : a file cannot be written.
     """
-    choice = choice or Choice()
+    choice, workers = choice or Choice(), workers or Workers()
     if dtype not in _FULL_SCALE:
         raise InputError(f"The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.")
     exposure = Exposure.unchanged(len(sources), bands)
@@ -209,31 +252,39 @@ def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int
         exposure = exposure_of(sources, grid, bands, progress.part(0.0, 0.2))
     used, pixels_seen, pixels_shared, pixels_hidden = set(), 0, 0, 0
     done = progress.part(0.2, 1.0)
-    with _written(output, output_count, grid, crs_wkt, bands, dtype, len(sources)) as (image_file, count_file):
-        for top, left, tile in tiles(grid):
-            done.step((top + left / grid.columns * tile.rows) / grid.rows)
-            image, number, count, reached = tile_image(sources, tile, choice, exposure, bands, _FULL_SCALE[dtype])
-            seen = number >= 0
-            window = Window(left, top, tile.columns, tile.rows)
-            whole = np.where(seen[..., None], np.clip(np.rint(image), 1, _FULL_SCALE[dtype]), 0).astype(dtype)
-            image_file.write(np.moveaxis(whole, -1, 0), window=window)
+    with ExitStack() as stack:
+        image_file, count_file = stack.enter_context(_written(output, grid, crs_wkt, bands, dtype, len(sources)))
+        if workers.executor is not None:
+            sources = stack.enter_context(shared(workers.open_sources))
+        work = partial(_piece, sources, choice, exposure, bands, dtype)
+        for made in in_order(work, _announced(tiles(grid), grid, done), workers.executor, progress.check):
+            rows, columns = made.number.shape
+            window = Window(made.left, made.top, columns, rows)
+            image_file.write(made.image, window=window)
             if count_file is not None:
-                count_file.write(count.astype(count_file.dtypes[0]), 1, window=window)
+                count_file.write(made.count.astype(count_file.dtypes[0]), 1, window=window)
             if watch is not None:
-                watch(top, left, number)
-            used |= set(np.unique(number[seen]).tolist())
-            pixels_seen += int(seen.sum())
-            pixels_shared += int((count >= 2).sum())
-            pixels_hidden += int((reached & ~seen).sum())
+                watch(made.top, made.left, made.number)
+            used |= set(np.unique(made.number[made.number >= 0]).tolist())
+            pixels_seen += int((made.number >= 0).sum())
+            pixels_shared += int((made.count >= 2).sum())
+            pixels_hidden += made.hidden
         if not pixels_seen:
             raise InsufficientDataError("No frame sees any ground there: check that frames, exterior orientation, "
                                         "ground and surface lie in the same place and coordinate system.")
     return Mosaic(grid, len(used), pixels_seen, pixels_shared, pixels_hidden, exposure)
 
 
+def _announced(pieces: Iterator[tuple[int, int, Grid]], grid: Grid, progress: Progress
+               ) -> Iterator[tuple[int, int, Grid]]:
+    """The pieces, each told to the progress when it is asked for."""
+    for top, left, tile in pieces:
+        progress.step((top + left / grid.columns * tile.rows) / grid.rows)
+        yield top, left, tile
+
+
 @contextmanager
-def _written(output: str | os.PathLike, output_count: str | os.PathLike | None, grid: Grid, crs_wkt: str, bands: int,
-             dtype: str, sources: int) -> Iterator[tuple]:
+def _written(output: Output, grid: Grid, crs_wkt: str, bands: int, dtype: str, sources: int) -> Iterator[tuple]:
     """The mosaic's file and that of the counts (or None), open for writing; they take their places at the end."""
     place = Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max)
     common = {"driver": "GTiff", "width": grid.columns, "height": grid.rows, "transform": place, "tiled": True,
@@ -249,8 +300,8 @@ def _written(output: str | os.PathLike, output_count: str | os.PathLike | None, 
             crs = CRS.from_wkt(crs_wkt) if crs_wkt else None
             yield tuple(path and stack.enter_context(rasterio.open(
                 stack.enter_context(written_beside(path)), "w", crs=crs, **profile))
-                for path, profile in ((output, image), (output_count, count)))
+                for path, profile in ((output.image, image), (output.count, count)))
     except CRSError as error:
         raise InputError("The coordinate reference system cannot be understood: set another one.") from error
     except RasterioError as error:
-        raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error
+        raise OutputError(f"{Path(output.image).name} cannot be written ({error}): choose another output.") from error

@@ -5,9 +5,10 @@ from __future__ import annotations
 import os
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
+from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 
 import cv2
@@ -21,17 +22,18 @@ from ..geometry.grid import Grid
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from .camera import Camera, Pose, project, rays
-from .frame_shifts import FrameShift, frame_shifts
+from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .frames import Frame, FrameImage
-from .mosaic import Choice, Mosaic, View, covering_grid, write_mosaic
+from .mosaic import Choice, Mosaic, Output, View, Workers, covering_grid, write_mosaic
 from .visibility import off_ground, visible_ground
 
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
-_MOST_SHIFTS = 5  # warned of
 _MOST_OPEN = 64  # image files
 _MOST_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
 _BLOCK = 2048
 _MARGIN = 3  # pixels round a window that the bicubic kernel reaches
+_BLACK = 0.012  # of the full scale
+_BLACK_SIDE = 15  # pixels: black squares of this size are no image; smaller ones may be shadow
 _MOST_BLUR = 4.0  # pixels, standard deviation
 _BORDER = 33  # rays along each side of a frame
 
@@ -77,9 +79,26 @@ class FramePixels:
         self._open.move_to_end(path)
         return self._open[path]
 
-    def read(self, path: Path, rows: slice, columns: slice) -> np.ndarray:
-        """A window of a frame, (rows, columns, bands): red, green, blue or grey."""
-        return np.ascontiguousarray(np.moveaxis(self._image(path).read(rows, columns)[:self.bands], 0, -1))
+    def read(self, path: Path, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
+        """A window of a frame, (rows, columns, bands): red, green, blue or grey; and where it holds no image.
+
+        That is where the file says so (no-data value, alpha, mask), and black squares: borders of undistorted frames.
+        """
+        image = self._image(path)
+        window = np.ascontiguousarray(np.moveaxis(image.read(rows, columns)[:self.bands], 0, -1))
+        black = (window.max(axis=-1) <= _BLACK * np.iinfo(window.dtype).max).astype(np.uint8)
+        if black.any():
+            # A frame's edge counts as black, so that a narrow border is one too.
+            grown = cv2.copyMakeBorder(black, *(_BLACK_SIDE if at_edge else 0 for at_edge in (
+                rows.start == 0, rows.stop == image.height, columns.start == 0, columns.stop == image.width)),
+                cv2.BORDER_CONSTANT, value=1)
+            grown = cv2.morphologyEx(grown, cv2.MORPH_OPEN, np.ones((_BLACK_SIDE, _BLACK_SIDE), np.uint8),
+                                     borderType=cv2.BORDER_REPLICATE)
+            top, left = _BLACK_SIDE * (rows.start == 0), _BLACK_SIDE * (columns.start == 0)
+            black = grown[top:top + black.shape[0], left:left + black.shape[1]]
+        empty = black > 0
+        valid = image.valid(rows, columns)
+        return window, empty if valid is None else empty | ~valid
 
 
 class Terrain:
@@ -88,24 +107,42 @@ class Terrain:
     Parameters
     ----------
     ground : heights of the ground. surface : the DSM, None for none. outlines : polygons of buildings.
+    heights : of the buildings in them above the ground, m, None for unknown: they hide ground like the surface.
     threshold : m above the ground from which the surface hides and is not ground (J: 5 m).
     """
 
     def __init__(self, ground: RasterSampler, surface: RasterSampler | None = None,
-                 outlines: Sequence[shapely.Geometry] = (), threshold: float = 5.0):
+                 outlines: Sequence[shapely.Geometry] = (), threshold: float = 5.0,
+                 heights: Sequence[float] | None = None):
         self.ground, self.surface, self.threshold = ground, surface, threshold
         self.cell = (surface or ground).grid.cell
-        self._outlines = np.array([shape for shape in outlines if shape is not None and not shape.is_empty], object)
+        there = [k for k, shape in enumerate(outlines) if shape is not None and not shape.is_empty]
+        self._outlines = np.array([outlines[k] for k in there], object)
+        self._heights = np.array([np.nan if heights is None or heights[k] is None else heights[k] for k in there],
+                                 np.float32)
         self._tree = shapely.STRtree(self._outlines)
         self.low, self.high = _range(ground)
         self.top = max(self.high, _range(surface)[1]) if surface else self.high
+        self.top = max(self.top, self.high + float(np.nanmax(self._heights, initial=0.0)))
         self.at = lru_cache(maxsize=2)(self._at)
 
     def heights(self, grid: Grid) -> tuple[np.ndarray, np.ndarray | None]:
         """Ground and surface (None without a DSM) at the cell centres, (rows, columns) float32."""
         x, y = (values.ravel() for values in np.meshgrid(*grid.centres()))
         surface = self.surface and self.surface.sample(x, y).reshape(grid.shape)
-        return self.ground.sample(x, y).reshape(grid.shape), surface
+        ground = self.ground.sample(x, y).reshape(grid.shape)
+        return ground, self._with_outlines(grid, ground, surface)
+
+    def _with_outlines(self, grid: Grid, ground: np.ndarray, surface: np.ndarray | None) -> np.ndarray | None:
+        """The surface with the buildings of known height; where it shows them higher, it stays."""
+        near = self._tree.query(shapely.box(*grid.bounds))
+        near = near[np.isfinite(self._heights[near])]
+        if not len(near):
+            return surface
+        near = near[np.argsort(self._heights[near], kind="stable")]
+        height = rasterize(zip(self._outlines[near], self._heights[near].tolist()), grid.shape, fill=0,
+                           transform=_affine(grid), dtype=np.float32)
+        return np.fmax(ground if surface is None else surface, np.where(height > 0, ground + height, -np.inf))
 
     def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
         """Ground heights and where a building, tree or bridge covers the ground (`at` remembers the last grids)."""
@@ -113,9 +150,13 @@ class Terrain:
         covered = np.zeros(grid.shape, bool) if surface is None else off_ground(surface, ground, self.threshold)
         near = np.sort(self._tree.query(shapely.box(*grid.bounds)))
         if len(near):
-            place = Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max)
-            covered |= rasterize(self._outlines[near], grid.shape, transform=place, dtype=np.uint8).astype(bool)
+            covered |= rasterize(self._outlines[near], grid.shape, transform=_affine(grid),
+                                 dtype=np.uint8).astype(bool)
         return ground, covered
+
+
+def _affine(grid: Grid) -> Affine:
+    return Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max)
 
 
 def _range(raster: RasterSampler) -> tuple[float, float]:
@@ -162,7 +203,7 @@ class FrameOnGround:
     """
 
     def __init__(self, frame: Frame, pixels: FramePixels, terrain: Terrain):
-        self.frame, self.name, self._pixels, self._terrain = frame, frame.path.name, pixels, terrain
+        self.frame, self.name, self.pixels, self.terrain = frame, frame.path.name, pixels, terrain
         box = footprint(pixels.camera, frame.pose, terrain.low, terrain.high)
         self.bounds = box and _common(box, terrain.ground.grid.bounds)
         self._seen: tuple[Grid, np.ndarray] | None = None
@@ -171,33 +212,36 @@ class FrameOnGround:
         """The frame's pixels on a grid; None where it shows nothing of it."""
         if self.bounds is None or _common(self.bounds, grid.bounds) is None:
             return None
-        ground, covered = self._terrain.at(grid)
+        ground, covered = self.terrain.at(grid)
         x, y = np.meshgrid(*grid.centres())
         points = np.stack((x, y, ground), axis=-1)
-        camera, pose = self._pixels.camera, self.frame.pose
+        camera, pose = self.pixels.camera, self.frame.pose
         column, row, _ = project(camera, pose, points)
         with np.errstate(invalid="ignore"):
             inside = (column >= 0) & (column <= camera.width - 1) & (row >= 0) & (row <= camera.height - 1)
         if not inside.any():
             return None
         drop = pose.z - float(np.nanmean(ground[inside]))
-        values = self._resampled(column, row, inside, grid.cell / camera.ground_pixel(drop))
+        values, shown = self._resampled(column, row, inside, grid.cell / camera.ground_pixel(drop))
+        inside &= shown
         seen = inside & ~covered & self._sees(x, y)
         with np.errstate(divide="ignore", invalid="ignore"):
             tangent = np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)
         return View(values, seen, inside & ~covered, tangent.astype(np.float32))
 
-    def _resampled(self, column: np.ndarray, row: np.ndarray, inside: np.ndarray, ratio: float) -> np.ndarray:
-        """Bicubic values of a frame at (column, row), (rows, columns, bands) float32; 0 outside.
+    def _resampled(self, column: np.ndarray, row: np.ndarray, inside: np.ndarray, ratio: float
+                   ) -> tuple[np.ndarray, np.ndarray]:
+        """Bicubic values of a frame at (column, row), (rows, columns, bands) float32, 0 outside; and where it has an
+        image there.
 
         Where a cell is `ratio` > 1 pixels wide, the frame is smoothed first, so that fine detail does not alias.
         """
-        camera = self._pixels.camera
+        camera = self.pixels.camera
         blur = min(0.5 * np.sqrt(max(ratio ** 2 - 1, 0)), _MOST_BLUR)
-        margin = _MARGIN + int(np.ceil(3 * blur))
+        margin = _MARGIN + int(np.ceil(3 * blur)) + 2 * _BLACK_SIDE
         columns = _around(column[inside], margin, camera.width)
         rows = _around(row[inside], margin, camera.height)
-        window = self._pixels.read(self.frame.path, rows, columns)
+        window, empty = self.pixels.read(self.frame.path, rows, columns)
         if blur > 0.3:
             window = cv2.GaussianBlur(window, (0, 0), blur)
         place_x = np.where(inside, column - columns.start, -10).astype(np.float32)
@@ -205,7 +249,11 @@ class FrameOnGround:
         values = cv2.remap(window, place_x, place_y, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
         values = values.reshape(*inside.shape, -1).astype(np.float32)
         values[~inside] = 0
-        return values
+        if not empty.any():
+            return values, inside
+        empty = cv2.dilate(empty.astype(np.uint8), np.ones((2 * (margin - 2 * _BLACK_SIDE) + 1,) * 2, np.uint8))
+        lost = cv2.remap(empty, place_x, place_y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
+        return values, inside & (lost.reshape(inside.shape) == 0)
 
     def _sees(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Whether nothing stands between the camera and the ground at points, (rows, columns) bool."""
@@ -223,7 +271,7 @@ class FrameOnGround:
 
     def _lines_of_sight(self) -> tuple[Grid, np.ndarray]:
         """Grid of the frame's ground and, packed by rows into bits, which of its cells it sees; found once."""
-        terrain, pose = self._terrain, self.frame.pose
+        terrain, pose = self.terrain, self.frame.pose
         x_min, y_min, x_max, y_max = self.bounds
         farthest = max(np.hypot(x - pose.x, y - pose.y) for x in (x_min, x_max) for y in (y_min, y_max))
         shadow = farthest * (terrain.top - terrain.low) / max(pose.z - terrain.low, 1.0) + 2 * terrain.cell
@@ -262,19 +310,40 @@ class OrthoSettings:
     height_threshold: float = 5.0
 
 
-def orthorectify(frames: Sequence[Frame], camera: Camera, ground: str | os.PathLike, output: str | os.PathLike,
-                 output_count: str | os.PathLike | None = None, surface: str | os.PathLike | None = None,
-                 outlines: Sequence[shapely.Geometry] = (), settings: OrthoSettings | None = None,
-                 progress: Progress = SILENT, watch: Callable | None = None,
-                 shifts: list[FrameShift] | None = None) -> Mosaic:
+@dataclass(frozen=True)
+class Place:
+    """Where frames lie: rasters of the ground's and (optional) the surface's height, m, in one projected CRS with the
+    poses, and polygons of buildings, which are taken out of the mosaic.
+
+    heights : of those buildings above the ground, m, None where unknown: with it they also hide what lies behind them.
+    """
+
+    ground: str | os.PathLike
+    surface: str | os.PathLike | None = None
+    outlines: Sequence[shapely.Geometry] = ()
+    heights: Sequence[float] | None = None
+
+
+def open_frames(frames: Sequence[Frame], camera: Camera, place: Place, threshold: float,
+                stack: ExitStack) -> list[FrameOnGround]:
+    """The frames as sources of views; their files are closed by the stack."""
+    terrain = Terrain(stack.enter_context(RasterSampler(place.ground)),
+                      stack.enter_context(RasterSampler(place.surface)) if place.surface else None,
+                      place.outlines, threshold, place.heights)
+    pixels = stack.enter_context(FramePixels(frames, camera))
+    return [FrameOnGround(frame, pixels, terrain) for frame in frames]
+
+
+def orthorectify(frames: Sequence[Frame], camera: Camera, place: Place, output: Output,
+                 settings: OrthoSettings | None = None, progress: Progress = SILENT, watch: Callable | None = None,
+                 shifts: list[FrameShift] | None = None, executor: Executor | None = None) -> Mosaic:
     """Lay frames on the ground as one mosaic (J 3.2.1), written as GeoTIFF in the CRS of the ground.
 
     Parameters
     ----------
-    ground, surface : rasters of the ground's and the surface's height, m, in one projected CRS with the poses.
-    outlines : polygons of buildings, taken out of the mosaic.
-    output_count, watch : see `write_mosaic`, which also tells of the files and errors.
+    watch : see `write_mosaic`, which also tells of the files and errors.
     shifts : a list to which the shifts between overlapping frames are added; None not to measure them.
+    executor : threads or processes that work on the pieces; the result does not depend on it.
 
     Raises
     ------
@@ -282,19 +351,17 @@ def orthorectify(frames: Sequence[Frame], camera: Camera, ground: str | os.PathL
     """
     settings = settings or OrthoSettings()
     with ExitStack() as stack:
-        terrain = Terrain(stack.enter_context(RasterSampler(ground)),
-                          stack.enter_context(RasterSampler(surface)) if surface else None,
-                          outlines, settings.height_threshold)
-        pixels = stack.enter_context(FramePixels(frames, camera))
-        sources = [FrameOnGround(frame, pixels, terrain) for frame in frames]
+        opener = partial(open_frames, frames, camera, place, settings.height_threshold)
+        sources = opener(stack)
+        terrain, pixels = sources[0].terrain, sources[0].pixels
         resolution = settings.resolution or _own_resolution(frames, camera, terrain)
         grid = covering_grid(sources, resolution)
         _warn_of_places(sources, terrain, grid, progress)
         if shifts is not None and len(sources) > 1:
             shifts += frame_shifts(sources, grid, progress.part(0.0, 0.1))
-            _warn_of_shifts(shifts, resolution, progress)
-        return write_mosaic(sources, grid, terrain.ground.crs_wkt, pixels.bands, pixels.dtype, output, output_count,
-                            settings.choice, progress.part(0.1, 1.0), watch)
+            warn_of_shifts(shifts, resolution, progress)
+        return write_mosaic(sources, grid, terrain.ground.crs_wkt, pixels.bands, pixels.dtype, output,
+                            settings.choice, progress.part(0.1, 1.0), watch, Workers(executor, opener))
 
 
 def _own_resolution(frames: Sequence[Frame], camera: Camera, terrain: Terrain) -> float:
@@ -319,12 +386,3 @@ def _warn_of_places(sources: Sequence[FrameOnGround], terrain: Terrain, grid: Gr
     if box[0] < have[0] - grid.cell or box[1] < have[1] - grid.cell or box[2] > have[2] + grid.cell \
             or box[3] > have[3] + grid.cell:
         progress.warn("The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the ground.")
-
-
-def _warn_of_shifts(shifts: Sequence[FrameShift], resolution: float, progress: Progress) -> None:
-    """Warn of frames whose markings lie more than a pixel apart on the ground."""
-    for shift in sorted(shifts, key=lambda shift: -shift.length)[:_MOST_SHIFTS]:
-        if shift.length > resolution:
-            progress.warn(f"{shift.first} and {shift.second} lie {shift.length:.2f} m apart on the road markings (east "
-                          f"{shift.east:.2f}, north {shift.north:.2f}; {shift.patches} places): check their exterior "
-                          "orientation and the ground.")

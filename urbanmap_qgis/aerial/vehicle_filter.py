@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -20,7 +22,8 @@ from ..errors import InputError
 from ..geometry.grid import Grid
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
-from .mosaic import Choice, Mosaic, View, write_mosaic
+from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
+from .mosaic import Choice, Mosaic, Output, View, Workers, write_mosaic
 
 _EDGE = 3  # pixels next to no data that a resampled orthophoto does not show surely
 
@@ -107,8 +110,23 @@ def _grid_of(source: rasterio.DatasetReader, name: str) -> Grid:
     return Grid(place.c, place.f, place.a, source.height, source.width)
 
 
+def open_orthophotos(orthophotos: Sequence[str | os.PathLike], stack: ExitStack) -> list[OrthophotoSource]:
+    """Orthophotos on the grid of the first one; their files are closed by the stack."""
+    first = stack.enter_context(OrthophotoSource(orthophotos[0]))
+    sources = [first]
+    for path in orthophotos[1:]:
+        source = stack.enter_context(OrthophotoSource(path, first.grid, first.crs))
+        if (source.bands, source.dtype) != (first.bands, first.dtype):
+            raise InputError(f"{source.name} has {source.bands} bands of {source.dtype} but {first.name} "
+                             f"{first.bands} of {first.dtype}: give orthophotos of one kind.")
+        sources.append(source)
+    return sources
+
+
 def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.PathLike,
-                    choice: Choice | None = None, progress: Progress = SILENT) -> Mosaic:
+                    choice: Choice | None = None, progress: Progress = SILENT,
+                    shifts: list[FrameShift] | None = None, metres: float = 1.0,
+                    executor: Executor | None = None) -> Mosaic:
     """One orthophoto without moving vehicles from several of the same ground, on the grid of the first.
 
     The others are resampled onto it, also from another CRS. They must show the same ground true to position: what
@@ -117,6 +135,9 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
     Parameters
     ----------
     orthophotos : at least two, 8 or 16 bit, grey or red, green, blue; no data by value, alpha or mask.
+    shifts : a list to which the shifts between them are added; None not to measure them.
+    metres : in a unit of the first one's CRS.
+    executor : threads or processes that work on the pieces; the result does not depend on it.
 
     Raises
     ------
@@ -125,16 +146,14 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
     if len(orthophotos) < 2:
         raise InputError("Vehicles can only be told by comparing: give two or more orthophotos of the same ground.")
     with ExitStack() as stack:
-        first = stack.enter_context(OrthophotoSource(orthophotos[0]))
-        sources = [first]
-        for path in orthophotos[1:]:
-            source = stack.enter_context(OrthophotoSource(path, first.grid, first.crs))
-            if (source.bands, source.dtype) != (first.bands, first.dtype):
-                raise InputError(f"{source.name} has {source.bands} bands of {source.dtype} but {first.name} "
-                                 f"{first.bands} of {first.dtype}: give orthophotos of one kind.")
-            sources.append(source)
-        made = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, output, None, choice,
-                            progress)
+        opener = partial(open_orthophotos, orthophotos)
+        sources = opener(stack)
+        first = sources[0]
+        if shifts is not None:
+            shifts += frame_shifts(sources, first.grid, progress.part(0.0, 0.1), metres)
+            warn_of_shifts(shifts, first.grid.cell * metres, progress)
+        made = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, Output(output), choice,
+                            progress.part(0.1, 1.0), workers=Workers(executor, opener))
         if not made.pixels_shared:
             progress.warn("No two of the orthophotos show the same ground: no vehicle was filtered.")
         return made
