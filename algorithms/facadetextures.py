@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+from qgis.core import QgsProcessing
 
 from .base import UrbanMapAlgorithm
+from .imagesources import add_images, check_images, image_sources
 from .layers import make_fields
 from .outlines import column
 from .parameters import tr
@@ -30,20 +31,10 @@ class FacadeTextures(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        files = QgsProcessing.SourceType.TypeFile
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "IMAGES", tr("Line images"), files, None, True), "Strip images of line cameras, one column a time, each "
-            "with the table of its columns' times beside it (column,time).")
-        self.add_trajectory(optional=True)
-        self.add_calibration(optional=True)
+        add_images(self)
         self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building, such as those "
                         "of “Building models”; the field building_id names them.",
                         source_type=QgsProcessing.SourceType.TypeVectorPolygon)
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "FRAMES", tr("Frames"), files, None, True), "Perspective images, each named in the exterior orientation.")
-        self.add_file("CAMERA", "Camera", "JSON file of the frames' camera.", "Camera (*.json)", optional=True)
-        self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa of the frames.",
-                      "Exterior orientation (*.csv *.txt)", optional=True)
         self.add_points("POINTS", "Laser points", "Points of the survey; what stands before a facade hides it.", True)
         self.add_distance("RESOLUTION", "Resolution", "Side of a pixel on the facade.", 0.05, 0.005, 1.0)
         self.add_distance("REACH", "Reach", "Line images are used up to this distance.", 40.0, 1.0, 200.0,
@@ -63,17 +54,10 @@ class FacadeTextures(UrbanMapAlgorithm):
         self.add_number_output("SEEN", "Share seen", "Share of all facades' area that images show, 0 to 1.")
 
     def check(self, parameters, context):
-        from ..urbanmap_qgis.errors import InputError
         from ..urbanmap_qgis.imagery.texture_files import check_model_name
 
         check_model_name(self.output_path(parameters, "OUTPUT", context))
-        lines, frames = (self.parameterAsFileList(parameters, name, context) for name in ("IMAGES", "FRAMES"))
-        if not any(lines) and not any(frames):
-            raise InputError(tr("No image was given; give line images or frames."))
-        for given, needed in ((lines, ("TRAJECTORY", "CALIBRATION")), (frames, ("CAMERA", "EXTERIOR"))):
-            missing = [self.label_of(name) for name in needed if not parameters.get(name)]
-            if any(given) and missing:
-                raise InputError(tr("{0}: is needed for these images; give it.").format(", ".join(missing)))
+        check_images(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ..urbanmap_qgis.imagery.texture_files import write_textured
@@ -84,7 +68,7 @@ class FacadeTextures(UrbanMapAlgorithm):
         self.require_projected("BUILDINGS", table.crs)
         ids = column(table, "building_id") or table.ids.tolist()
         buildings = buildings_of(ids, table.geometries)
-        sources = self._sources(parameters, context, table, progress)
+        sources = image_sources(self, parameters, context, table.crs_wkt, progress)
         voxels = self._voxels(parameters, context, table, progress.part(0.0, 0.2))
         folder = self.parameterAsString(parameters, "OUTPUT_FOLDER", context) or None
         model = self.output_path(parameters, "OUTPUT", context)
@@ -112,21 +96,6 @@ class FacadeTextures(UrbanMapAlgorithm):
 
         return TextureSettings(*(self.parameterAsDouble(parameters, name, context)
                                  for name in ("RESOLUTION", "REACH", "MIN_SEEN")))
-
-    def _sources(self, parameters, context, table, progress):
-        """Line images and frames as the core takes them."""
-        from ..urbanmap_qgis.imagery.views import frame_sources, strip_sources
-
-        found = []
-        lines = [path for path in self.parameterAsFileList(parameters, "IMAGES", context) if path]
-        if lines:
-            read = self.read_trajectory(parameters, "TRAJECTORY", context, table.crs_wkt, progress)
-            found += strip_sources(lines, read.trajectory, self.input_path(parameters, "CALIBRATION", context))
-        frames = [path for path in self.parameterAsFileList(parameters, "FRAMES", context) if path]
-        if frames:
-            found += frame_sources(frames, self.input_path(parameters, "CAMERA", context),
-                                   self.input_path(parameters, "EXTERIOR", context), len(found))
-        return found
 
     def _voxels(self, parameters, context, table, progress):
         """Cells with laser points round the buildings."""

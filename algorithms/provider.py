@@ -31,6 +31,7 @@ ALGORITHMS = (
     ("groundfrommms", "GroundFromMms"),
     ("roadmarkingsfrommms", "RoadMarkingsFromMms"),
     ("facadetextures", "FacadeTextures"),
+    ("objectsfromimages", "ObjectsFromImages"),
     ("georeferencescans", "GeoreferenceScans"),
     ("rectifytrajectory", "RectifyTrajectory"),
     ("loadgsibuildings", "LoadGsiBuildings"),

@@ -14,7 +14,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "registermms", "applytrajectory", "landmarkupdate", "checkaccuracy",
-            "facadetextures", "groundfrommms", "roadmarkingsfrommms",
+            "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "buildingsfromals",

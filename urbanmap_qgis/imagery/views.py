@@ -11,16 +11,19 @@ import numpy as np
 
 from ..aerial.camera import Camera, read_camera, read_exterior
 from ..aerial.camera import project as project_frame
+from ..aerial.camera import rays as frame_rays
 from ..aerial.frames import Frame, FrameImage, find_frames
 from ..errors import InputError
 from ..mobile.calibration import read_calibration
-from ..mobile.lines.line_camera import StripImage, camera_poses
+from ..mobile.lines.line_camera import StripImage, camera_poses, pixel_rays
 from ..mobile.lines.line_camera import project as project_strip
 from ..mobile.lines.strip_images import read_columns, read_strips, sample_pixels
 from ..mobile.trajectory import Trajectory
 
 GRAZING = np.cos(np.radians(80.0))
 """Rays that meet the facade flatter than this show nothing useful."""
+
+_FRAME_REACH = 5000.0
 
 _MOST_SWEEPS = 4
 """Times that a turning vehicle's camera may sweep over one place and be looked at."""
@@ -56,6 +59,19 @@ class Source(Protocol):
 
     def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
         """Colours (n, 3) float32 at pixels (n,)."""
+
+    def size(self) -> tuple[int, int]:
+        """Columns and rows of the image."""
+
+    def farthest(self, reach: float) -> float:
+        """How far the image shows things, m, where those of line images are used up to `reach`."""
+
+    def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
+
+    def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
+               reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,6 +123,29 @@ class StripSource:
             view.camera[index], view.detail[index] = camera[own], detail[own]
             views.append(view)
         return views
+
+    def size(self) -> tuple[int, int]:
+        """Columns and rows of the image."""
+        return self.strip.columns, self.strip.camera.rows
+
+    def farthest(self, reach: float) -> float:
+        """How far the image shows things, m."""
+        return reach
+
+    def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
+        return pixel_rays(self.strip, self.trajectory, np.clip(column, 0, self.strip.columns - 1), row)
+
+    def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
+               reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
+        left, top, right, bottom = window
+        first, last = max(int(left) - 1, 0), min(int(right) + 2, self.strip.columns)
+        strip = StripImage(self.strip.camera, self.strip.times[first:last])
+        found = project_strip(points, strip, self.trajectory, reach)
+        column = found.column + first
+        keep = (column >= left) & (column <= right) & (found.row >= top) & (found.row <= bottom)
+        return found.point_index[keep], column[keep], found.row[keep], found.distance[keep]
 
     def _detail(self, found, camera: np.ndarray, axes: np.ndarray, places: np.ndarray,
                 normal: np.ndarray) -> np.ndarray:
@@ -173,6 +212,29 @@ class FrameSource:
         view.camera[seen] = centre
         view.detail[seen] = facing[seen] / self.camera.ground_pixel(1.0) / distance[seen]
         return [view]
+
+    def size(self) -> tuple[int, int]:
+        """Columns and rows of the image."""
+        return self.camera.width, self.camera.height
+
+    def farthest(self, reach: float) -> float:
+        """How far the image shows things, m; `reach` is for line images."""
+        return max(reach, _FRAME_REACH)
+
+    def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
+        direction = frame_rays(self.camera, self.frame.pose, column, row)
+        return np.broadcast_to(self.frame.pose.centre, direction.shape), direction
+
+    def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
+               reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
+        left, top, right, bottom = window
+        column, row, _ = project_frame(self.camera, self.frame.pose, points)
+        distance = np.linalg.norm(points - self.frame.pose.centre, axis=1)
+        keep = np.flatnonzero((column >= left) & (column <= right) & (row >= top) & (row <= bottom)
+                              & (distance <= self.farthest(reach)))
+        return keep, column[keep], row[keep], distance[keep]
 
     def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
         """Colours (n, 3) float32 at pixels (n,), bilinear; only the window needed is read."""
