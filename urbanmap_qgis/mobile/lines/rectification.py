@@ -32,9 +32,10 @@ HELD, BETWEEN = 0, 1
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 _CONTRADICTION = 5.0  # sigmas of the misfit within a set
-_SUSPECT = 4.0  # times the usual misfit against the other sets
-_BLUNDER = 8.0  # sigmas of the misfit against them
+_SUSPECT = 4.0  # times the usual misfit against the other sets, and sigmas of it
+_BLUNDER = 8.0  # sigmas
 _LEAST_USUAL = 0.1
+_LEAST_SUSPECT = 0.1  # m
 _JUMP, _FASTEST_DRIFT = 1.0, 0.5  # m, m/s
 _LARGEST_TURN = np.radians(10.0)
 _FEWEST_TO_COMPARE = 5
@@ -253,24 +254,26 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
     fixed = settings.tie_sigma is not None
     pairs, sets = _pairs(ties, number, place, keep)
     model = fit_drift(pairs, trajectory, start, fixed)
+    looked_at = np.zeros(len(names), bool)
     # At most a quarter of the sets can be blunders: more would be a drift that jumps.
     for _ in range(len(names) // 4 if len(sets) >= _FEWEST_TO_COMPARE else 0):
         sigmas = predicted_misfits(pairs, model)[1]
-        worst = int(np.argmax(np.where(status[sets] == SUSPECT, 0.0, sigmas)))
+        worst = int(np.argmax(np.where(looked_at[sets], 0.0, sigmas)))
         if sigmas[worst] <= _SUSPECT * max(float(np.median(sigmas)), _LEAST_USUAL):
             break
         name, suspect = names[sets[worst]], number == sets[worst]
+        looked_at[sets[worst]] = True
         # A blunder widens what is held possible; what the other sets alone hold possible decides.
         others, left = _pairs(ties, number, place, keep & ~suspect)
         without = fit_drift(others, trajectory, start, fixed)
         away, off = misfit_of_others(_pairs(ties, number, place, keep & suspect)[0], without)
         progress.check()
-        if off > _BLUNDER and not settings.keep_blunders:
+        if off > _BLUNDER and away > _LEAST_SUSPECT and not settings.keep_blunders:
             progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it and is left out: check that "
                           "survey and reference show the same place.")
             status[sets[worst]], keep[suspect] = BLUNDER, False
             pairs, sets, model = others, left, without
-        else:
+        elif off > _SUSPECT and away > _LEAST_SUSPECT:
             progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
                           "reference show the same place.")
             status[sets[worst]] = SUSPECT
