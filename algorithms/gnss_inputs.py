@@ -51,6 +51,14 @@ class GnssInputs(Declarations):
                         60.0, unit="degrees")
         self.add_text("LEVER_ARM", "Lever arm of the antenna", "Antenna in the vehicle's body: forward, right, down, "
                       "in metres from the trajectory's origin.", "0, 0, 0", advanced=True)
+        self.add_building_fields()
+        self.add_distance("FARTHEST", "Farthest reflection", "Walls farther from the antenna than this reflect nothing "
+                          "that is received, m.", 150.0, 5.0, 1000.0, advanced=True)
+        self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are used: G GPS, R GLONASS, E Galileo, C "
+                      "BeiDou, J QZSS.", "GRECJ", advanced=True)
+
+    def add_building_fields(self) -> None:
+        """The fields of BUILDINGS that tell which building a feature is part of, and heights."""
         self.add_field("BUILDING_FIELD", "Field with the building", "Features with the same value are one building. "
                        "Left empty, building_id or building is taken where it exists.", "BUILDINGS", advanced=True)
         self.add_field("TOP_FIELD", "Field with the height of the top", "Height of the top of the walls, m, in the "
@@ -59,10 +67,6 @@ class GnssInputs(Declarations):
         self.add_field("BASE_FIELD", "Field with the height of the foot", "Height of the foot of the walls, m; without "
                        "it the walls of outlines reach down without end. z_base is found by itself.", "BUILDINGS",
                        advanced=True)
-        self.add_distance("FARTHEST", "Farthest reflection", "Walls farther from the antenna than this reflect nothing "
-                          "that is received, m.", 150.0, 5.0, 1000.0, advanced=True)
-        self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are used: G GPS, R GLONASS, E Galileo, C "
-                      "BeiDou, J QZSS.", "GRECJ", advanced=True)
 
     def check_gnss_inputs(self, parameters: Mapping, context: QgsProcessingContext) -> None:
         """Refuse files that do not exist and a lever arm that is none."""
@@ -94,22 +98,27 @@ class GnssInputs(Declarations):
             heights.append(numbers(table, field) if field else None)
         return BuildingInput(table, building, *heights, np.array(list(first), object))
 
+    def read_trajectories(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
+        """One trajectory of all that were given, in the CRS of the buildings."""
+        from ..urbanmap_qgis.gnss.passes import joined
+
+        names = self._files(parameters, "TRAJECTORY", context)
+        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt) for text in names]
+        for item in read:
+            if item.format == "layer" and item.crs_wkt:
+                self.same_crs("TRAJECTORY", item.crs_wkt, "BUILDINGS", crs_wkt)
+            for note in item.notes:
+                progress.warn(note)
+        return joined([item.trajectory for item in read], [Path(text).name for text in names])
+
     def read_signals(self, parameters: Mapping, context: QgsProcessingContext, buildings: BuildingInput,
                      progress: Progress):
         """The core's `Signals` of all observation files."""
         from ..urbanmap_qgis.gnss.observations import load_observations
-        from ..urbanmap_qgis.gnss.passes import joined
         from ..urbanmap_qgis.gnss.signals import SignalSettings
 
-        names = self._files(parameters, "TRAJECTORY", context)
         wkt = buildings.table.crs_wkt
-        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, wkt) for text in names]
-        for item in read:
-            if item.format == "layer" and item.crs_wkt:
-                self.same_crs("TRAJECTORY", item.crs_wkt, "BUILDINGS", wkt)
-            for note in item.notes:
-                progress.warn(note)
-        trajectory = joined([item.trajectory for item in read], [Path(text).name for text in names])
+        trajectory = self.read_trajectories(parameters, context, wkt, progress)
         separation = (None if parameters.get("GEOID_SEPARATION") is None
                       else self.parameterAsDouble(parameters, "GEOID_SEPARATION", context))
         settings = SignalSettings(systems=self.parameterAsString(parameters, "SYSTEMS", context).upper(),
