@@ -16,6 +16,9 @@ _LEFT, _RIGHT, _TOP, _BOTTOM = 60, 14, 14, 42
 POOR_RESIDUAL = 0.1
 """Above this share the asphalt does not follow the curve well."""
 
+LARGE_SCATTER = 0.3
+"""Above this share of asphalt's intensity single points scatter more than those of survey scanners do."""
+
 LOW_CONTRAST = 1.5
 
 
@@ -79,6 +82,9 @@ def doubts(made: Extraction) -> list[str]:
         if curve.residual > POOR_RESIDUAL:
             sentences.append(f"The asphalt of scanner {number} does not follow one curve over range (residual "
                              f"{100 * curve.residual:.0f} %): several surfaces may have been taken together.")
+        if curve.scatter > LARGE_SCATTER:
+            sentences.append(f"Single asphalt points of scanner {number} scatter by {100 * curve.scatter:.0f} %: only "
+                             "strong paint stands out, and bright specks may be taken for paint.")
     return sentences
 
 

@@ -39,6 +39,7 @@ _WIDTHS = (0.08, 0.25)
 _PEAK_SHARE = 0.15
 _WINDOW = 2.5
 _DARKEST = 1.0
+_MOST_SCATTER = 0.54
 _CATCH = 0.17
 _FOLLOWED = 0.3
 _NEIGHBOURS = 16
@@ -286,6 +287,8 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
     rows = np.flatnonzero(np.isfinite(level))
     residual = np.median(np.abs(level[run] - np.log(curve[run])))
     scatter = np.sqrt((spread[run] ** 2 * points[run]).sum() / points[run].sum())
+    if scatter > _MOST_SCATTER:
+        raise InsufficientDataError("the intensity of asphalt scatters too much to tell paint from it")
     return IntensityCurve(*parameters, flat_from, farthest, nearest, middle[rows], np.exp(level[rows]), points[rows],
                           np.isin(rows, run), float(1.4826 * residual), float(scatter))
 
