@@ -42,6 +42,7 @@ ALGORITHMS = (
     ("wallsfrommms", "WallsFromMms"),
     ("mergebuildingmodels", "MergeBuildingModels"),
     ("buildingsfromals", "BuildingsFromAls"),
+    ("satellitevisibility", "SatelliteVisibility"),
     ("gnssreflections", "GnssReflections"),
     ("adjustwalls", "AdjustWalls"),
 )

@@ -18,7 +18,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "buildingsfromals",
-            "gnssreflections", "adjustwalls")
+            "satellitevisibility", "gnssreflections", "adjustwalls")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

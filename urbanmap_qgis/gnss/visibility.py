@@ -201,12 +201,13 @@ def _sky(navigation: Navigation, frame: MapFrame, place: np.ndarray, time: float
 
 
 def position_dilution(direction: np.ndarray, system: np.ndarray, free: np.ndarray) -> np.ndarray:
-    """(n,) PDOP of places that see satellites (n, s) bool at directions (s, 3), with a clock for each system (s,).
+    """(n,) PDOP of places that see satellites (n, s) bool at directions (s, 3), with a clock for each system (s,);
+    QZSS keeps the time of GPS.
 
     NaN where fewer than three satellites more than systems are seen, or where they lie such that the position is
     not fixed.
     """
-    letters, number = np.unique(system, return_inverse=True)
+    letters, number = np.unique(np.where(system == "J", "G", system), return_inverse=True)
     design = np.hstack([-direction, np.eye(len(letters))[number.ravel()]])
     normal = np.einsum("ns,si,sj->nij", free.astype(float), design, design, optimize=True)
     clocks = np.arange(3, design.shape[1])
