@@ -27,8 +27,8 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         "Counts the navigation satellites in line of sight among building models: along a trajectory, or over an area "
         "at a given time.\n"
         "Fewer than four satellites of one system do not give a position; with each further system one more is "
-        "needed for its clock (QZSS keeps that of GPS). The PDOP tells how much larger the error of a position is than that of a range; it is "
-        "empty where the satellites in line of sight fix no position.\n"
+        "needed for its clock (QZSS keeps that of GPS). The PDOP tells how much larger the error of a position is than "
+        "that of a range; it is empty where the satellites in line of sight fix no position.\n"
         "Walls hide satellites; trees, vehicles and bridges do not. Where walls of the models stand a metre off, "
         "satellites near their edges are counted wrongly."
     )

@@ -22,6 +22,7 @@ from qgis.core import (
     QgsApplication,
     QgsArrowSymbolLayer,
     QgsCategorizedSymbolRenderer,
+    QgsColorRampShader,
     QgsFillSymbol,
     QgsGeometryGeneratorSymbolLayer,
     QgsGraduatedSymbolRenderer,
@@ -30,9 +31,11 @@ from qgis.core import (
     QgsMarkerSymbol,
     QgsPalettedRasterRenderer,
     QgsRasterLayer,
+    QgsRasterShader,
     QgsRendererCategory,
     QgsRendererRange,
     QgsRuleBasedRenderer,
+    QgsSingleBandPseudoColorRenderer,
     QgsUnitTypes,
     QgsVectorLayer,
 )
@@ -359,7 +362,37 @@ def mms_patches(layer) -> None:
         "σ [% round(\"sigma\", 3) %] m in plan, window [% round(\"window\", 1) %] m")
 
 
+SATELLITES = ((3, "below 4: no position", "#b2182b"), (5, "4 to 5", "#ef8a62"), (8, "6 to 8", "#fddbc7"),
+              (12, "9 to 12", "#67a9cf"), (1000, "13 and more", "#2166ac"))
+"""Upper limit, label and colour of the classes of visible satellites."""
+
+
+def satellite_visibility(layer) -> None:
+    """Places by the number of satellites in line of sight."""
+    entries, low = [], -1
+    for high, label, colour in SATELLITES:
+        entries.append((label, f"\"satellites\" > {low} AND \"satellites\" <= {high}", marker(colour, 1.8)))
+        low = high
+    rules(layer, (*entries, ("inside a building", "ELSE", marker("#bbbbbb", 1.0))))
+    layer.setMapTipTemplate(
+        "<b>[% \"satellites\" %]</b> of [% \"above\" %] satellites in line of sight<br>GPS [% \"gps\" %], GLONASS "
+        "[% \"glonass\" %], Galileo [% \"galileo\" %], BeiDou [% \"beidou\" %], QZSS [% \"qzss\" %]<br>"
+        "[% if(\"pdop\" IS NULL, 'no position', format('PDOP %1', round(\"pdop\", 1))) %]")
+
+
+def satellite_visibility_area(layer) -> None:
+    """Cells by the number of satellites in line of sight, in the same classes."""
+    shade = QgsColorRampShader(-1, 1000, None, QgsColorRampShader.Type.Discrete)
+    shade.setColorRampItemList([QgsColorRampShader.ColorRampItem(high + 0.5, QColor(colour), label)
+                                for high, label, colour in SATELLITES])
+    shader = QgsRasterShader()
+    shader.setRasterShaderFunction(shade)
+    layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
+
+
 FIELDS = {
+    satellite_visibility: ("PointZ", "time:double satellites:integer gps:integer glonass:integer galileo:integer "
+                           "beidou:integer qzss:integer above:integer pdop:double"),
     segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
                           "shift_y:double shift_sigma:double points:integer density:double"),
     roof_polygons: ("PolygonZ", "building_id:integer roof_id:integer height:double status:string points:integer "
@@ -422,7 +455,8 @@ def main() -> None:
     engine.Qgs3D.initialize()
     for style in FIELDS:
         print(write(style).relative_to(STYLES.parent.parent))
-    print(write_raster_style(marking_mask).relative_to(STYLES.parent.parent))
+    for style in (marking_mask, satellite_visibility_area):
+        print(write_raster_style(style).relative_to(STYLES.parent.parent))
     application.exitQgis()
 
 
