@@ -41,6 +41,7 @@ ALGORITHMS = (
     ("buildingmodels", "BuildingModels"),
     ("wallsfrommms", "WallsFromMms"),
     ("mergebuildingmodels", "MergeBuildingModels"),
+    ("mesh25d", "Mesh25D"),
     ("buildingsfromals", "BuildingsFromAls"),
     ("satellitevisibility", "SatelliteVisibility"),
     ("gnssreflections", "GnssReflections"),

@@ -296,6 +296,26 @@ def merged_walls(layer) -> None:
         "σ [% round(100 * \"sigma\", 1) %] cm")
 
 
+MESH_STATUS = {
+    "ok": ("ok", "#d8c3a5"),
+    "error exceeded": ("error exceeded", "#f2c14e"),
+    "ground unknown": ("ground assumed", "#8fc1d9"),
+}
+"""Label and colour of each status of a mesh."""
+
+
+def building_meshes(layer) -> None:
+    """Meshes by status."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("status", [
+        QgsRendererCategory(value, fill(colour, EDGE, 0.1), label) for value, (label, colour) in MESH_STATUS.items()]))
+    layer.setRenderer3D(renderer_3d({value: colour for value, (_, colour) in MESH_STATUS.items()}, "status",
+                                    MESH_STATUS["ok"][1]))
+    layer.setMapTipTemplate(
+        "<b>Building [% \"building_id\" %]</b>: [% \"status\" %]<br>[% \"reason\" %]<br>"
+        "[% \"triangles\" %] triangles, [% \"surfaces\" %] surfaces, [% \"points\" %] points<br>"
+        "[% round(100 * \"within\", 1) %] % of them within the error, RMSE [% round(\"rmse\", 2) %] m")
+
+
 def road_markings(layer) -> None:
     """Markings in the colour of their paint, dark at the edge so that they show on light paving too."""
     colours = {"white": "#ffffff", "yellow": "#ffb000"}
@@ -414,6 +434,8 @@ FIELDS = {
                    "seen:double sigma:double"),
     frame_shifts: ("Point", "first:string second:string east:double north:double length:double sigma:double "
                    "pair_length:double pair_sigma:double patches:integer status:string"),
+    building_meshes: ("MultiPolygonZ", "building_id:integer status:string reason:string triangles:integer "
+                      "surfaces:integer points:integer within:double rmse:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

@@ -17,7 +17,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "buildingsfromals",
+            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals",
             "satellitevisibility", "gnssreflections", "adjustwalls")
 
 LIST_WITHOUT_PACKAGES = """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ import shapely
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...geometry.solid import Solid
+from ...io.ply import mesh_writer
 from ...io.pointcloud import PointCloud
 from ...progress import SILENT, Progress
 from ..outlines.footprint import Footprints
@@ -211,3 +213,24 @@ def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
         rows.append((item.building_id, item.status, item.reason, len(mesh.faces) if mesh else 0, item.surfaces,
                      item.base, top, *figures, item.watertight, item.valid))
     return {name: [row[place] for row in rows] for place, (name, _) in enumerate(MESH_COLUMNS)}
+
+
+def total_fit(meshes: Sequence[BuildingMesh]) -> tuple[float, float]:
+    """Share of all points within the stated error, and RMSE (m) of all; NaN without points."""
+    fits = [item.fit for item in meshes if item.fit and math.isfinite(item.fit.rmse)]
+    points = sum(fit.points for fit in fits)
+    if not points:
+        return math.nan, math.nan
+    return (sum(fit.within * fit.points for fit in fits) / points,
+            math.sqrt(sum(fit.rmse**2 * fit.points for fit in fits) / points))
+
+
+def write_ply(path: str | os.PathLike, meshes: Sequence[BuildingMesh]) -> None:
+    """Write all meshes to one binary PLY file."""
+    with mesh_writer(path) as writer:
+        for item in meshes:
+            if item.mesh is not None:
+                corners = np.array([face[0] for face in item.mesh.faces])
+                first = writer.vertex_count
+                writer.add_vertices(*item.mesh.vertices.T)
+                writer.add_triangles(corners + first)
