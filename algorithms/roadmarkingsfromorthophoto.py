@@ -6,7 +6,8 @@ from ..urbanmap_qgis.errors import InputError
 from .base import UrbanMapAlgorithm
 from .crs import crs_from, horizontal, metres_per_unit
 from .layers import make_fields
-from .parameters import tr
+from .parameters import HTML_FILTER, tr
+from .workers import workers
 
 
 class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
@@ -47,11 +48,20 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                           0.1, 5.0, advanced=True)
         self.add_number("MIN_AREA", "Smallest marking", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
                         advanced=True)
+        self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
+                        "frames of this orthophoto disagree; shown in the report.", optional=True)
+        self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
+                        "report.", optional=True)
+        self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings.", advanced=True)
+        self.add_workers()
         self.add_raster_output("OUTPUT", "Marking mask", "255 where there is a marking, otherwise 0; pixels as the "
                                "orthophoto's.")
         self.add_layer_output("OUTPUT_POLYGONS", "Road markings", "Outlines of the markings, with area (m2), length "
                               "and width of the stroke (m), mean contrast (grey values) and colour.", optional=True,
                               by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
+                             "coverage, pictures of the markings over the orthophoto, and what to distrust.",
+                             HTML_FILTER, optional=True)
         self.add_number_output("COUNT", "Markings", "Number of polygons.")
         self.add_number_output("MARKED_AREA", "Marked area", "Area of the mask's markings.", "m2")
         self.add_number_output("SEARCHED_AREA", "Searched area", "Area in which markings could be found.", "m2")
@@ -92,13 +102,47 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                         self._polygons(parameters, "BUILDINGS", context, progress.part(0.02, 0.04)),
                         self.raster_path(parameters, "MASK", context))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
-        found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
-                                         metres_per_unit(crs), progress=progress.part(0.04, 0.9))
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
+                                             metres_per_unit(crs), progress=progress.part(0.04, 0.9),
+                                             executor=executor)
         self._tell(found, progress)
         results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked,
                    "SEARCHED_AREA": found.looked_at}
+        report = self._report(parameters, context, found, plain.contrast)
+        if report:
+            results["OUTPUT_REPORT"] = report
         layer = self._write(parameters, context, found.polygons, crs, progress)
         return {**results, "OUTPUT_POLYGONS": layer} if layer else results
+
+    def _report(self, parameters, context, found, contrast):
+        """Write the report where it is wanted; its path."""
+        path = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if path is None:
+            return None
+        from ..urbanmap_qgis.aerial.marking_report import Evidence, shares_of_views, write_marking_report
+
+        count = self.raster_path(parameters, "FRAME_COUNT", context)
+        evidence = Evidence(self._pairs(parameters, context), count and shares_of_views(count),
+                            bool(parameters.get("ROADS")), contrast)
+        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence,
+                             self.settings_of(parameters), self.parameterAsString(parameters, "NOTE", context))
+        return str(path)
+
+    def _pairs(self, parameters, context):
+        """Shifts by pairs of frames, from the points' layer; None where none was given."""
+        from ..urbanmap_qgis.aerial.marking_report import Pair
+
+        table = self.read_vector(parameters, "SHIFTS", context)
+        if table is None:
+            return None
+        names = ("first", "second", "pair_east", "pair_north", "pair_sigma", "patches", "status")
+        missing = [name for name in names if name not in table.columns]
+        if missing:
+            raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
+                table.label, missing[0]))
+        rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
+        return [Pair(*row[:-1], row[-1] == "apart") for row in rows]
 
     def _polygons(self, parameters, name, context, progress):
         """Polygons of a layer in any projected CRS, repaired where invalid; None where none was given."""

@@ -43,7 +43,9 @@ class Step:
     """A step of a model: the algorithm's id, what is told beside it, and where its parameters come from.
 
     `made` takes another step's output; `note` is a text parameter that takes the model's settings; of the rest, the
-    step is given what it shares by name with the model. `outputs` are results of the model: name and label.
+    step is given what it shares by name with the model. `outputs` are results of the model: name and label. `named`
+    gives the model's name to parameters and outputs of the step that have another name in the model, "" for those of
+    one name that have nothing in common.
     """
 
     algorithm: str
@@ -51,6 +53,11 @@ class Step:
     made: dict[str, tuple[str, str]] = field(default_factory=dict)
     note: str = ""
     outputs: dict[str, str] = field(default_factory=dict)
+    named: dict[str, str] = field(default_factory=dict)
+
+    def name_in_chain(self, name: str) -> str:
+        """The model's name of a parameter or output of the step."""
+        return self.named.get(name, name)
 
 
 BUILDINGS_FROM_ALS = (
@@ -66,6 +73,25 @@ BUILDINGS_FROM_ALS = (
          outputs={"OUTPUT": "Building models", "OUTPUT_SURFACES": "Surfaces", "OUTPUT_CITYJSON": "CityJSON",
                   "OUTPUT_MESH": "OBJ mesh", "OUTPUT_REPORT": "Report"}),
 )
+
+AERIAL_MARKINGS = (
+    Step("surfacefromals", "1. Makes the surface, which tells what hides the ground, and the bare ground.",
+         named={"POINTS": "ALS", "RESOLUTION": "SURFACE_RESOLUTION"}, outputs={"OUTPUT_GROUND": "Ground"}),
+    Step("orthorectifyframes", "2. Lays the frames on the ground that they see, without moving vehicles.",
+         made={"GROUND": ("surfacefromals", "OUTPUT_GROUND"), "DSM": ("surfacefromals", "OUTPUT")},
+         named={"OUTPUT": "OUTPUT_ORTHOPHOTO"},
+         outputs={"OUTPUT": "Orthophoto", "OUTPUT_SHIFTS": "Shifts between images"}),
+    Step("roadmarkingsfromorthophoto", "3. Finds the road markings, with their heights, and reports on them.",
+         made={"INPUT": ("orthorectifyframes", "OUTPUT"), "GROUND": ("surfacefromals", "OUTPUT_GROUND"),
+               "SHIFTS": ("orthorectifyframes", "OUTPUT_SHIFTS"),
+               "FRAME_COUNT": ("orthorectifyframes", "OUTPUT_COUNT")},
+         note="NOTE",
+         outputs={"OUTPUT": "Marking mask", "OUTPUT_POLYGONS": "Road markings", "OUTPUT_REPORT": "Report"}),
+)
+
+CHAINS = (("buildings_from_als", "Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS),
+          ("aerial_markings", "Road markings from aerial frames (model)", "aerialmarkings", AERIAL_MARKINGS))
+"""File, name, algorithm with the same chain, and steps of each model."""
 
 
 def load_provider():
@@ -118,7 +144,7 @@ def settings_expression(chain) -> str:
     return " || '; ' || ".join(parts)
 
 
-def add_step(model: QgsProcessingModelAlgorithm, step: Step, row: int, chain) -> None:
+def add_step(model: QgsProcessingModelAlgorithm, step: Step, y: float, chain) -> None:
     """One step with its sources, its comment and the results of the model that it makes."""
     source = QgsProcessingModelChildParameterSource
     child = QgsProcessingModelChildAlgorithm(f"urbanmap:{step.algorithm}")
@@ -128,27 +154,27 @@ def add_step(model: QgsProcessingModelAlgorithm, step: Step, row: int, chain) ->
         name = definition.name()
         if definition.isDestination() or name in step.made:
             continue
-        if chain.parameterDefinition(name):
-            child.addParameterSources(name, [source.fromModelParameter(name)])
+        shared = step.name_in_chain(name)
+        if shared and chain.parameterDefinition(shared):
+            child.addParameterSources(name, [source.fromModelParameter(shared)])
         elif definition.defaultValue() is not None:
             child.addParameterSources(name, [source.fromStaticValue(definition.defaultValue())])
     for name, (other, output) in step.made.items():
         child.addParameterSources(name, [source.fromChildOutput(other, output)])
     if step.note:
         child.addParameterSources(step.note, [source.fromExpression(settings_expression(chain))])
-    y = TOP + row * STEP_ROW
     place(child, "steps", y, STEP, step.comment)
     child.comment().setPosition(QPointF(COLUMNS["comments"], y))
     child.comment().setSize(COMMENT)
     results = {}
     for place_down, (name, label) in enumerate(step.outputs.items()):
-        definition = chain.parameterDefinition(name)
+        definition = chain.parameterDefinition(step.name_in_chain(name))
         result = QgsProcessingModelOutput(label, label)
         result.setChildId(step.algorithm)
         result.setChildOutputName(name)
         result.setMandatory(not definition.flags() & definition.Flag.FlagOptional)
         place(result, "comments", y + COMMENT.height() + (place_down + 1) * ROW, OUTPUT)
-        results[name] = result
+        results[step.name_in_chain(name)] = result
     child.setModelOutputs(results)
     model.addChildAlgorithm(child)
 
@@ -159,8 +185,10 @@ def build(name: str, chain_id: str, steps: tuple[Step, ...]) -> QgsProcessingMod
     # QGIS reads the group's id from the file; the provider gives the group its name.
     model = QgsProcessingModelAlgorithm(name, chain.groupId(), chain.groupId())
     add_inputs(model, chain)
-    for row, step in enumerate(steps):
-        add_step(model, step, row, chain)
+    y = TOP
+    for step in steps:
+        add_step(model, step, y, chain)
+        y += max(STEP_ROW, 2 * COMMENT.height() + (len(step.outputs) + 0.5) * ROW)
     model.setHelpContent(help_content(chain, steps))
     model.setParameterOrder([definition.name() for definition in chain.parameterDefinitions()
                              if not definition.isDestination()])
@@ -168,7 +196,7 @@ def build(name: str, chain_id: str, steps: tuple[Step, ...]) -> QgsProcessingMod
     if not sound:
         sys.exit(f"{name}: {'; '.join(problems)}")
     missing = [definition.name() for definition in chain.parameterDefinitions() if definition.isDestination()
-               and not any(definition.name() in step.outputs for step in steps)]
+               and not any(definition.name() == step.name_in_chain(name) for step in steps for name in step.outputs)]
     if missing:
         sys.exit(f"{name}: the model lacks {', '.join(missing)} of {chain.id()}.")
     return model
@@ -183,8 +211,8 @@ def help_content(chain, steps: tuple[Step, ...]) -> dict[str, str]:
     for definition in chain.parameterDefinitions():
         key = definition.name()
         if definition.isDestination():
-            step = next(item for item in steps if key in item.outputs)
-            key = f"{step.algorithm}:{key}"
+            key = next(f"{step.algorithm}:{key}" for step in steps for name in step.outputs
+                       if step.name_in_chain(name) == key)
         content[key] = definition.help()
     return content
 
@@ -192,11 +220,11 @@ def help_content(chain, steps: tuple[Step, ...]) -> dict[str, str]:
 def main() -> None:
     """Write all models."""
     application, plugin = load_provider()
-    path = MODELS / "buildings_from_als.model3"
-    model = build("Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS)
-    if not model.toFile(str(path)):
-        sys.exit(f"{path} cannot be written.")
-    print(path.relative_to(ROOT))
+    for file, name, chain_id, steps in CHAINS:
+        path = MODELS / f"{file}.model3"
+        if not build(name, chain_id, steps).toFile(str(path)):
+            sys.exit(f"{path} cannot be written.")
+        print(path.relative_to(ROOT))
     plugin.unload()
     application.exitQgis()
 

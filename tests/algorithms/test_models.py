@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
-CHAINS = {"buildings_from_als": "buildingsfromals"}
+CHAINS = {"aerial_markings": "aerialmarkings", "buildings_from_als": "buildingsfromals"}
 REMEDY = "run scripts/make_models.py"
 
 

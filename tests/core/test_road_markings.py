@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+
 import cv2
 import numpy as np
 import pytest
@@ -135,6 +138,21 @@ def test_result_does_not_depend_on_the_cut(tmp_path, tile):
     assert np.allclose(whole.polygons.area, cut.polygons.area, rtol=1e-6)
     assert np.allclose(whole.polygons.contrast, cut.polygons.contrast)
     assert list(whole.polygons.colour) == list(cut.polygons.colour)
+
+
+@pytest.mark.parametrize("kind", ["threads", "processes"])
+def test_workers_make_the_same_file(tmp_path, kind):
+    bands, _white, _yellow = street(500, 600)
+    path = write(tmp_path / "正射.tif", bands)
+    places = Places(roads=[shapely.box(X0, Y0 - 40, X0 + 70, Y0)])
+    alone = markings_from_orthophoto(path, tmp_path / "alone.tif", places, tile=160)
+    pool = ThreadPoolExecutor(2) if kind == "threads" else ProcessPoolExecutor(
+        2, mp_context=multiprocessing.get_context("spawn"))
+    with pool as executor:
+        together = markings_from_orthophoto(path, tmp_path / "together.tif", places, tile=160, executor=executor)
+    assert (tmp_path / "alone.tif").read_bytes() == (tmp_path / "together.tif").read_bytes()
+    assert len(alone.polygons) > 5 and shapely.equals_exact(alone.polygons.polygons, together.polygons.polygons).all()
+    assert np.array_equal(alone.polygons.contrast, together.polygons.contrast)
 
 
 @pytest.mark.parametrize(("dtype", "scale"), [("uint16", 200), ("uint16", 8), ("int16", 100), ("float32", 1 / 255)])

@@ -5,8 +5,10 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterator, Sequence
+from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import cv2
@@ -21,12 +23,14 @@ from rasterio.vrt import WarpedVRT
 from rasterio.windows import Window
 
 from ..errors import InputError, OutputError
+from ..execution import in_order
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from .marking_filter import coarse_step
 from .marking_polygons import MarkingPolygons, PolygonPieces, merge_pieces, pieces_of_tile
 from .road_markings import Levels, Markings, MarkingSettings, find_markings, levels_of, paint_brightness, reach_pixels
+from .shared_sources import Shared, shared
 
 FINEST = 0.05
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
@@ -163,11 +167,13 @@ def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:
 
 def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike, places: Places | None = None,
                              settings: MarkingSettings | None = None, metres_per_unit: float = 1.0,
-                             tile: int = _TILE, progress: Progress = SILENT) -> FoundMarkings:
+                             tile: int = _TILE, progress: Progress = SILENT,
+                             executor: Executor | None = None) -> FoundMarkings:
     """Find the road markings of an orthophoto; write a mask (uint8, 255 = marking) on the orthophoto's pixels.
 
-    Only a tile and its surroundings are in memory, and the polygons. The result does not depend on `tile`, the side of
-    a tile in pixels. `metres_per_unit` : of the orthophoto's CRS.
+    Only a tile and its surroundings are in memory for each worker, and the polygons. The result does not depend on
+    `tile`, the side of a tile in pixels, nor on the executor, threads or processes. `metres_per_unit` : of the
+    orthophoto's CRS.
 
     Raises
     ------
@@ -175,7 +181,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     """
     settings, places = settings or MarkingSettings(), places or Places()
     with own_gdal(), ExitStack() as stack:
-        scene = _Scene(path, places, metres_per_unit, stack)
+        opener = partial(_Scene, path, places, metres_per_unit)
+        scene = opener(stack)
         if not scene.mask_covers():
             progress.warn(f"{Path(places.mask).name} does not cover all of {scene.path.name}: where it does not, "
                           "nothing is taken as hidden.")
@@ -183,31 +190,67 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
+        given = scene if executor is None else stack.enter_context(shared(opener))
         try:
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
-                return _all_tiles(scene, levels, settings, tile, target, metres_per_unit, progress.part(0.1, 1.0))
+                found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
+                return _gathered(found, scene, settings, target, metres_per_unit)
         except RasterioError as error:
             raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error
 
 
-def _all_tiles(scene: _Scene, levels: Levels | None, settings: MarkingSettings, tile: int,
-               target: rasterio.io.DatasetWriter, metres_per_unit: float, progress: Progress) -> FoundMarkings:
+@dataclass(frozen=True)
+class _TileFound:
+    """What a tile holds: its rows and columns of the scene, mask, outlines, and pixels that could show markings."""
+
+    rows: slice
+    columns: slice
+    mask: np.ndarray
+    pieces: PolygonPieces | None
+    looked_at: int
+
+
+def _found_in_tiles(given: _Scene | Shared, scene: _Scene, levels: Levels | None, settings: MarkingSettings, tile: int,
+                    progress: Progress, executor: Executor | None) -> Iterator[_TileFound]:
+    """Work on all tiles, here or on the executor."""
     step = coarse_step(settings.cleaning.vehicle_width / scene.pixel) if settings.cleaning else 1
+
+    def places() -> Iterator[tuple[slice, slice]]:
+        for rows, columns, done in _tiles(scene, max(tile // scene.factor // step, 1) * step):
+            progress.step(done)
+            yield rows, columns
+
+    work = partial(_tile_found, given, levels, settings, step)
+    return in_order(work, places(), executor, progress.check)
+
+
+def _tile_found(given: _Scene | Shared, levels: Levels | None, settings: MarkingSettings, step: int,
+                place: tuple[slice, slice]) -> _TileFound:
+    rows, columns = place
+    if levels is None:
+        nothing = np.zeros((rows.stop - rows.start, columns.stop - columns.start), bool)
+        return _TileFound(rows, columns, nothing, None, 0)
+    with own_gdal():
+        scene = given.get() if isinstance(given, Shared) else given
+        markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
+    own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
+                columns.start - window[1].start:columns.stop - window[1].start]
+    mask = markings.mask[own].copy()
+    pieces = pieces_of_tile(markings, window, rows, columns) if mask.any() else None
+    return _TileFound(rows, columns, mask, pieces, int(allowed[own].sum()))
+
+
+def _gathered(found: Iterator[_TileFound], scene: _Scene, settings: MarkingSettings,
+              target: rasterio.io.DatasetWriter, metres_per_unit: float) -> FoundMarkings:
+    """Write the masks and join the outlines of all tiles."""
     pieces: list[PolygonPieces] = []
     looked_at = marked = 0
-    for rows, columns, done in _tiles(scene, max(tile // scene.factor // step, 1) * step):
-        progress.step(done)
-        if levels is None:
-            continue
-        markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
-        own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
-                    columns.start - window[1].start:columns.stop - window[1].start]
-        looked_at += int(allowed[own].sum())
-        mask = markings.mask[own]
-        if mask.any():
-            marked += int(mask.sum())
-            pieces.append(pieces_of_tile(markings, window, rows, columns))
-        _write(target, mask, rows, columns, scene.factor)
+    for part in found:
+        looked_at += part.looked_at
+        marked += int(part.mask.sum())
+        if part.pieces is not None:
+            pieces.append(part.pieces)
+        _write(target, part.mask, part.rows, part.columns, scene.factor)
     cell = scene.pixel ** 2
     smallest = settings.cleaning.min_area if settings.cleaning else 0.0
     polygons = merge_pieces(pieces, scene.transform, metres_per_unit, smallest)

@@ -1,0 +1,211 @@
+"""HTML report on road markings: what was found, how far the images agree, and what to distrust."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+import rasterio
+import shapely
+from rasterio.enums import Resampling
+
+from ..io.raster import own_gdal
+from ..io.report import Report
+from .marking_files import FoundMarkings, colour_bands
+
+_PICTURE_SIDE = 1400
+_DETAIL = 500  # pixels, side of the part shown at full size
+_LINE_COLOUR = (0, 200, 83)  # blue, green, red
+_COARSE = 0.15
+_MANY_HOLES = 0.1
+_FAINT = 1.5  # times the contrast asked for
+_ONE_VIEW = 0.2
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Median shift between the images of a pair, m, over `patches` places; `apart` if it is more than a pixel."""
+
+    first: str
+    second: str
+    east: float
+    north: float
+    sigma: float
+    patches: int
+    apart: bool
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """What is known of the orthophoto beside its pixels.
+
+    Attributes
+    ----------
+    pairs : of overlapping frames, None where they were not compared.
+    views : share of the ground in the image that 0, 1, 2 and 3 or more frames see; None where unknown.
+    roads : whether markings were looked for inside roads only. contrast : grey values, as asked for.
+    """
+
+    pairs: Sequence[Pair] | None
+    views: Sequence[float] | None
+    roads: bool
+    contrast: float
+
+
+def shares_of_views(path: str | os.PathLike) -> list[float]:
+    """Share of a raster of counts that is 0, 1, 2, and 3 or more.
+
+    Raises
+    ------
+    rasterio's error where it is no raster.
+    """
+    counts = np.zeros(4, np.int64)
+    with own_gdal(), rasterio.open(path) as source:
+        for _, window in source.block_windows(1):
+            values = np.minimum(source.read(1, window=window), 3)
+            counts += np.bincount(values.ravel().astype(np.int64), minlength=4)
+    return (counts / counts.sum()).tolist()
+
+
+def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike, found: FoundMarkings,
+                         evidence: Evidence, settings: Mapping[str, object], note: str = "") -> None:
+    """Write the report.
+
+    Parameters
+    ----------
+    settings : of the run, labels and values. note : of whoever ran it, such as the settings of a chain.
+
+    Raises
+    ------
+    OutputError : it cannot be written.
+    """
+    report = Report("Road markings from the air")
+    _result(report, found)
+    report.section("What to distrust")
+    doubts = doubts_of(found, evidence)
+    for doubt in doubts:
+        report.warning(doubt)
+    if not doubts:
+        report.paragraph("Nothing stands out. Check some markings against the picture all the same.")
+    _agreement(report, evidence)
+    if len(found.polygons):
+        report.section("Figures of the markings")
+        report.histogram(found.polygons.width, "width (m)", "Markings by width", upper=1.0)
+        report.histogram(found.polygons.contrast, "grey values above the road", "Markings by contrast")
+    _pictures(report, Path(orthophoto), found)
+    report.section("Settings")
+    if note:
+        report.paragraph(note)
+    report.facts({name: value for name, value in settings.items() if value not in (None, "")})
+    report.write(path)
+
+
+def _result(report: Report, found: FoundMarkings) -> None:
+    markings = found.polygons
+    white = markings.colour == "white"
+    report.section("Result")
+    report.facts({"Markings": len(markings), "of these white": int(white.sum()), "of these yellow": int((~white).sum()),
+                  "Marked area (m²)": round(found.marked, 1), "Searched area (m²)": round(found.looked_at, 1),
+                  "Marked share of it": found.marked / found.looked_at if found.looked_at else None,
+                  "Pixel (m)": found.pixel,
+                  "Median width (m)": float(np.median(markings.width)) if len(markings) else None,
+                  "Total length of strokes (m)": round(float(markings.length.sum()), 1)})
+
+
+def doubts_of(found: FoundMarkings, evidence: Evidence) -> list[str]:
+    """Sentences on what a surveyor should not trust before looking."""
+    doubts = []
+    for pair in evidence.pairs or ():
+        if pair.apart:
+            doubts.append(f"{pair.first} and {pair.second} lie {np.hypot(pair.east, pair.north):.2f} m apart on the "
+                          "road markings: markings in their overlap are uncertain by as much. Check the orientation.")
+    if evidence.pairs is not None and not evidence.pairs:
+        doubts.append("No two frames share enough markings to be compared: a wrong orientation would not show.")
+    if found.pixel > _COARSE:
+        doubts.append(f"With pixels of {found.pixel:.2f} m lane lines are narrower than a pixel: many are missed.")
+    if not evidence.roads:
+        doubts.append("No roads were given: bright lines on roofs, plots and paving may be among the markings.")
+    if evidence.views is not None and evidence.views[1] > _ONE_VIEW:
+        doubts.append(f"{evidence.views[1]:.0%} of the image is seen by one frame only: vehicles stay there, and hide "
+                      "markings.")
+    if evidence.views is not None and evidence.views[0] > _MANY_HOLES:
+        doubts.append(f"{evidence.views[0]:.0%} of the image holds no data (buildings, what they hide, and beyond the "
+                      "frames): markings there are missing, and lines end at its borders.")
+    markings = found.polygons
+    if len(markings) and (markings.contrast < _FAINT * evidence.contrast).mean() > 0.1:
+        doubts.append(f"{(markings.contrast < _FAINT * evidence.contrast).mean():.0%} of the markings hardly stand out "
+                      "from the road: worn paint, shadow edges or paving.")
+    if not len(markings):
+        doubts.append("No marking was found: check the roads, the contrast and whether the image shows any.")
+    return doubts
+
+
+def _agreement(report: Report, evidence: Evidence) -> None:
+    if evidence.views is not None:
+        report.section("Coverage")
+        names = "seen by no frame (or a building)", "by one frame", "by two", "by three or more"
+        report.facts({name: f"{share:.1%}" for name, share in zip(names, evidence.views)})
+    if evidence.pairs is None:
+        return
+    report.section("Shifts between overlapping frames")
+    report.paragraph("The same markings in two frames, the second against the first, median over the places. A good "
+                     "block agrees to a pixel.")
+    report.table(("first", "second", "east (m)", "north (m)", "sigma (m)", "places", "status"),
+                 [(pair.first, pair.second, pair.east, pair.north, pair.sigma, pair.patches,
+                   "apart" if pair.apart else "agree") for pair in evidence.pairs])
+
+
+def _pictures(report: Report, orthophoto: Path, found: FoundMarkings) -> None:
+    """The whole image, shrunk, and the part with most markings at full size, with their outlines."""
+    report.section("Pictures")
+    with own_gdal(), rasterio.open(orthophoto) as source, tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
+        shrink = max(source.width, source.height) / _PICTURE_SIDE
+        parts = [((0, 0, source.width, source.height), max(shrink, 1.0), "Markings (green) over the orthophoto")]
+        if len(found.polygons):
+            parts.append((_densest(source, found), 0.5, "The part with most markings, enlarged"))
+        for number, (box, factor, caption) in enumerate(parts):
+            picture = Path(folder) / f"{number}.png"
+            picture.write_bytes(_drawn(source, orthophoto, box, factor, found))
+            report.picture(picture, caption)
+
+
+def _densest(source: rasterio.DatasetReader, found: FoundMarkings) -> tuple[int, int, int, int]:
+    """Box of pixels (left, top, width, height) with the largest area of markings."""
+    middle = shapely.get_coordinates(shapely.centroid(found.polygons.polygons))
+    back = ~source.transform
+    column = back.a * middle[:, 0] + back.b * middle[:, 1] + back.c
+    row = back.d * middle[:, 0] + back.e * middle[:, 1] + back.f
+    across = -(-source.width // _DETAIL)
+    cell = (row // _DETAIL).astype(int) * across + (column // _DETAIL).astype(int)
+    best = int(np.bincount(np.maximum(cell, 0), weights=found.polygons.area).argmax())
+    left, top = best % across * _DETAIL, best // across * _DETAIL
+    return left, top, min(_DETAIL, source.width - left), min(_DETAIL, source.height - top)
+
+
+def _drawn(source: rasterio.DatasetReader, path: Path, box: tuple[int, int, int, int], factor: float,
+           found: FoundMarkings) -> bytes:
+    """PNG of a part of the image, `factor` pixels to one, with the outlines of markings."""
+    left, top, width, height = box
+    shape = max(round(height / factor), 1), max(round(width / factor), 1)
+    bands = source.read(colour_bands(source, path), window=rasterio.windows.Window(left, top, width, height),
+                        out_shape=(3 if source.count >= 3 else 1, *shape), resampling=Resampling.average)
+    seen = bands.astype(np.float32)
+    high = np.percentile(seen[seen > 0], 99.5) if (seen > 0).any() else 1.0
+    image = np.clip(np.moveaxis(seen, 0, -1) * (255 / max(high, 1e-6)), 0, 255).astype(np.uint8)
+    image = np.ascontiguousarray(np.repeat(image, 3, axis=-1) if image.shape[-1] == 1 else image[..., ::-1])
+    back = ~source.transform
+    for polygon in found.polygons.polygons:
+        for ring in (polygon.exterior, *polygon.interiors):
+            points = shapely.get_coordinates(ring)[:, :2]
+            column = (back.a * points[:, 0] + back.b * points[:, 1] + back.c - left) / factor - 0.5
+            row = (back.d * points[:, 0] + back.e * points[:, 1] + back.f - top) / factor - 0.5
+            if column.max() < 0 or row.max() < 0 or column.min() > shape[1] or row.min() > shape[0]:
+                continue
+            corners = np.round(16 * np.column_stack((column, row))).astype(np.int32)
+            cv2.polylines(image, [corners], True, _LINE_COLOUR, 1, cv2.LINE_AA, shift=4)
+    return cv2.imencode(".png", image)[1].tobytes()
