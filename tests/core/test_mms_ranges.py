@@ -17,7 +17,8 @@ def turning(rate=20.0, epochs=10.0):
     """A trajectory on a circle, rolling and pitching."""
     time = np.arange(0.0, 20.0, 1 / epochs)
     heading = rate * time
-    place = np.column_stack([100 + 30 * np.sin(np.radians(heading)), 200 + 30 * np.cos(np.radians(heading)), 0.1 * time])
+    turn = np.radians(heading)
+    place = np.column_stack([100 + 30 * np.sin(turn), 200 + 30 * np.cos(turn), 0.1 * time])
     return Trajectory(time, place, np.column_stack([3 * np.sin(time), 2 * np.cos(time), heading]))
 
 
@@ -43,7 +44,7 @@ def test_range_is_the_distance_to_the_scanners_place(epochs):
     track = Tracks(trajectory, calibration(7)).of(7)
     rng = np.random.default_rng(1)
     time = rng.uniform(0, trajectory.time[-1], 300)
-    points = rng.normal(0, 10, (300, 3)) + [100, 200, 0]
+    points = rng.normal([100, 200, 0], 10, (300, 3))
     expected = [np.linalg.norm(point - scanner_place(trajectory, at, ARM)) for point, at in zip(points, time)]
     assert np.abs(ranges(*points.T, time, track) - expected).max() < 0.003
     assert track.max_range == 40.0

@@ -25,7 +25,7 @@ _SPACINGS = (1.0, 2.0, 4.0, 8.0)
 _SUPPORT = 0.02
 _COARSEST = 8
 _STAND_OUT = 1.25
-_CLEAR = 3.0
+_CLEAR = 5.0
 _NEAR_CORE = 0.12
 _PAINT_REACH = 0.25
 _STEP_REACH = 0.12
@@ -203,8 +203,10 @@ def _core(image: np.ndarray, ground: np.ndarray, contrast: np.ndarray, settings:
     weight = _blurred(seen.astype(np.float32), sigma)
     mean = _blurred(np.where(seen, image, np.float32(0)), sigma) / np.maximum(weight, 1e-3)
     margin = contrast * ground
+    # Corners of wide bright surfaces: there the ground beside is as bright.
+    beside = cv2.dilate(ground, _disc(_PAINT_REACH)) * np.float32(1.0 + 0.5 * settings.contrast)
     with np.errstate(invalid="ignore"):
-        return seen & (image > mean + margin) & (image > ground + margin)
+        return seen & (image > mean + margin) & (image > ground + margin) & (image > beside)
 
 
 def _disc(radius: float) -> np.ndarray:
@@ -254,9 +256,9 @@ def _large_enough(some: np.ndarray, cell: np.ndarray, bright: np.ndarray, grid: 
     count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
     label = labels.ravel()[cell[some]]
     points = np.bincount(label[bright], minlength=count)
-    length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * CELL
-    kept = ((points >= settings.min_points) & (length - settings.join >= settings.min_length)) | (
-        length >= settings.longest)
+    size = boxes[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]] * CELL - settings.join
+    length = np.hypot(*size.T)
+    kept = ((points >= settings.min_points) & (length >= settings.min_length)) | (length >= settings.longest)
     kept[0] = False
     return kept[label]
 
