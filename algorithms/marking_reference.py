@@ -10,8 +10,8 @@ from ..urbanmap_qgis.errors import InputError
 from . import layers
 from .parameters import tr
 
-HELP = ("The reference: a raster whose cells are above 0 where there is paint, or marking polygons. “Road markings from "
-        "orthophoto” makes both.")
+HELP = ("The reference: a raster whose cells are above 0 where there is paint, or marking polygons. “Road markings "
+        "from orthophoto” makes both.")
 
 
 def add_markings(algorithm) -> None:

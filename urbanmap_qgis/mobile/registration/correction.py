@@ -7,6 +7,8 @@ patch says how its correction was found.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -15,7 +17,7 @@ from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory
 from .block_chain import solve_chain
-from .drift_model import DriftModel, drift_clock, torn_steps
+from .drift_model import DriftModel, drift_clock, torn_steps, waited_steps
 from .evidence import Evidence, evidence_of
 from .results import WindowResults
 
@@ -24,10 +26,18 @@ STATUS_NAMES = ("registered", "bridged", "not to be trusted")
 """registered: found from markings around the patch. bridged: between or beyond registered patches, by the model of the
 drift. not to be trusted: too far from them, or contradictory or ambiguous markings."""
 
+Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], Evidence]
+"""Evidence about a course (corrections (m, 6) at clock readings (m,)), the reference softened by so many metres."""
+
 _PASSES = 6
+_SEARCHED = (1,)  # rounds on the points in which the size of the drift is looked for again
+_AT_REST = 0.002  # m
+_HELD = 0.25  # of their usual size that angles may be off by until gross markings have lost their weight
 _FACTORS = (0.5, 1.0, 2.0, 4.0, 8.0)
 _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
 _SETTLED = 0.02
+_LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
+_FEWEST_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
 _UNSAID = 0.02  # weight that stands for evidence that is not believed at all
 
@@ -39,11 +49,13 @@ class CorrectionSettings:
     Attributes
     ----------
     node_length : m of the drift's clock between the nodes of the correction.
-    rate, rate_length, wander, initial, standing : see `DriftModel`; the survey itself scales rate and wander.
+    rate, rate_length, wander, initial, standing, waiting : see `DriftModel`; the survey itself scales rate and wander.
     block_length : m of path whose evidence is tested, and loses its weight, as one.
+    single : how many times as hard as usual a single piece may pull.
     gross : standard deviations from which a block's contradiction is gross.
     least_margin : log-likelihood by which a place must beat all others.
     registered_sigma : m in plan, a registered patch has at most. trusted_sigma : m, a trusted one.
+    blurs : m, by which the reference is softened in the rounds on the points.
     reference_sigma, reference_sigma_z : m, what the reference itself is off by, added to every sigma.
     """
 
@@ -51,20 +63,23 @@ class CorrectionSettings:
     rate: tuple[float, ...] = (2e-3, 2e-3, 1.5e-3, 6e-4, 6e-4, 6e-4)
     rate_length: float = 40.0
     wander: tuple[float, ...] = (1.5e-3, 1.5e-3, 1.0e-3, 5e-4, 5e-4, 5e-4)
-    initial: tuple[float, ...] = (3.0, 3.0, 5.0, 0.5, 0.5, 0.5)
-    standing: float = 5.0
+    initial: tuple[float, ...] = (3.0, 3.0, 5.0, 0.15, 0.15, 0.2)
+    standing: float = 1.0
+    waiting: float = 0.1
     block_length: float = 10.0
+    single: float = 4.0
     gross: float = 5.0
     least_margin: float = 3.0
     registered_sigma: float = 0.10
     trusted_sigma: float = 0.30
+    blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)
     reference_sigma: float = 0.01
     reference_sigma_z: float = 0.015
 
     def model(self) -> DriftModel:
         """The drift as these settings expect it."""
         return DriftModel(np.array(self.rate), self.rate_length, np.array(self.wander), np.array(self.initial),
-                          self.standing)
+                          self.standing, self.waiting)
 
 
 @dataclass(frozen=True)
@@ -120,41 +135,84 @@ def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajec
 
 
 def adjust_correction(windows: WindowResults, trajectory: Trajectory,
-                      settings: CorrectionSettings = CorrectionSettings(), progress: Progress = SILENT) -> Correction:
+                      settings: CorrectionSettings = CorrectionSettings(), points: Evaluate | None = None,
+                      progress: Progress = SILENT) -> Correction:
     """Adjust the windows' results to one smooth correction.
+
+    Parameters
+    ----------
+    points : gives the evidence of the points themselves about any course (see `PointEvidence.about`); with it the
+        correction goes on from the windows' to where the points put it.
 
     Raises
     ------
     InsufficientDataError : no window was registered.
     """
-    evidence = evidence_of(windows)
+    clock = drift_clock(trajectory, settings.standing)
+    evidence = evidence_of(windows, np.interp(windows.time, trajectory.time, clock))
     if not evidence.present.any():
         raise InsufficientDataError(
             "No stretch of the survey could be registered to the reference markings: check that both show the same "
             "streets in the same coordinate system, and that the survey has intensities that show paint.")
-    model = settings.model()
-    clock = drift_clock(trajectory, settings.standing)
-    at_patches = np.interp(windows.time, trajectory.time, clock)
-    chain = _Chain(evidence, at_patches, _nodes(clock, settings.node_length), trajectory, clock)
+    model, at_patches = settings.model(), evidence.clock
+    chain = _Chain(evidence, _nodes(clock, settings.node_length), trajectory, clock)
     sure = windows.margin >= settings.least_margin
-    weights = np.where(sure, 1.0, 0.0) if (sure & evidence.present).any() else np.ones(len(windows))
-    fit = _robust_fit(chain, model, weights, settings, progress)
+    allowed = np.where(sure, 1.0, 0.0) if (sure & evidence.present).any() else np.ones(len(windows))
+    if points is not None:
+        model = model.with_angles(_HELD)
+    fit = _robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.5))
     doubtful = evidence.present & ~sure
-    if doubtful.any() and (weights == 0).any():
-        agreeing = doubtful & _only_own_mode_fits(windows, chain, fit, settings)
+    if doubtful.any() and (allowed == 0).any():
+        agreeing = doubtful & _only_own_mode_fits(windows, *chain.at(fit.state, fit.covariance, at_patches), settings)
         if agreeing.any():
-            fit = _robust_fit(chain, model, np.where(agreeing, 1.0, weights), settings, progress)
-            doubtful &= ~agreeing
-    return _result(windows, evidence, chain, fit, doubtful, settings)
+            allowed, doubtful = np.where(agreeing, 1.0, allowed), doubtful & ~agreeing
+            fit = _robust_fit(chain, model, allowed, settings, progress.part(0.4, 0.5))
+    if points is not None:
+        at_nodes = np.interp(chain.nodes, at_patches, allowed)
+        chain, fit = _onto_points(points, chain, fit, settings.model(), at_nodes, settings, progress.part(0.5, 1.0))
+    return _result(windows, chain, fit, at_patches, doubtful, settings)
+
+
+def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: DriftModel, allowed: np.ndarray,
+                 settings: CorrectionSettings, progress: Progress) -> tuple[_Chain, _Fit]:
+    """Gauss and Newton's method on the points' own evidence, from the windows' correction."""
+    held = free.with_angles(_HELD)
+    for number, blur in enumerate(settings.blurs):
+        progress.step(number / len(settings.blurs))
+        model = held if blur > 0 else free
+        last, evidence = fit.state, points(_Course(chain, fit.state), blur)
+        chain = chain.with_evidence(evidence)
+        here = np.interp(evidence.clock, chain.nodes, allowed) > 0.5
+        if not (here & evidence.present).any():
+            here = np.ones(len(here), bool)
+        if number in _SEARCHED:
+            fit = _robust_fit(chain, model, here.astype(float), settings, SILENT)
+        else:
+            fit = replace(_reweighted_fit(chain, model.scaled(fit.drift_factor), here.astype(float), settings)[0],
+                          drift_factor=fit.drift_factor)
+        if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < _AT_REST:
+            break
+    return chain, fit
+
+
+@dataclass(frozen=True)
+class _Course:
+    """The correction (m, 6) at clock readings (m,)."""
+
+    chain: _Chain
+    state: np.ndarray
+
+    def __call__(self, clock: np.ndarray) -> np.ndarray:
+        correction = np.zeros((len(clock), 6))
+        correction[:, self.chain.evidence.active] = _smooth_between(self.chain.nodes, self.state, clock)
+        return correction
 
 
 @dataclass(frozen=True)
 class _Fit:
-    """State of the adjustment: nodes' states and covariances, patches' values, weights and the factors found."""
+    """State of the adjustment: nodes' states (k, d, 2) and covariances, weights of the evidence, factors found."""
 
     state: np.ndarray
-    node_covariance: np.ndarray
-    value: np.ndarray
     covariance: np.ndarray
     weight: np.ndarray
     drift_factor: float
@@ -162,22 +220,35 @@ class _Fit:
 
 
 class _Chain:
-    """The normal equations: nodes along the clock, the patches' evidence on the node next to each."""
+    """The normal equations: nodes along the clock, the evidence on the node next to each piece."""
 
-    def __init__(self, evidence: Evidence, at_patches: np.ndarray, nodes: np.ndarray, trajectory: Trajectory,
-                 clock: np.ndarray):
-        self.evidence, self.nodes, self.at_patches = evidence, nodes, at_patches
+    def __init__(self, evidence: Evidence, nodes: np.ndarray, trajectory: Trajectory, clock: np.ndarray):
+        self.nodes = nodes
         rising = np.concatenate([[True], np.diff(clock) > 0])
-        self.torn = torn_steps(trajectory, np.interp(nodes, clock[rising], trajectory.time[rising]))
-        self.node = np.clip(np.searchsorted(0.5 * (nodes[1:] + nodes[:-1]), at_patches), 0, len(nodes) - 1)
-        self.ahead = at_patches - nodes[self.node]
-        self.size = len(evidence.active)
+        time = np.interp(nodes, clock[rising], trajectory.time[rising])
+        self.waited, self.torn = waited_steps(trajectory, time), torn_steps(trajectory, time)
+        self._take(evidence)
+
+    def _take(self, evidence: Evidence) -> None:
+        self.evidence, self.size = evidence, len(evidence.active)
+        self.node, self.ahead = self._next_node(evidence.clock)
+
+    def with_evidence(self, evidence: Evidence) -> _Chain:
+        """The same nodes with other evidence."""
+        other = copy(self)
+        other._take(evidence)
+        return other
+
+    def _next_node(self, clock: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Number of the nearest node of each reading, and how far ahead of it the reading is, m."""
+        node = np.searchsorted(0.5 * (self.nodes[1:] + self.nodes[:-1]), clock)
+        return node, clock - self.nodes[node]
 
     def solve(self, model: DriftModel, weight: np.ndarray):
         """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
         k, d = len(self.nodes), self.size
         diagonal, ahead, right = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2)), np.zeros((k, d, 2))
-        transition, precision = model.steps(self.nodes, self.torn, self.evidence.active)
+        transition, precision = model.steps(self.nodes, self.waited, self.torn, self.evidence.active)
         own = np.arange(d)
         carried = np.einsum("kji,kdjl->kdil", transition, precision)  # F' P
         diagonal[1:, own, :, own, :] += np.moveaxis(precision, 1, 0)
@@ -218,12 +289,13 @@ class _Chain:
         values_told = np.where(mean > 0, there.sum(axis=1), self.size) * (count > 0)
         return float(best) - 0.5 * float((values_told * np.log(np.maximum(mean, _UNSAID))).sum())
 
-    def at(self, state: np.ndarray, covariance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Values (n, d) and covariances (n, d, d) at the patches."""
-        value = state[self.node, :, 0] + self.ahead[:, None] * state[self.node, :, 1]
+    def at(self, state: np.ndarray, covariance: np.ndarray, clock: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Values (n, d) and covariances (n, d, d) at clock readings (n,)."""
+        node, ahead = self._next_node(clock)
+        value = _smooth_between(self.nodes, state, clock)
         d = self.size
-        blocks = covariance[self.node].reshape(-1, d, 2, d, 2)
-        arm = self.ahead[:, None, None]
+        blocks = covariance[node].reshape(-1, d, 2, d, 2)
+        arm = ahead[:, None, None]
         spread = (blocks[:, :, 0, :, 0] + arm * (blocks[:, :, 0, :, 1] + blocks[:, :, 1, :, 0])
                   + arm**2 * blocks[:, :, 1, :, 1])
         return value, spread
@@ -251,75 +323,77 @@ def _reweighted_fit(chain: _Chain, model: DriftModel, allowed: np.ndarray,
                     settings: CorrectionSettings) -> tuple[_Fit, float]:
     """Adjustment in which blocks that contradict the rest lose their weight, and the log-likelihood of the model."""
     evidence = chain.evidence
-    block = ((chain.at_patches - chain.at_patches[0]) / settings.block_length).astype(int)
-    weight, noise = allowed.copy(), 1.0
+    block = ((evidence.clock - evidence.clock[0]) / settings.block_length).astype(int)
+    single, share, noise = allowed.copy(), np.ones(block.max() + 1), 1.0
+    weight = single
     for _ in range(_PASSES):
         scaled = weight / noise
         state, spread, likelihood = chain.solve(model, scaled)
-        value, covariance = chain.at(state, spread)
-        test, freedom = _block_tests(evidence, value, covariance, block, weight, noise)
-        new, noise_found = _reweighted(test, freedom, block, allowed, evidence.present, noise, settings)
-        settled = np.abs(new - weight).max() < _SETTLED and abs(noise_found / noise - 1.0) < _SETTLED
-        if settled:
+        value, covariance = chain.at(state, spread, evidence.clock)
+        test = _block_tests(evidence, value, covariance, block, single, share, noise)
+        single = _single_weights(evidence.misfit(value), allowed, settings)
+        share, noise_found = _block_shares(test, noise, settings)
+        last, weight = weight, single * share[block]
+        if np.abs(weight - last).max() < _SETTLED and abs(noise_found / noise - 1.0) < _SETTLED:
             break
-        weight, noise = new, noise_found
+        noise = noise_found
     likelihood -= chain.alone(scaled, allowed)
-    return _Fit(state, spread, value, covariance, weight, 1.0, noise), likelihood
+    return _Fit(state, spread, weight, 1.0, noise), likelihood
+
+
+def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: CorrectionSettings) -> np.ndarray:
+    """Weights (n,) of single pieces: those whose points pull much harder than the survey's usually do lose theirs.
+
+    They lie on markings that are not the reference's: painted anew beside the old ones, or something else that shines.
+    """
+    usual = np.median(misfit[(allowed > 0) & (misfit > 0)]) if ((allowed > 0) & (misfit > 0)).any() else 1.0
+    return allowed / (1.0 + misfit / (settings.single**2 * max(float(usual), _LEAST_USUAL)))
 
 
 def _block_tests(evidence: Evidence, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
-                 weight: np.ndarray, noise: float) -> tuple[np.ndarray, np.ndarray]:
-    """For each block: how far its own evidence lies from what all others say (chi square), and degrees of freedom."""
-    count, d = int(block.max()) + 1, value.shape[1]
+                 single: np.ndarray, share: np.ndarray, noise: float) -> np.ndarray:
+    """For each block (b,): how far its own evidence lies from what all others say, as a reduced chi square.
+
+    `single` (n,) and `share` (b,) are the weights of pieces and blocks with which the values were found; NaN is given
+    for a block without evidence.
+    """
+    count, d = len(share), value.shape[1]
     lean, information = np.zeros((count, d)), np.zeros((count, d, d))
-    np.add.at(lean, block, evidence.pull_at(value))
-    np.add.at(information, block, evidence.information)
-    share = np.zeros(count)
-    np.maximum.at(share, block, weight)  # alike within a block but for what was not allowed
-    middle = np.minimum(np.searchsorted(block, np.arange(count) + 0.5, side="left"), len(block) - 1)
-    middle = (np.searchsorted(block, np.arange(count)) + middle) // 2
-    test, freedom = np.full(count, np.nan), np.zeros(count)
-    for b in range(count):
-        if not information[b].any():
-            continue
-        own = information[b] / noise
-        bent = lean[b] / noise
+    np.add.at(lean, block, evidence.pull_at(value) * (single / noise)[:, None])
+    np.add.at(information, block, evidence.information * (single / noise)[:, None, None])
+    ends = np.searchsorted(block, np.arange(count + 1))
+    middle = np.minimum((ends[:-1] + ends[1:]) // 2, len(block) - 1)
+    test = np.full(count, np.nan)
+    for b in np.flatnonzero(information.any(axis=(1, 2))):
+        own = information[b]
         others = np.linalg.inv(covariance[middle[b]]) - share[b] * own
         values, vectors = np.linalg.eigh(0.5 * (others + others.T))
         spread = (vectors / np.maximum(values, 1e-9 * max(values.max(), 1e-9))) @ vectors.T
-        apart = bent + share[b] * own @ (spread @ bent)
+        apart = lean[b] + share[b] * own @ (spread @ lean[b])
         scatter = own + own @ spread @ own
         sizes, axes = np.linalg.eigh(0.5 * (scatter + scatter.T))
         there = sizes > 1e-8 * sizes.max()
-        test[b] = float(((axes[:, there].T @ apart) ** 2 / sizes[there]).sum())
-        freedom[b] = there.sum()
-    return test, freedom
+        test[b] = float(((axes[:, there].T @ apart) ** 2 / sizes[there]).sum()) / max(int(there.sum()), 1)
+    return test
 
 
-def _reweighted(test: np.ndarray, freedom: np.ndarray, block: np.ndarray, allowed: np.ndarray, present: np.ndarray,
-                noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
-    """New weights of the patches' evidence, and the factor of its variance."""
-    ratio = test / np.maximum(freedom, 1)
-    usable = np.isfinite(ratio)
-    counted = np.zeros(len(test), bool)
-    np.logical_or.at(counted, block, (allowed > 0) & present)
-    counted &= usable
-    fair = ratio[counted]
-    if len(fair) >= 5:  # the median of a reduced chi square, so that gross blocks do not raise it
+def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
+    """Weights (b,) of blocks by their reduced chi square, and the factor of the evidence's variance."""
+    fair = test[np.isfinite(test)]
+    if len(fair) >= _FEWEST_BLOCKS:  # the median, so that gross blocks do not raise it
         noise = max(1.0, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
-    limit = settings.gross**2 / 6.0
-    share = np.where(usable, np.where(ratio > settings.gross**2 / 2.0, 0.0,
-                                      np.minimum(1.0, limit / np.maximum(ratio, 1e-9))), 0.0)
-    return allowed * share[block], noise
+    test = np.nan_to_num(test, nan=0.0)
+    share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, 1e-9))
+    return np.where(test > settings.gross**2 / 2.0, 0.0, share), noise
 
 
-def _only_own_mode_fits(windows: WindowResults, chain: _Chain, fit: _Fit, settings: CorrectionSettings) -> np.ndarray:
+def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: np.ndarray,
+                        settings: CorrectionSettings) -> np.ndarray:
     """Mask (n,) of patches of doubt whose own place lies where all sure ones say, and no other place does."""
-    plan = fit.covariance[:, :2, :2] + np.eye(2) * settings.reference_sigma**2
-    inverse = np.linalg.inv(plan)
+    inverse = np.linalg.inv(covariance[:, :2, :2] + np.eye(2) * settings.reference_sigma**2)
 
     def away(place):
-        off = place - fit.value[:, :2]
+        off = place - value[:, :2]
         return np.einsum("ni,nij,nj->n", off, inverse, off)
 
     others = [away(windows.modes[:, k]) for k in range(1, windows.modes.shape[1])]
@@ -328,32 +402,33 @@ def _only_own_mode_fits(windows: WindowResults, chain: _Chain, fit: _Fit, settin
     return (own < 9.0) & (nearest - own > 2 * 3.0 * settings.least_margin)
 
 
-def _result(windows: WindowResults, evidence: Evidence, chain: _Chain, fit: _Fit, doubtful: np.ndarray,
+def _result(windows: WindowResults, chain: _Chain, fit: _Fit, at_patches: np.ndarray, doubtful: np.ndarray,
             settings: CorrectionSettings) -> Correction:
     """The correction at the patches with its quality."""
-    n, active = len(windows), list(evidence.active)
-    value = np.zeros((n, 6))
-    value[:, active] = fit.value
+    evidence, n = chain.evidence, len(windows)
+    active = list(evidence.active)
+    value, covariance = np.zeros((n, 6)), np.full((n, 6, 6), np.nan)
+    value[:, active], spread = chain.at(fit.state, fit.covariance, at_patches)
     floor = np.zeros(6)
     floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
-    covariance = np.full((n, 6, 6), np.nan)
-    covariance[np.ix_(range(n), active, active)] = fit.covariance + np.diag(floor[active])
-    weight = np.where(evidence.present, fit.weight, np.nan)
+    covariance[np.ix_(range(n), active, active)] = spread + np.diag(floor[active])
+    piece = np.searchsorted(0.5 * (evidence.clock[1:] + evidence.clock[:-1]), at_patches)
+    weight = np.where(evidence.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
-    status, reason = _judge(windows, evidence, weight, _plan_sigma(covariance), doubtful, settings)
+    status, reason = _judge(windows, weight, _plan_sigma(covariance), doubtful, settings)
     return Correction(windows.time, windows.way, value, covariance, status, reason, weight, residual,
                       evidence.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
                       evidence.active, settings.standing)
 
 
-def _judge(windows: WindowResults, evidence: Evidence, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
+def _judge(windows: WindowResults, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
            settings: CorrectionSettings) -> tuple[np.ndarray, np.ndarray]:
     """Status (n,) and its reason (n,) of each patch."""
     n = len(windows)
     reason = np.full(n, "", dtype=object)
     spoken = np.nan_to_num(weight) > 0.3
     around = _near(spoken, windows)
-    rejected = evidence.present & (np.nan_to_num(weight) <= 0.3)
+    rejected = weight <= 0.3
     status = np.where(around & (sigma <= settings.registered_sigma), REGISTERED, BRIDGED).astype(np.int8)
     reason[~around] = "no markings registered around the patch"
     reason[around & (sigma > settings.registered_sigma)] = "the markings do not fix the place well"

@@ -1,4 +1,4 @@
-"""What each patch says of the error, in a form that adds up."""
+"""What each piece of the path says of the error, in a form that adds up."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)
 
 @dataclass(frozen=True)
 class Evidence:
-    """Log-likelihood of a correction c of n patches, with off = c - place: pull . off - off' information off / 2.
+    """Log-likelihood of corrections c of n pieces of path, off = c - place: pull . off - off' information off / 2.
 
     Attributes
     ----------
     active : numbers of the d parameters (dx, dy, dz, droll, dpitch, dheading) that are estimated.
-    place : (n, d), pull : (n, d), information : (n, d, d).
-    present : (n,) bool, whether the patch says anything.  three_d : whether height, roll and pitch are estimated.
+    clock : (n,) m, the drift's clock at the pieces.  place : (n, d), pull : (n, d), information : (n, d, d).
+    present : (n,) bool, whether the piece says anything.  three_d : whether height, roll and pitch are estimated.
     """
 
     active: tuple[int, ...]
+    clock: np.ndarray
     place: np.ndarray
     pull: np.ndarray
     information: np.ndarray
@@ -40,8 +41,17 @@ class Evidence:
         return self.pull - np.einsum("nij,nj->ni", self.information, value - self.place)
 
 
-def evidence_of(windows: WindowResults) -> Evidence:
-    """The evidence of windows' results: that of the patches' own points where it is given.
+    def misfit(self, value: np.ndarray) -> np.ndarray:
+        """(n,) reduced chi square of corrections (n, d): how hard each piece pulls away from them."""
+        sizes, axes = np.linalg.eigh(self.information)
+        there = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
+        along = np.einsum("nji,nj->ni", axes, self.pull_at(value))
+        pulls = np.where(there, along**2, 0.0) / np.where(there, sizes, 1.0)
+        return pulls.sum(axis=1) / np.maximum(there.sum(axis=1), 1)
+
+
+def evidence_of(windows: WindowResults, clock: np.ndarray) -> Evidence:
+    """The evidence of windows' results at clock readings (n,): that of the patches' own points where it is given.
 
     Otherwise windows are rigid and share their points; each counts for its own patch, with its share of the points.
     """
@@ -55,7 +65,7 @@ def evidence_of(windows: WindowResults) -> Evidence:
         information = _shared(windows, pick, usable)
     information, pull = _without_bends(information, pull)
     information[~usable], pull[~usable] = 0.0, 0.0
-    return Evidence(active, place, pull, information, usable & information.any(axis=(1, 2)), windows.three_d)
+    return Evidence(active, clock, place, pull, information, usable & information.any(axis=(1, 2)), windows.three_d)
 
 
 def _shared(windows: WindowResults, pick: list[int], usable: np.ndarray) -> np.ndarray:

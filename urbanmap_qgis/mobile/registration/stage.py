@@ -26,6 +26,8 @@ from .correction import (
     adjust_correction,
     correct_trajectory,
 )
+from .drift_model import drift_clock
+from .point_evidence import PointEvidence
 from .reference import Reference
 from .register import register_windows
 from .results import MarkingPoints, RegistrationSettings, WindowResults
@@ -116,7 +118,11 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     run = run or RegistrationRun()
     progress.message(f"Registering {len(markings):,} marking points.")
     windows = register_windows(markings, trajectory, reference, run.windows, progress.part(0.0, 0.8), executor)
-    correction = adjust_correction(windows, trajectory, run.correction, progress.part(0.8, 1.0))
+    clock = drift_clock(trajectory, run.correction.standing)
+    points = None
+    if run.windows.shared_windows and run.windows.refinement:
+        points = PointEvidence.of(markings, trajectory, clock, run.correction.node_length, reference, run.windows).about
+    correction = adjust_correction(windows, trajectory, run.correction, points, progress.part(0.8, 1.0))
     made = RegisteredSurvey(correct_trajectory(trajectory, correction), trajectory, markings, windows, correction)
     _tell(made, progress)
     return made
