@@ -14,7 +14,7 @@ from scipy.linalg import LinAlgError, solveh_banded
 from .block_chain import solve_chain
 from .ndt_match import turn_matrix
 from .patch_points import PatchPoints
-from .patch_sums import PatchSums, window_sums
+from .patch_sums import PatchSums
 
 DRIFT = np.array([0.02, 0.02, 0.02, 3e-4, 3e-4, 3e-4])
 """Wander of an error in the root of a metre driven: m, and radians."""
@@ -23,7 +23,6 @@ STANDING_DRIFT = np.array([0.15, 0.15, 0.15, 5e-4, 5e-4, 5e-4])
 """Wander of an error in the root of a second that the vehicle stands: m, and radians."""
 
 _LIKELY = np.array([3.0, 3.0, 5.0, 0.01, 0.01, 0.01])  # standard deviation of the whole error, m and radians
-_SMOOTHED = 10  # patches over which evidence is spread
 
 
 @dataclass(frozen=True)
@@ -123,14 +122,10 @@ def _stiffness(course: Course, parameters: list[int]) -> np.ndarray:
 def course_covariance(course: Course, information: np.ndarray, active: tuple[int, ...]) -> np.ndarray:
     """(n, 6, 6) covariance of the course at each patch, 0 in what is not active: what evidence and wander leave open.
 
-    `information` (n, 6, 6) of the patches, each about its own corrected place, of independent evidence.
+    `information` (n, 6, 6) of the patches, each about its own corrected place, not curved upwards anywhere.
     """
     count, parameters = len(course.way), list(active)
-    half = _SMOOTHED // 2
-    low, high = np.maximum(np.arange(count) - half, 0), np.minimum(np.arange(count) + half, count - 1)
-    mean = window_sums(information[:, parameters][:, :, parameters], low, high) / (high - low + 1)[:, None, None]
-    values, vectors = np.linalg.eigh(mean)
-    blocks = np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors)
+    blocks = information[:, parameters][:, :, parameters]
     stiff = _stiffness(course, parameters)
     diagonal = blocks + np.diag(1.0 / (_LIKELY[parameters] ** 2 * count))
     each = np.arange(len(parameters))

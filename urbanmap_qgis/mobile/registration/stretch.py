@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -28,6 +29,9 @@ _CLUSTER_PATCHES = 4
 _HEIGHT_SIGMA = 0.05  # m, of a point's height against the ground
 _HEIGHT_ROBUST = 0.15  # m
 _OTHER_DATUM = 5.0  # m
+_LEAST_EXCESS = 0.02
+_EVENED = 5  # patches to either side
+_ON_MARKING = 0.5
 _WEAK_PRIOR = np.array([2.0, 2.0, 2.0, 0.01, 0.01, 0.01])  # of a window about the course
 
 
@@ -65,7 +69,7 @@ class AdjustedStretch:
     covariance : (k, 6, 6) without the reference's floor, m and radians; 0 in what was not estimated.
     course : (k, 6) the course they were adjusted about. information, pull : of the patches' own points about it.
     score, overlap : (k,). points : (k,) in the window. near : (k,) how many of them lie near any reference marking.
-    rest : (k,) m, last movement of the window in plan that was not yet applied to the course.
+    converged : (k,) whether the course came to rest.
     """
 
     shift: np.ndarray
@@ -77,7 +81,7 @@ class AdjustedStretch:
     score: np.ndarray
     overlap: np.ndarray
     points: np.ndarray
-    converged: bool
+    converged: np.ndarray
 
 
 def adjust_stretch(stretch: Stretch, reference: Reference, settings: RegistrationSettings) -> AdjustedStretch:
@@ -91,14 +95,14 @@ def adjust_stretch(stretch: Stretch, reference: Reference, settings: Registratio
     scene = _Scene.of(stretch, reference, settings)
     if settings.three_d:
         course = _level(course, scene)
-    stages = [_ndt_sums(scene, level * settings.ndt_grid)
+    stages = [partial(_ndt_sums, grid=level * settings.ndt_grid)
               for level in (_LEVELS if settings.multi_resolution else (1.0,))]
     if settings.refinement:
-        stages += [_field_sums(scene, blur) for blur in _BLURS]
-    for number, sums in enumerate(stages):
+        stages += [partial(_field_sums, blur=blur) for blur in _BLURS]
+    for number, stage in enumerate(stages):
         rest = _REST if number == len(stages) - 1 else 5 * _REST
-        course, converged = _settle(course, scene, sums, settings.iterations, rest)
-    return _windows_about(course, converged, stretch, scene)
+        course, converged = _settle(course, scene, stage(scene), settings.iterations, rest)
+    return _windows_about(course, converged, scene)
 
 
 @dataclass(frozen=True)
@@ -223,36 +227,54 @@ def _level(course: Course, scene: _Scene) -> Course:
     return Course(course.way, course.standing, shift, course.turn)
 
 
-def _windows_about(course: Course, converged: bool, stretch: Stretch, scene: _Scene) -> AdjustedStretch:
-    """Each window as a rigid body about the course, and what the patches say on their own."""
-    settings, points, active = scene.settings, stretch.points, list(scene.active)
-    field = MarkingField.of(scene.coverage, 0.0, settings.background)
-    moved = course.moved(points)
+def _evidence_about(course: Course, scene: _Scene) -> tuple[PatchSums, np.ndarray, tuple]:
+    """Sums and scatter of the core's windows about their patches' corrected places; and the parts for the patches.
+
+    The parts: sums of the patches about their own corrected places, and the points' terms in the coverage field.
+    """
+    stretch, field = scene.stretch, MarkingField.of(scene.coverage, 0.0, scene.settings.background)
+    moved = course.moved(stretch.points)
     terms = field_terms(field, moved[:, 0], moved[:, 1])
     gradient, hessian = _plan_terms(terms, scene.evidence)
     sums = scene.sums(moved, gradient, hessian)
-    if settings.three_d:
+    if scene.settings.three_d:
         height_gradient, height_hessian = _height_terms(scene, moved)
         sums = sums + scene.sums(moved, height_gradient, height_hessian)
         gradient = (gradient[0], gradient[1], height_gradient[2])
-    scatter = _scatter(moved, gradient, scene)
+    arms = stretch.place + course.shift - scene.origin
     core = slice(stretch.core_first, stretch.core_last + 1)
-    arms = (stretch.place + course.shift - scene.origin)
     first, last = stretch.window_first, stretch.window_last
-    window = sums.windows(first, last).about(arms[core])
-    spread = PatchSums(np.zeros((len(first), 6)), window_sums(scatter, first, last)).about(arms[core]).information
-    step, covariance, excess = _solve(window, spread, active)
-    own = sums.about(arms)
-    covariance += course_covariance(course, own.information / float(np.median(excess)), scene.active)[core]
-    shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.share > 0.5]), scene.patch,
+    scatter = window_sums(_scatter(moved, gradient, scene), first, last)
+    scatter = PatchSums(np.zeros((len(first), 6)), scatter).about(arms[core]).information
+    return sums.windows(first, last).about(arms[core]), scatter, (sums.about(arms), terms)
+
+
+def _windows_about(course: Course, converged: bool, scene: _Scene) -> AdjustedStretch:
+    """Each window as a rigid body about the course, and what the patches say on their own."""
+    stretch, points, active = scene.stretch, scene.stretch.points, list(scene.active)
+    window, scatter, (own, terms) = _evidence_about(course, scene)
+    step, covariance, excess = _solve(window, scatter, active)
+    core = slice(stretch.core_first, stretch.core_last + 1)
+    counted = max(float(np.median(excess)), _LEAST_EXCESS)
+    covariance += course_covariance(course, _evened(own.information) / counted, scene.active)[core]
+    shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.share > _ON_MARKING]), scene.patch,
                       scene.patches)
-    counted = window_sums(shares, first, last)
+    counted = window_sums(shares, stretch.window_first, stretch.window_last)
     rows = course.plus(_padded(step, stretch, scene.patches))
     with np.errstate(invalid="ignore"):
         score, overlap = counted[:, 1] / counted[:, 0], counted[:, 2] / counted[:, 0]
     return AdjustedStretch(rows.shift[core], rows.turn[core], covariance,
                            np.column_stack([course.shift, course.turn])[core], own.information[core],
-                           own.gradient[core], score, overlap, counted[:, 0].astype(np.int64), converged)
+                           own.gradient[core], score, overlap, counted[:, 0].astype(np.int64),
+                           np.full(core.stop - core.start, converged))
+
+
+def _evened(information: np.ndarray) -> np.ndarray:
+    """(n, 6, 6) shared out over neighbouring patches, so that each curves downwards as a larger piece of path does."""
+    count = len(information)
+    low, high = (np.clip(np.arange(count) + side * _EVENED, 0, count - 1) for side in (-1, 1))
+    values, vectors = np.linalg.eigh(window_sums(information / (high - low + 1)[:, None, None], low, high))
+    return np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0), vectors)
 
 
 def _padded(step: np.ndarray, stretch: Stretch, patches: int) -> np.ndarray:
@@ -288,7 +310,7 @@ def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]
     solution = np.einsum("nij,nj->ni", inverse, gradient)
     scatter = scatter[:, active][:, :, active]
     excess = np.einsum("nij,nji->n", scatter, inverse) / width
-    covariance = inverse * np.maximum(excess, 0.0)[:, None, None]
+    covariance = inverse * np.maximum(excess, _LEAST_EXCESS)[:, None, None]
     step = np.zeros((count, 6))
     step[:, active] = solution
     full = np.zeros((count, 6, 6))
@@ -302,4 +324,4 @@ def _empty(stretch: Stretch, course: Course) -> AdjustedStretch:
     nothing = np.full(count, np.nan)
     return AdjustedStretch(course.shift[core], course.turn[core], np.full((count, 6, 6), np.nan),
                            np.zeros((count, 6)), np.zeros((count, 6, 6)), np.zeros((count, 6)), nothing, nothing,
-                           np.zeros(count, dtype=np.int64), False)
+                           np.zeros(count, dtype=np.int64), np.zeros(count, dtype=bool))
