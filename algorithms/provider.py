@@ -34,6 +34,7 @@ ALGORITHMS = (
     ("objectsfromimages", "ObjectsFromImages"),
     ("georeferencescans", "GeoreferenceScans"),
     ("rectifytrajectory", "RectifyTrajectory"),
+    ("tiepointproposals", "TiePointProposals"),
     ("loadgsibuildings", "LoadGsiBuildings"),
     ("segmentbuildings", "SegmentBuildings"),
     ("segmentroofs", "SegmentRoofs"),

@@ -15,7 +15,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "registermms", "applytrajectory", "landmarkupdate", "checkaccuracy",
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
-            "georeferencescans", "rectifytrajectory",
+            "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals",
             "satellitevisibility", "gnssreflections", "adjustwalls")

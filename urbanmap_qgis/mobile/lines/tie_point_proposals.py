@@ -1,0 +1,353 @@
+"""Tie points proposed from corners of buildings, for the user to confirm (Z 3.2 assigns them by hand).
+
+Where points of the survey stand over each other there is a wall. At every corner of an outline the two walls are
+looked for in the survey, parallel to the outline's edges and near them; lines through them meet in the survey's
+corner. A corner may fit several walls: what its neighbours in time are shifted by decides.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from ...errors import InsufficientDataError
+from ...io.pointcloud import PointCloud, iter_chunks, usable
+from ...progress import SILENT, Progress
+from ..trajectory import Trajectory, interpolate
+from .tie_points import TiePoints
+
+CELL = 0.25
+"""m, side of the cells in plan in which points stand over each other."""
+
+PASS = 10.0
+"""s: points of one wall measured within this time are one sight of it."""
+
+LOWEST, HIGHEST = -0.5, 8.0
+"""m above the body's origin: walls are looked at between these heights."""
+
+_STANDING = 1.2  # m from the lowest to the highest point of a wall's cell
+_FEWEST_POINTS = 4
+_JOINED = 0.05  # m: outlines nearer than this are one block
+_SHARPEST, _FLATTEST = 50.0, 130.0  # degrees between the edges of a corner
+_LEAST_EDGE = 3.0  # m
+_WALL = 10.0  # m of a wall looked at from the corner
+_BIN, _ALONG = 0.1, 0.5  # m, of the search across and of coverage along
+_COVERED = 4  # bins along
+_PEAKS = 3
+_NEAR_LINE = 0.3  # m
+_WORST_FIT = 0.12  # m
+_TURNED = np.cos(np.radians(5.0))
+_FROM_CORNER = 3.0  # m between the corner and what is seen of each wall
+_NEIGHBOURS = 15.0  # s
+_AGREE = 0.35
+_SET_SECONDS, _BASELINE = 4.0, 4.0
+
+
+@dataclass(frozen=True)
+class WallCells:
+    """Cells with points over each other, (k,) each: mean place (k, 2), mean time, points."""
+
+    place: np.ndarray
+    time: np.ndarray
+    count: np.ndarray
+
+
+@dataclass(frozen=True)
+class Corners:
+    """Corners of outlines: place (m, 2); unit vectors along both edges away from it (m, 2, 2), their lengths (m, 2)."""
+
+    place: np.ndarray
+    edge: np.ndarray
+    length: np.ndarray
+
+
+@dataclass(frozen=True)
+class Proposals:
+    """Tie points proposed, in the order of time.
+
+    Attributes
+    ----------
+    ties : in sets of two.
+    support : (n,) how many other corners within 15 s are shifted alike.
+    fit : (n,) root mean square distance of the walls' points from their lines, m.
+    corners, found : corners near the course, and those that were found in the survey.
+    """
+
+    ties: TiePoints
+    support: np.ndarray
+    fit: np.ndarray
+    corners: int
+    found: int
+
+
+@dataclass(frozen=True)
+class _Candidate:
+    """A corner as the survey may show it."""
+
+    corner: int
+    time: float
+    place: np.ndarray
+    shift: np.ndarray
+    fit: float
+
+
+def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequence[shapely.Geometry | None],
+                       reach: float = 30.0, search: float = 2.5, alike: float = 0.5, shift: float = 0.0,
+                       progress: Progress = SILENT) -> Proposals:
+    """Corners of outlines that the survey shows, gathered in sets of two.
+
+    Parameters
+    ----------
+    cloud : the survey with gps_time, placed with the trajectory.
+    outlines : polygons of buildings in the reference, missing ones are left out.
+    reach : corners farther from the course are left out, m.
+    search : how far survey and reference may lie apart, m.
+    alike : shifts of corners that differ by less agree with each other, m: how good the outlines are.
+    shift : s to add to the cloud's gps_time (see `gps_time.time_shift`).
+
+    Raises
+    ------
+    InsufficientDataError : no outline near the course, no wall in the survey, or no two corners that agree.
+    """
+    corners = near_course(outline_corners(outlines), trajectory, reach)
+    if not len(corners.place):
+        raise InsufficientDataError(f"No corner of an outline lies within {reach:.0f} m of the course: give outlines "
+                                    "of the same place and coordinate reference system.")
+    cells = wall_cells(cloud, trajectory, reach + 2 * search, shift, progress.part(0.0, 0.7))
+    candidates = _candidates(cells, corners, search, progress.part(0.7, 0.95))
+    chosen, support = _agreeing(candidates, alike)
+    rows = _in_sets(chosen, trajectory)
+    if not rows:
+        raise InsufficientDataError(f"Of {len(corners.place)} corners near the course no two were found in the survey "
+                                    "close enough to each other: assign tie points by hand.")
+    flat = [k for pair in rows for k in pair]
+    ties = TiePoints(np.repeat(np.arange(1, len(rows) + 1), 2).astype(str), np.array([chosen[k].time for k in flat]),
+                     np.array([chosen[k].place for k in flat]),
+                     np.array([chosen[k].place + chosen[k].shift for k in flat]))
+    return Proposals(ties, support[flat], np.array([chosen[k].fit for k in flat]), len(corners.place),
+                     len({item.corner for item in chosen}))
+
+
+def outline_corners(outlines: Sequence[shapely.Geometry | None]) -> Corners:
+    """Corners between long edges of outlines; outlines that touch are one block."""
+    shapes = [shape for shape in outlines if shape is not None and not shape.is_empty]
+    joined = shapely.union_all([shape.buffer(_JOINED, join_style="mitre") for shape in shapes])
+    rings = []
+    for polygon in shapely.get_parts(shapely.buffer(joined, -_JOINED, join_style="mitre")):
+        if polygon.geom_type == "Polygon" and not polygon.is_empty:
+            rings += [shapely.get_coordinates(shapely.simplify(ring, 0.1))[:-1, :2]
+                      for ring in (polygon.exterior, *polygon.interiors)]
+    places, edges, lengths = [np.empty((0, 2))], [np.empty((0, 2, 2))], [np.empty((0, 2))]
+    for ring in rings:
+        ways = np.stack([np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring], axis=1)
+        length = np.linalg.norm(ways, axis=2)
+        unit = ways / np.maximum(length, 1e-9)[..., None]
+        angle = np.degrees(np.arccos(np.clip((unit[:, 0] * unit[:, 1]).sum(axis=1), -1, 1)))
+        good = (angle > _SHARPEST) & (angle < _FLATTEST) & (length.min(axis=1) >= _LEAST_EDGE)
+        places.append(ring[good])
+        edges.append(unit[good])
+        lengths.append(length[good])
+    return Corners(*map(np.concatenate, (places, edges, lengths)))
+
+
+def near_course(corners: Corners, trajectory: Trajectory, reach: float) -> Corners:
+    """The corners within `reach` metres of the course."""
+    distance, _ = cKDTree(trajectory.place[:, :2]).query(corners.place, distance_upper_bound=reach)
+    near = np.isfinite(distance)
+    return Corners(corners.place[near], corners.edge[near], corners.length[near])
+
+
+def wall_cells(cloud: PointCloud, trajectory: Trajectory, reach: float, shift: float = 0.0,
+               progress: Progress = SILENT) -> WallCells:
+    """Cells in plan, pass by pass, in which points of the survey stand over each other.
+
+    Raises
+    ------
+    InsufficientDataError : there is none.
+    """
+    pieces = [_heaps(*found) for chunk in iter_chunks(cloud, progress)
+              if (found := _at_wall_height(chunk, cloud, trajectory, reach, shift)) is not None]
+    if not pieces:
+        raise InsufficientDataError("No point of the survey lies at the height of walls near the course within the "
+                                    "trajectory's time.")
+    key, sums, low, high = (np.concatenate(column) for column in zip(*pieces))
+    order = np.argsort(key, kind="stable")
+    start = np.flatnonzero(np.diff(key[order], prepend=-1))
+    sums = np.add.reduceat(sums[order], start)
+    height = np.maximum.reduceat(high[order], start) - np.minimum.reduceat(low[order], start)
+    wall = (height >= _STANDING) & (sums[:, 3] >= _FEWEST_POINTS)
+    if not wall.any():
+        raise InsufficientDataError("The survey shows no walls: its points nowhere stand over each other.")
+    mean = sums[wall, :3] / sums[wall, 3:]
+    return WallCells(mean[:, :2] + cloud.minimum[:2], mean[:, 2] + trajectory.time[0], sums[wall, 3].astype(int))
+
+
+def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, reach: float, shift: float):
+    """Keys of cell and pass (n,), places and times from their origins (n, 3), and heights (n,); None without any."""
+    time = np.asarray(chunk["gps_time"]) + shift
+    keep = np.flatnonzero(usable(chunk) & trajectory.within(time))
+    if not len(keep):
+        return None
+    place = np.column_stack([np.asarray(chunk[name])[keep] for name in "xyz"])
+    body = interpolate(trajectory, time[keep]).place
+    above = place[:, 2] - body[:, 2]
+    some = (above > LOWEST) & (above < HIGHEST) & (np.hypot(*(place - body)[:, :2].T) < reach)
+    if not some.any():
+        return None
+    place, time = place[some], time[keep][some] - trajectory.time[0]
+    cell = np.floor((place[:, :2] - cloud.minimum[:2]) / CELL).astype(np.int64)
+    size = np.floor((cloud.maximum[:2] - cloud.minimum[:2]) / CELL).astype(np.int64) + 2
+    key = (np.floor(time / PASS).astype(np.int64) * size[0] + cell[:, 0]) * size[1] + cell[:, 1]
+    return key, np.column_stack([place[:, :2] - cloud.minimum[:2], time]), place[:, 2]
+
+
+def _heaps(key: np.ndarray, values: np.ndarray, height: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Of every cell and pass: key, sums of place, time and count (k, 4), lowest and highest point."""
+    order = np.argsort(key, kind="stable")
+    start = np.flatnonzero(np.diff(key[order], prepend=-1))
+    sums = np.add.reduceat(np.column_stack([values, np.ones(len(key))])[order], start)
+    return key[order][start], sums, np.minimum.reduceat(height[order], start), np.maximum.reduceat(height[order], start)
+
+
+def _candidates(cells: WallCells, corners: Corners, search: float, progress: Progress) -> list[_Candidate]:
+    """All places at which the survey may show corners."""
+    tree = cKDTree(cells.place)
+    found: list[_Candidate] = []
+    for number in range(len(corners.place)):
+        if number % 20 == 0:
+            progress.step(number / len(corners.place))
+        near = np.array(tree.query_ball_point(corners.place[number], _WALL + search), int)
+        if not len(near):
+            continue
+        near = near[np.argsort(cells.time[near])]
+        for sight in np.split(near, np.flatnonzero(np.diff(cells.time[near]) > _SET_SECONDS) + 1):
+            found += _sights(cells, sight, corners, number, search)
+    return found
+
+
+def _sights(cells: WallCells, sight: np.ndarray, corners: Corners, number: int, search: float) -> list[_Candidate]:
+    """The corner from all pairs of walls that one sight of it shows along its two edges."""
+    corner = corners.place[number]
+    place = cells.place[sight] - corner
+    walls = [_walls(place, corners.edge[number, k], min(corners.length[number, k], _WALL), search) for k in (0, 1)]
+    found = []
+    for first in walls[0]:
+        for second in walls[1]:
+            where = _meeting(first, second)
+            if where is None or np.hypot(*where) > search:
+                continue
+            apart = [np.hypot(*(place[wall.rows] - where).T) for wall in (first, second)]
+            if max(distance.min() for distance in apart) > _FROM_CORNER:
+                continue
+            rows = np.concatenate([wall.rows[distance < 2 * _FROM_CORNER] for wall, distance in
+                                   zip((first, second), apart)])
+            time = cells.time[sight[rows]]
+            if np.ptp(time) <= 2 * _SET_SECONDS:
+                found.append(_Candidate(number, float(np.median(time)), corner + where, -where,
+                                        max(first.fit, second.fit)))
+    return found
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A wall's line in plan: a point on it, its direction, the rows of the cells on it, and their distance from it."""
+
+    point: np.ndarray
+    direction: np.ndarray
+    rows: np.ndarray
+    fit: float
+
+
+def _walls(place: np.ndarray, edge: np.ndarray, length: float, search: float) -> list[_Line]:
+    """Walls parallel to an edge from the origin, those that cover most of it first."""
+    along, across = place @ edge, place @ np.array([-edge[1], edge[0]])
+    rows = np.flatnonzero((along > -search) & (along < length + search) & (np.abs(across) < search))
+    if len(rows) < _COVERED:
+        return []
+    column = np.floor((across[rows] + search) / _BIN).astype(int)
+    row = np.floor((along[rows] + search) / _ALONG).astype(int)
+    grid = np.zeros((int(2 * search / _BIN) + 3, int((length + 2 * search) / _ALONG) + 2), bool)
+    grid[column + 1, row] = True
+    # Walls are a little turned against the outline: three bins together.
+    covered = (grid[:-2] | grid[1:-1] | grid[2:]).sum(axis=1)
+    lines = []
+    for _ in range(_PEAKS):
+        peak = int(np.argmax(covered))
+        if covered[peak] < _COVERED:
+            break
+        near = rows[np.abs(across[rows] - ((peak + 0.5) * _BIN - search)) < _NEAR_LINE]
+        line = _fitted(place, near, edge)
+        if line is not None:
+            lines.append(line)
+        covered[max(peak - 5, 0):peak + 6] = 0
+    return lines
+
+
+def _fitted(place: np.ndarray, rows: np.ndarray, edge: np.ndarray) -> _Line | None:
+    """The line through cells, the far ones left out; None where it is no wall along the edge."""
+    for limit in (_NEAR_LINE, 2 * _WORST_FIT, _WORST_FIT * 1.5):
+        if len(rows) < _COVERED:
+            return None
+        centre = place[rows].mean(axis=0)
+        _, axes = np.linalg.eigh(np.cov((place[rows] - centre).T))
+        direction = axes[:, 1]
+        away = (place[rows] - centre) @ np.array([-direction[1], direction[0]])
+        rows = rows[np.abs(away) <= limit]
+    if len(rows) < _COVERED or abs(direction @ edge) < _TURNED:
+        return None
+    fit = float(np.sqrt(np.mean(away[np.abs(away) <= limit] ** 2)))
+    return _Line(centre, direction, rows, fit) if fit <= _WORST_FIT else None
+
+
+def _meeting(first: _Line, second: _Line) -> np.ndarray | None:
+    """Where two lines meet; None where they are nearly parallel."""
+    crossed = first.direction[0] * second.direction[1] - first.direction[1] * second.direction[0]
+    if abs(crossed) < 0.5:
+        return None
+    way = second.point - first.point
+    return first.point + first.direction * (way[0] * second.direction[1] - way[1] * second.direction[0]) / crossed
+
+
+def _agreeing(candidates: list[_Candidate], limit: float) -> tuple[list[_Candidate], np.ndarray]:
+    """Of every corner and sight the candidate with most neighbours shifted alike, in the order of time; how many."""
+    if not candidates:
+        return [], np.empty(0, int)
+    candidates = sorted(candidates, key=lambda item: item.time)
+    time = np.array([item.time for item in candidates])
+    shift = np.array([item.shift for item in candidates])
+    corner = np.array([item.corner for item in candidates])
+    best: dict[tuple[int, int], tuple[int, float, int]] = {}
+    for k, item in enumerate(candidates):
+        near = np.flatnonzero((np.abs(time - time[k]) < _NEIGHBOURS) & (corner != corner[k]))
+        alike = near[np.hypot(*(shift[near] - shift[k]).T) < limit]
+        support, around = len(np.unique(corner[alike])), len(np.unique(corner[near]))
+        key = (item.corner, int(time[k] // PASS))
+        if support >= 2 and support >= _AGREE * around and (support, -item.fit) > best.get(key, (0, 0.0, 0))[:2]:
+            best[key] = support, -item.fit, k
+    kept = sorted(entry[2] for entry in best.values())
+    support = {entry[2]: entry[0] for entry in best.values()}
+    return [candidates[k] for k in kept], np.array([support[k] for k in kept], int)
+
+
+def _in_sets(chosen: list[_Candidate], trajectory: Trajectory) -> list[tuple[int, int]]:
+    """Pairs of rows, each used once: within four seconds, and four metres apart as seen from the vehicle."""
+    if not chosen:
+        return []
+    time = np.array([item.time for item in chosen])
+    seen = np.array([item.place for item in chosen]) - interpolate(trajectory, time, "hold").place[:, :2]
+    free, pairs = np.ones(len(chosen), bool), []
+    for k in range(len(chosen)):
+        others = np.flatnonzero(free & (time >= time[k]) & (time - time[k] <= _SET_SECONDS))
+        others = others[others > k]
+        if not free[k] or not len(others):
+            continue
+        baseline = np.hypot(*(seen[others] - seen[k]).T)
+        if baseline.max() >= _BASELINE:
+            partner = int(others[baseline.argmax()])
+            free[[k, partner]] = False
+            pairs.append((k, partner))
+    return pairs
