@@ -63,8 +63,8 @@ class Obstacles:
         first = np.searchsorted(number[order], np.arange(rows * columns + 1))
         return cls(local, origin, cell, (int(rows), int(columns)), first, member, highest)
 
-    def first_hit(self, start: np.ndarray, direction: np.ndarray,
-                  reach: np.ndarray | float = np.inf) -> tuple[np.ndarray, np.ndarray]:
+    def first_hit(self, start: np.ndarray, direction: np.ndarray, reach: np.ndarray | float = np.inf,
+                  progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray]:
         """The first wall that stops each ray.
 
         Parameters
@@ -78,12 +78,13 @@ class Obstacles:
         """
         march = _March(self, np.asarray(start, float), np.asarray(direction, float), reach)
         while march.step():
-            pass
+            progress.check()
         return march.piece, march.distance
 
-    def free(self, start: np.ndarray, direction: np.ndarray, reach: np.ndarray | float = np.inf) -> np.ndarray:
+    def free(self, start: np.ndarray, direction: np.ndarray, reach: np.ndarray | float = np.inf,
+             progress: Progress = SILENT) -> np.ndarray:
         """(n,) whether rays meet no wall."""
-        return self.first_hit(start, direction, reach)[0] < 0
+        return self.first_hit(start, direction, reach, progress)[0] < 0
 
     def inside(self, place: np.ndarray) -> np.ndarray:
         """(n,) whether places (n, 3) lie within a building.
@@ -261,19 +262,20 @@ def bounces(walls: Walls, place: np.ndarray, place_of_ray: np.ndarray, direction
     return made
 
 
-def unhindered(obstacles: Obstacles, place: np.ndarray, direction: np.ndarray, found: Bounces) -> np.ndarray:
+def unhindered(obstacles: Obstacles, place: np.ndarray, direction: np.ndarray, found: Bounces,
+               progress: Progress = SILENT) -> np.ndarray:
     """Whether both legs of reflections are free, (k,).
 
     Parameters
     ----------
     place, direction : (n, 3) antenna and unit vector to the satellite of each ray that `found` speaks of.
     """
-    free = obstacles.free(place[found.ray], found.arriving, found.length - SKIN)
+    free = obstacles.free(place[found.ray], found.arriving, found.length - SKIN, progress)
     rows = np.flatnonzero(free)
     normal = obstacles.walls.normal[found.piece[rows]]
     off = found.place[rows].copy()
     off[:, :2] += SKIN * normal
-    free[rows] = obstacles.free(off, direction[found.ray[rows]])
+    free[rows] = obstacles.free(off, direction[found.ray[rows]], progress=progress)
     return free
 
 

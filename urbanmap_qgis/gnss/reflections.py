@@ -98,11 +98,11 @@ def trace(walls: Walls, signals: Signals, settings: TraceSettings, progress: Pro
         progress.warn(f"At {indoors.sum()} of {len(indoors)} epochs the antenna lies within a building: their "
                       "signals are left out.")
     progress.step(0.05)
-    blocker, stop = obstacles.first_hit(signals.place, signals.direction)
+    blocker, stop = obstacles.first_hit(signals.place, signals.direction, progress=progress)
     outdoors = ~indoors[signals.epoch]
     blocked = (blocker >= 0) & outdoors
     progress.step(0.2)
-    sure = _sure(obstacles, signals, blocked, settings) & outdoors
+    sure = _sure(obstacles, signals, blocked, settings, progress) & outdoors
     progress.step(0.4)
     found = _reflected(walls, obstacles, signals, np.flatnonzero(blocked), settings, progress.part(0.4, 1.0))
     count, bounce = _only(walls, found, len(signals))
@@ -110,14 +110,16 @@ def trace(walls: Walls, signals: Signals, settings: TraceSettings, progress: Pro
     return Ways(kind, sure, np.where(blocker >= 0, stop, np.nan), blocker, count, bounce, found, indoors)
 
 
-def _sure(obstacles: Obstacles, signals: Signals, blocked: np.ndarray, settings: TraceSettings) -> np.ndarray:
+def _sure(obstacles: Obstacles, signals: Signals, blocked: np.ndarray, settings: TraceSettings,
+          progress: Progress) -> np.ndarray:
     """(n,) whether rays turned to the sides, and lower (in line of sight) or higher (blocked), fare alike."""
     sure = np.ones(len(signals), bool)
     for is_blocked, size, rise in ((False, settings.near_edge, -1.0), (True, settings.bend, 1.0)):
         rows = np.flatnonzero(blocked == is_blocked)
         for azimuth, elevation in ((0.0, rise * size), (size, 0.0), (-size, 0.0)):
             rows = rows[sure[rows]]
-            free = obstacles.free(signals.place[rows], turned(signals.direction[rows], azimuth, elevation))
+            free = obstacles.free(signals.place[rows], turned(signals.direction[rows], azimuth, elevation),
+                                  progress=progress)
             sure[rows] = free != is_blocked
     return sure
 
@@ -128,7 +130,8 @@ def _reflected(walls: Walls, obstacles: Obstacles, signals: Signals, rows: np.nd
     found = bounces(walls, signals.epochs.place, signals.epoch[rows], signals.direction[rows], settings.farthest,
                     progress=progress)
     found = replace(found, ray=rows[found.ray])
-    return found.take(np.flatnonzero(unhindered(obstacles, signals.place, signals.direction, found)))
+    return found.take(np.flatnonzero(unhindered(obstacles, signals.place, signals.direction, found,
+                                                progress)))
 
 
 def _only(walls: Walls, found: Bounces, count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -150,23 +153,24 @@ def possible_walls(walls: Walls, obstacles: Obstacles, signals: Signals, rows: n
     found = bounces(walls, signals.epochs.place, signals.epoch[rows], signals.direction[rows], settings.farthest,
                     settings.margin, progress)
     place, direction = signals.place[rows], signals.direction[rows]
-    maybe = _maybe_free(obstacles, place[found.ray], found.arriving, found.length - 0.05 - settings.margin, settings)
+    maybe = _maybe_free(obstacles, place[found.ray], found.arriving, found.length - 0.05 - settings.margin, settings,
+                        progress)
     found = found.take(np.flatnonzero(maybe))
     off = found.place.copy()
     off[:, :2] += (0.05 + settings.margin) * obstacles.walls.normal[found.piece]
-    maybe = _maybe_free(obstacles, off, direction[found.ray], np.inf, settings)
+    maybe = _maybe_free(obstacles, off, direction[found.ray], np.inf, settings, progress)
     found = found.take(np.flatnonzero(maybe))
     pairs = np.unique(np.column_stack([found.ray, walls.wall[found.piece]]), axis=0)
     return np.bincount(pairs[:, 0], minlength=len(rows))
 
 
-def _maybe_free(obstacles: Obstacles, start: np.ndarray, direction: np.ndarray, reach, settings: TraceSettings
-                ) -> np.ndarray:
+def _maybe_free(obstacles: Obstacles, start: np.ndarray, direction: np.ndarray, reach, settings: TraceSettings,
+                progress: Progress) -> np.ndarray:
     """(n,) whether rays are free, as they are or turned by some degrees."""
     free = np.zeros(len(start), bool)
     reach = np.broadcast_to(reach, len(start))
     size = settings.near_edge
     for azimuth, elevation in ((0.0, 0.0), (0.0, size), (size, 0.0), (-size, 0.0)):
         rows = np.flatnonzero(~free)
-        free[rows] = obstacles.free(start[rows], turned(direction[rows], azimuth, elevation), reach[rows])
+        free[rows] = obstacles.free(start[rows], turned(direction[rows], azimuth, elevation), reach[rows], progress)
     return free

@@ -65,13 +65,13 @@ def pass_clocks(signals: Signals, in_sight: np.ndarray, least: int = 3, progress
     source = signals.epochs.source[signals.epoch]
     clocks = []
     for number in np.unique(source):
-        progress.check()
         rows = np.flatnonzero(source == number)
-        clocks.append(_pass_clock(signals, rows, in_sight[rows], least))
+        clocks.append(_pass_clock(signals, rows, in_sight[rows], least, progress))
     return clocks
 
 
-def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least: int) -> PassClock:
+def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least: int,
+                progress: Progress) -> PassClock:
     _, epoch = np.unique(signals.epoch[rows], return_inverse=True)
     epoch = epoch.ravel()
     design, systems = _design(signals.system[rows], signals.satellite[rows], in_sight)
@@ -81,6 +81,7 @@ def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least:
     satellite_error, unit = 1.0, 1.0
     weight = np.where(fit, sigma ** -2.0, 0.0)
     for number in range(_ROUNDS):
+        progress.check()
         prior = np.r_[np.full(systems, _OPEN), np.full(design.shape[1] - systems, satellite_error)]
         latent, covariance, mean, total = _solved(design, residual, weight / unit**2, epoch, prior)
         left = residual - design @ latent

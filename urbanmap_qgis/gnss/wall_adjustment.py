@@ -155,12 +155,12 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
     before = building_walls(shapes, building, top, low)
     row = np.unique(np.asarray(building), return_inverse=True)[1].ravel()
     net = PlanNet.of(before)
-    result = _undecided(before, signals, settings)
+    result = _undecided(before, signals, progress)
     walls, outwards, current = before, np.zeros(before.count), np.array(shapes, dtype=object)
     for number in range(settings.rounds):
         part = progress.part(0.95 * number / settings.rounds, 0.95 * (number + 1) / settings.rounds)
         one = _round(walls, signals, outwards, settings, part.part(0.0, 0.8))
-        result = _judged(result, before, one, settings)
+        result = _judged(result, before, one, settings, part)
         weight = np.where(result.status == ADJUSTED, result.sigma ** -2.0, 0.0)
         wanted = np.where(weight > 0, result.offset, 0.0)
         current, displacement, held = settle(shapes, row, before, net, wanted, np.nan_to_num(weight),
@@ -173,7 +173,8 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
             break
     ways = trace(walls, signals, settings.trace, progress.part(0.95, 1.0))
     corrected = corrected_residuals(signals, one.clocks)
-    return Adjustment(current, _explained(result, before, signals, one, settings), before, walls, ways, corrected,
+    return Adjustment(current, _explained(result, before, signals, one, settings,
+                                                    progress), before, walls, ways, corrected,
                       one.used, one.votes, one.offsets, one.clocks, number + 1)
 
 
@@ -182,11 +183,12 @@ def _round(walls: Walls, signals: Signals, outwards: np.ndarray, settings: Adjus
     """Trace the signals, take the clocks off, gather votes and estimate offsets from the model's walls."""
     obstacles = Obstacles.of(walls)
     ways = trace(walls, signals, settings.trace, progress.part(0.0, 0.5), obstacles)
-    clocks = line_of_sight_clocks(signals, ways)
+    clocks = line_of_sight_clocks(signals, ways, progress)
     used = _voters(walls, obstacles, signals, ways, settings, progress.part(0.5, 0.8))
     votes = gather_votes(walls, signals, ways, used, clocks, outwards, settings.block)
     progress.step(0.9)
-    return _Round(ways, used, clocks, votes, estimate_offsets(votes, settings.prior_sigma) if len(votes) else None)
+    offsets = estimate_offsets(votes, settings.prior_sigma, progress=progress) if len(votes) else None
+    return _Round(ways, used, clocks, votes, offsets)
 
 
 def _voters(walls: Walls, obstacles: Obstacles, signals: Signals, ways: Ways, settings: AdjustmentSettings,
@@ -201,7 +203,7 @@ def _voters(walls: Walls, obstacles: Obstacles, signals: Signals, ways: Ways, se
     return used
 
 
-def _undecided(walls: Walls, signals: Signals, settings: AdjustmentSettings) -> WallResult:
+def _undecided(walls: Walls, signals: Signals, progress: Progress) -> WallResult:
     """The result before anything is known."""
     table = wall_table(walls)
     count = len(table)
@@ -209,10 +211,10 @@ def _undecided(walls: Walls, signals: Signals, settings: AdjustmentSettings) -> 
     zeros = np.zeros(count, np.int64)
     return WallResult(table, nothing, nothing, zeros, zeros, zeros, zeros, nothing,
                       np.full(count, NOT_OBSERVABLE, object), np.full(count, "", object), np.zeros(count),
-                      _nearest(table, signals))
+                      _nearest(table, signals, progress))
 
 
-def _nearest(table: WallTable, signals: Signals) -> np.ndarray:
+def _nearest(table: WallTable, signals: Signals, progress: Progress) -> np.ndarray:
     """(k,) least distance in plan of an antenna that stands in front of each wall, m; NaN if none does."""
     places = np.unique(np.round(signals.epochs.place[:, :2]), axis=0)
     nearest = np.full(len(table), np.inf)
@@ -221,6 +223,7 @@ def _nearest(table: WallTable, signals: Signals) -> np.ndarray:
     last = np.einsum("ij,ij->i", table.end, along)
     offset = np.einsum("ij,ij->i", table.start, table.normal)
     for chunk in np.array_split(places, max(1, len(places) * len(table) // 1_000_000)):
+        progress.check()
         front = chunk @ table.normal.T - offset
         beside = chunk @ along.T
         beyond = np.maximum(np.maximum(first - beside, beside - last), 0.0)
@@ -229,7 +232,8 @@ def _nearest(table: WallTable, signals: Signals) -> np.ndarray:
     return np.where(np.isfinite(nearest), nearest, np.nan)
 
 
-def _judged(result: WallResult, walls: Walls, one: _Round, settings: AdjustmentSettings) -> WallResult:
+def _judged(result: WallResult, walls: Walls, one: _Round, settings: AdjustmentSettings,
+            progress: Progress) -> WallResult:
     """Offsets and numbers of a round, with the status of each wall that has votes."""
     count = walls.count
     offset, sigma, on_time = (np.full(count, np.nan) for _ in range(3))
@@ -245,7 +249,7 @@ def _judged(result: WallResult, walls: Walls, one: _Round, settings: AdjustmentS
         numbers["passes"] = _different(votes.wall, votes.source, count)
         on_time[found.wall] = (np.bincount(votes.wall, found.on_time, count) / np.maximum(numbers["votes"], 1)
                                )[found.wall]
-        halves = _halves_differ(votes, found, settings)
+        halves = _halves_differ(votes, found, settings, progress)
         for k, wall in enumerate(found.wall):
             reason[wall] = _objection(k, wall, found, numbers, on_time, votes, halves, settings)
     status = np.where(reason == "", ADJUSTED, NOT_OBSERVABLE).astype(object)
@@ -284,7 +288,7 @@ def _different(wall: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     return np.bincount(np.unique(np.column_stack([wall, number]), axis=0)[:, 0], minlength=count)
 
 
-def _halves_differ(votes: Votes, found: Offsets, settings: AdjustmentSettings) -> np.ndarray:
+def _halves_differ(votes: Votes, found: Offsets, settings: AdjustmentSettings, progress: Progress) -> np.ndarray:
     """(k,) difference of the offsets from the one and the other half of the passes of each wall, over its sigma.
 
     Each half starts from the same prior, which pulls both to zero: their differences are then smaller, but so are
@@ -297,7 +301,7 @@ def _halves_differ(votes: Votes, found: Offsets, settings: AdjustmentSettings) -
     parts = []
     for half in (0, 1):
         chosen = np.flatnonzero(rank % 2 == half)
-        parts.append(estimate_offsets(_some(votes, chosen), 3.0 * settings.prior_sigma, found.model, learn=False)
+        parts.append(estimate_offsets(_some(votes, chosen), 3.0 * settings.prior_sigma, found.model, False, progress)
                      if len(chosen) else None)
     ratio = np.zeros(len(found.wall))
     if all(part is not None for part in parts):
@@ -328,9 +332,9 @@ def _with_held(result: WallResult, held: np.ndarray, applied: np.ndarray) -> Wal
 
 
 def _explained(result: WallResult, walls: Walls, signals: Signals, one: _Round,
-               settings: AdjustmentSettings) -> WallResult:
+               settings: AdjustmentSettings, progress: Progress) -> WallResult:
     """The result with the reason for each wall that has no vote."""
-    met, blocked = (_walls_met(walls, signals, rows, settings) for rows in (
+    met, blocked = (_walls_met(walls, signals, rows, settings, progress) for rows in (
         np.arange(len(signals)), np.flatnonzero(one.ways.kind != LOS)))
     free = np.bincount(walls.wall[one.ways.bounces.piece], minlength=walls.count) > 0
     alone = np.zeros(walls.count, bool)
@@ -354,11 +358,12 @@ def _explained(result: WallResult, walls: Walls, signals: Signals, one: _Round,
     return replace(result, reason=reason)
 
 
-def _walls_met(walls: Walls, signals: Signals, rows: np.ndarray, settings: AdjustmentSettings) -> np.ndarray:
+def _walls_met(walls: Walls, signals: Signals, rows: np.ndarray, settings: AdjustmentSettings,
+               progress: Progress) -> np.ndarray:
     """(walls,) whether each wall could reflect one of the signals of some rows, whatever stands in the way."""
     met = np.zeros(walls.count, bool)
     if len(rows):
         found = bounces(walls, signals.epochs.place, signals.epoch[rows], signals.direction[rows],
-                        settings.trace.farthest)
+                        settings.trace.farthest, progress=replace(progress, report=lambda _: None))
         met[walls.wall[found.piece]] = True
     return met

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import log_ndtr, logsumexp
 
+from ..progress import SILENT, Progress
 from .wall_votes import Votes
 
 _STRAY_SPAN = 80.0
@@ -22,6 +23,7 @@ _GRID = np.arange(-4.0, 4.0001, 0.02)
 """Offsets that are tried for each wall, m."""
 
 _ROUNDS = 60
+_CHUNK = 2000
 
 _FACADE = 0.1
 """What no number of votes makes smaller, m: facades are not planes, and antennas are not where the trajectory says."""
@@ -85,8 +87,8 @@ class Offsets:
     model: ErrorModel
 
 
-def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel | None = None, learn: bool = True
-                     ) -> Offsets:
+def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel | None = None, learn: bool = True,
+                     progress: Progress = SILENT) -> Offsets:
     """Offsets of all walls with votes.
 
     Parameters
@@ -100,13 +102,14 @@ def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel | None 
     offset, latent = system.start(model), [np.zeros(share.shape[1]) for share in system.share]
     fitted = np.zeros(len(votes))
     for number in range(_ROUNDS):
+        progress.check()
         error = system.errors(offset, latent)
         if learn:
             model = _learnt(model, model.shares(error, votes.variance), error, votes.variance, fitted)
         new_offset, latent, covariance, fitted = system.improved(offset, latent, model)
-        jumped = system.best_on_grid(latent, model)
-        far = np.abs(jumped - new_offset) > 0.25
-        new_offset = np.where(far & (number < _ROUNDS // 2), jumped, new_offset)
+        if number < _ROUNDS // 2:
+            jumped = system.best_on_grid(latent, model)
+            new_offset = np.where(np.abs(jumped - new_offset) > 0.25, jumped, new_offset)
         moved = np.abs(new_offset - offset).max(initial=0.0)
         offset = new_offset
         if moved < 1e-3 and number > 5:
@@ -188,10 +191,12 @@ class _System:
     def log_posterior(self, latent: list[np.ndarray], model: ErrorModel) -> np.ndarray:
         """(k, grid) log probability of each offset of the grid for each wall, latent errors held."""
         rest = self.votes.value - self.shared(latent)
-        error = rest[:, None] + 2 * self.votes.slope[:, None] * _GRID
-        each = logsumexp(model.log_parts(error, self.votes.variance[:, None]), axis=0)
         log = np.zeros((len(self.walls), len(_GRID)))
-        np.add.at(log, self.wall, each)
+        for first in range(0, len(rest), _CHUNK):
+            some = slice(first, first + _CHUNK)
+            error = rest[some, None] + 2 * self.votes.slope[some, None] * _GRID
+            parts = model.log_parts(error, self.votes.variance[some, None])
+            np.add.at(log, self.wall[some], logsumexp(parts, axis=0))
         return log - 0.5 * (_GRID / self.prior) ** 2
 
     def best_on_grid(self, latent: list[np.ndarray], model: ErrorModel) -> np.ndarray:
