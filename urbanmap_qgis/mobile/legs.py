@@ -43,8 +43,8 @@ class BlockPlaces:
             if row[0]:
                 self._sums[name] = self._sums.get(name, 0.0) + row
 
-    def legs(self) -> Legs:
-        """The legs of all points taken."""
+    def legs(self, away: float = AWAY) -> Legs:
+        """The legs of all points taken; who comes back to a place after `away` seconds begins a new one."""
         blocks = np.array(sorted(self._sums), dtype=np.int64)
         if not len(blocks):
             return Legs(np.empty(0))
@@ -53,7 +53,7 @@ class BlockPlaces:
         starts, seen = [], {}
         for block, (column, row) in zip(blocks.tolist(), cells.tolist()):
             around = [(column + i, row + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-            if any(block - seen.get(cell, block) > AWAY / BLOCK for cell in around):
+            if any(block - seen.get(cell, block) > away / BLOCK for cell in around):
                 starts.append(block * BLOCK)
                 seen = {}
             # A vehicle that waits has not been away.

@@ -29,6 +29,7 @@ _CLEAR = 5.0
 _NEAR_CORE = 0.12
 _PAINT_REACH = 0.25
 _STEP_REACH = 0.12
+_FOOT_REACH, _FOOT = 0.4, 0.1
 _STEP_SHARE = 0.3
 _STEP_SIGMAS = 7.0
 _ROUGH_CELL = 0.2
@@ -240,8 +241,9 @@ def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndar
     height = (z - z.min()).astype(np.float32)
     np.minimum.at(low, cell, height)
     low[np.isinf(low)] = 1e6
-    low = cv2.erode(low.reshape(grid.shape), _disc(_STEP_REACH)).ravel()[cell[some]]
-    above = height[some] - low > step
+    low = low.reshape(grid.shape)
+    beside, around = (cv2.erode(low, _disc(reach)).ravel()[cell[some]] for reach in (_STEP_REACH, _FOOT_REACH))
+    above = (height[some] - beside > step) | (height[some] - around > max(step, _FOOT))
     counts = [cv2.GaussianBlur(np.bincount(cell[some[part]], minlength=size).astype(np.float32).reshape(grid.shape),
                                (0, 0), 1.5).ravel()[cell[some]] for part in (bright & above, bright)]
     return above | (counts[0] > _STEP_SHARE * counts[1])

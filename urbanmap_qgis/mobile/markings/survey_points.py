@@ -15,6 +15,7 @@ from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ..calibration import Calibration
 from ..gps_time import time_range, time_shift
+from ..legs import BlockPlaces
 from ..trajectory import Trajectory, driven_way, gaps
 from .ranges import Tracks, ranges
 
@@ -31,11 +32,15 @@ STOPPED = 1.0
 LONG_STOP = 5.0
 """s; while a vehicle stands for longer its navigation may drift so far that points from before and after do not fit."""
 
+RETURN = 10.0
+"""s; the passes of a vehicle that comes back to a place after so long are kept apart likewise."""
+
 _CREEP = 0.02
 _PART = 1 << 32
 _ABOVE, _BELOW = 0.5, 4.5
 _RISE = 0.15
 _PLACES, _PROBE = 6, 20_000
+_FEW = 0.05
 
 
 @dataclass
@@ -77,7 +82,7 @@ class SurveyPoints:
         self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
         self.way = driven_way(trajectory)
         self.gaps = gaps(trajectory)
-        self.stops = long_stops(trajectory, self.way)
+        self.breaks = breaks(trajectory, self.way)
         self.tracks = Tracks(trajectory, calibration)
         self.tally = Tally()
         self.units: set[int] = set()
@@ -123,9 +128,9 @@ class SurveyPoints:
             self.buckets.add(key, records)
 
     def unit(self, time: np.ndarray) -> np.ndarray:
-        """Key of the unit of way of each time (n,): units between two long stops follow each other."""
+        """Key of the unit of way of each time (n,): units between two breaks follow each other."""
         way = np.interp(time, self.trajectory.time, self.way)
-        return np.searchsorted(self.stops, time) * _PART + np.floor(way / UNIT).astype(np.int64)
+        return np.searchsorted(self.breaks, time) * _PART + np.floor(way / UNIT).astype(np.int64)
 
     def _timed(self, time: np.ndarray) -> np.ndarray:
         """Mask (n,) of times at which the vehicle's place is known and it does not stand."""
@@ -173,7 +178,7 @@ class SurveyPoints:
     def stretches(self, buckets: PointBuckets, length: int, margin: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Records of stretches of `length` units with those of `margin` units before and after, and which are own.
 
-        `buckets` hold records by unit; stretches without own records are left out. No stretch reaches over a long stop.
+        `buckets` hold records by unit; stretches without own records are left out. No stretch reaches over a break.
         """
         held: dict[int, np.ndarray] = {}
         starts = sorted({unit // _PART * _PART + unit % _PART // length * length for unit in self.units})
@@ -186,6 +191,17 @@ class SurveyPoints:
                 yield np.concatenate([held[unit] for unit in wanted]), mine
 
 
+def breaks(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
+    """Times (k,), s, over which points do not fit: long stops, gaps, and returns to a place.
+
+    `way` (n,) as of `driven_way`.
+    """
+    places = BlockPlaces()
+    places.add(*trajectory.place[:, :2].T, trajectory.time)
+    returns = places.legs(RETURN).starts
+    return np.unique(np.concatenate([long_stops(trajectory, way), gaps(trajectory).mean(axis=1), returns]))
+
+
 def long_stops(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
     """Times (k,), s, in the middle of stops of more than `LONG_STOP` seconds; `way` (n,) as of `driven_way`."""
     moving = np.flatnonzero(np.diff(way) > 0)
@@ -196,21 +212,18 @@ def long_stops(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
 
 
 def sampled_span(cloud: PointCloud) -> tuple[float, float]:
-    """First and last gps_time of a cloud by samples, s: enough to tell how its times are counted.
+    """Span that most of a cloud's gps_times lie in by samples, s: enough to tell how they are counted.
 
     Raises
     ------
     InputError : the points carry no gps_time.
     """
-    first, last = np.inf, -np.inf
-    if cloud.has_dimension("gps_time"):
-        for path, header in zip(cloud.paths, cloud.headers):
-            for share in np.linspace(0.0, 1.0, _PLACES) if header.point_count else ():
-                time = _probe(path, int(share * max(header.point_count - _PROBE, 0)))
-                first, last = min(first, float(time.min())), max(last, float(time.max()))
-    if not np.isfinite(first) or first == last == 0.0:
+    times = [_probe(path, int(share * max(header.point_count - _PROBE, 0)))
+             for path, header in zip(cloud.paths, cloud.headers) if header.point_count
+             for share in np.linspace(0.0, 1.0, _PLACES)] if cloud.has_dimension("gps_time") else []
+    if not times or not any(time.any() for time in times):
         return time_range(cloud)
-    return first, last
+    return tuple(np.quantile(np.concatenate(times), [_FEW, 1.0 - _FEW]).tolist())
 
 
 def _probe(path, start: int) -> np.ndarray:
