@@ -49,7 +49,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         self.add_distance("TIE_SIGMA", "Sigma of tie points", "Standard deviation of a tie point's coordinate in "
                           "metres; 0 finds it from the tie points.", 0.0, 0.0, 100.0, advanced=True)
         self.add_number("HEADING_SIGMA", "Expected error of the heading", "Standard deviation in degrees: what is "
-                        "known of the heading where the pairs of a set lie close together.", 1.0, 0.001, 45.0,
+                        "known of the heading where the pairs of a set lie close together.", 0.5, 0.001, 45.0,
                         unit="degrees", advanced=True)
         self.add_boolean("KEEP_BLUNDERS", "Keep doubtful sets", "Use sets even though the other sets put them "
                          "elsewhere.", False, advanced=True)

@@ -50,7 +50,7 @@ class Walk:
     pace: float = PACE
     turn_pace: float = TURN_PACE
     sigma: float = SIGMA
-    heading_sigma: float = np.radians(1.0)
+    heading_sigma: float = np.radians(0.5)
     coupled: bool = False
 
 

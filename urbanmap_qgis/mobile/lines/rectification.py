@@ -58,7 +58,7 @@ class RectifySettings:
 
     method: str = "drift"
     tie_sigma: float | None = None
-    heading_sigma: float = 1.0
+    heading_sigma: float = 0.5
     keep_blunders: bool = False
     sensor_height: float | None = None
 
