@@ -144,6 +144,31 @@ def test_trajectory_of_another_time(gnss):
         trajectory_shift(full, [(1.3e9, 1.3e9 + 60)])
 
 
+@pytest.mark.parametrize("separation", [SEPARATION, None])
+@pytest.mark.parametrize("seconds, words", [(-18.0, "18 s too early, as UTC is"), (18.0, "18 s too late")])
+def test_leap_seconds_that_were_forgotten_are_noticed(gnss, separation, seconds, words):
+    """Were the places of another time taken, every wall would be looked for elsewhere."""
+    with pytest.raises(InputError, match=words):
+        load(gnss, trajectory=shifted(drive(gnss), seconds), separation=separation)
+
+
+def test_trajectory_of_another_place(gnss):
+    here = drive(gnss)
+    with pytest.raises(InputError, match="do not fit the trajectory .* of another drive"):
+        load(gnss, trajectory=replace(here, place=here.place + np.array([3000.0, 1000.0, 0.0])))
+    with pytest.raises(InputError, match="do not fit the trajectory"):
+        load_observations([gnss / f"pass_{PASS:02d}.obs"], [gnss / "satellites.nav"], here, "EPSG:6678", SEPARATION)
+
+
+def test_a_trajectory_that_fits_badly_is_told(gnss):
+    """Places that wander by 20 m: nothing to refuse, something to say."""
+    here = drive(gnss)
+    wave = 20.0 * np.sin((here.time - here.time[0])[:, None] / [11.0, 7.0, 1e9])
+    found = load(gnss, trajectory=replace(here, place=here.place + wave))
+    assert any("contradict each other by" in note for note in found.notes)
+    assert not any("contradict" in note for note in load(gnss).notes)
+
+
 def test_epochs_outside_and_in_gaps_are_left_out(gnss, signals):
     whole = drive(gnss)
     first = signals.time[0]

@@ -95,6 +95,17 @@ def test_version_3_all_systems_flags_and_blanks(tmp_path):
     assert {str(name) for name in read_observations(tmp_path / "a.obs", "RE").satellite} == {"R07", "E12"}
 
 
+def test_strength_by_its_digit_where_there_is_no_other(tmp_path):
+    text = header_3({"G": ["C1C", "L1C"], "E": ["C1X", "S1X"]}) + epoch_3(0.0, [
+        "G05" + field(2.1e7, " 7") + field(1.0, " 9"), "G06" + field(2.2e7), "G07" + field(2.3e7, "40"),
+        "E11" + field(2.4e7, " 7") + field(33.0)])
+    rows = rows_of(read_observations(write(tmp_path, text)))
+    assert rows[0.0, "G05"][1] == 45.0 and rows[0.0, "E11"][1] == 33.0
+    assert np.isnan([rows[0.0, "G06"][1], rows[0.0, "G07"][1]]).all()
+    old = header_2(["L1", "C1"]) + epoch_2(0.0, ["G01"], [[field(1.0, " 3"), field(2.0e7, " 5")]])
+    assert read_observations(write(tmp_path, old)).cn0.tolist() == [33.0]
+
+
 def test_many_types_run_over_header_lines_and_columns(tmp_path):
     phases = [f"L{band}{letter}" for band in "125" for letter in "CWXSL"][:14]
     kinds = [*phases, "C1W", "S1W", "C1C", "S1C"]

@@ -248,8 +248,7 @@ def _eccentric_anomaly(mean: np.ndarray, e: np.ndarray) -> np.ndarray:
 
 def _geostationary(satellite: np.ndarray) -> np.ndarray:
     """Whether satellites are BeiDou's geostationary ones, whose elements are given in a tilted frame."""
-    number = np.array([int(name[1:]) for name in satellite])
-    return (satellite.astype("U1") == "C") & ((number <= 5) | (number >= 59))
+    return np.isin(satellite, [f"C{number:02d}" for number in (*range(1, 6), *range(59, 64))])
 
 
 def _turned_geostationary(place: np.ndarray, angle: np.ndarray) -> np.ndarray:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,12 +20,18 @@ from .atmosphere import ionosphere, nearest_model, troposphere
 from .ephemeris import NO_EPHEMERIS, UNHEALTHY, Navigation, States, read_navigation, signal_paths, turned_with_earth
 from .frames import EarthPlaces, MapFrame, directions, elevation_azimuth
 from .gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text
-from .receiver_clock import estimate_height, grouped_median, strong_signals
+from .receiver_clock import estimate_height, grouped_median, strong_scatter, strong_signals
 from .rinex_observations import Observations, read_observations
 from .signals import SPEED_OF_LIGHT, SYSTEM_NAMES, Epochs, Signals, SignalSettings
 
 HEIGHT_LIMIT = 12.0
 """Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights."""
+
+LARGEST_SEPARATION = 120.0
+"""The geoid is nowhere farther from the ellipsoid, m."""
+
+USUAL_SCATTER, WIDE_SCATTER, LARGEST_SCATTER = 1.5, 5.0, 30.0
+"""Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused."""
 
 _GLONASS_FACTOR, _GLONASS_CHANNEL = 1.5, 2.5
 _NO_CN0 = 38.0
@@ -49,8 +55,8 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
 
     Raises
     ------
-    InputError : a file cannot be used; observations, navigation and trajectory are not of one time; the heights
-        differ from what the satellites say by tens of metres.
+    InputError : a file cannot be used; observations, navigation and trajectory are not of one time or place; the
+        heights differ from what the satellites say by tens of metres.
     InsufficientDataError : no signal is left.
     """
     settings = settings or SignalSettings()
@@ -62,17 +68,23 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
     _check_same_days(files, navigation)
     progress.step(0.35)
     shift = trajectory_shift(trajectory, [(file.time[0], file.time[-1]) for file in files])
-    parts = []
-    for number, file in enumerate(files):
-        part = _measured(file, navigation, trajectory, shift, crs_wkt, settings)
-        parts.append(part)
-        progress.step(0.35 + 0.4 * (number + 1) / len(files))
-    signals = _gathered(parts, files, navigation, crs_wkt, geoid_separation or 0.0, settings)
-    signals = _with_height(signals, geoid_separation, settings, lambda value: _gathered(
-        parts, files, navigation, crs_wkt, value, settings))
+
+    def measured(seconds: float, part: Progress) -> list[_Measured]:
+        """All files with the trajectory's times moved by so many seconds."""
+        found = []
+        for number, file in enumerate(files):
+            found.append(_measured(file, navigation, trajectory, seconds, crs_wkt, settings))
+            part.step((number + 1) / len(files))
+        return found
+
+    parts = measured(shift, progress.part(0.35, 0.75))
+    signals = _with_height(geoid_separation, settings, lambda value: _gathered(
+        parts, files, navigation, crs_wkt, value, settings), lambda seconds, separation: _gathered(
+        measured(shift + seconds, Progress(cancelled=progress.cancelled)), files, navigation, crs_wkt, separation,
+        settings))
     progress.step(1.0)
     for note in signals.notes:
-        progress.message(note)
+        progress.warn(note)
     return signals
 
 
@@ -267,25 +279,65 @@ def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: 
     return tuple(notes)
 
 
-def _with_height(signals: Signals, given: float | None, settings: SignalSettings, again) -> Signals:
-    """Signals with a geoid separation that fits; where it was given, it is checked."""
+def _with_height(given: float | None, settings: SignalSettings, at_height: Callable[[float], Signals],
+                 moved: Callable[[float, float], Signals]) -> Signals:
+    """Signals with a geoid separation that fits; where it was given, it is checked.
+
+    `at_height(separation)` and `moved(seconds, separation)` make the signals anew.
+    """
+    signals = at_height(given or 0.0)
     if given is not None and not settings.check_height:
         return signals
     try:
         offset, sigma = estimate_height(signals, strong_signals(signals))
-    except InsufficientDataError as error:
+    except InsufficientDataError:
         if given is None:
-            raise error
+            raise
         return signals
+    note = _check_fit(signals, moved)
     if given is None:
-        signals = again(offset)
+        if abs(offset) > LARGEST_SEPARATION:
+            raise InputError(f"By the satellites the antenna is {offset:.0f} m above the heights of the trajectory, "
+                             "more than any geoid separation: trajectory and observations do not belong together.")
+        signals = at_height(offset)
         further, sigma = estimate_height(signals, strong_signals(signals))
-        note = (f"The geoid separation was not given; by the satellites the antenna is {offset + further:.1f} m above "
+        told = (f"The geoid separation was not given; by the satellites the antenna is {offset + further:.1f} m above "
                 f"the heights of the trajectory (sigma {sigma:.1f} m), which is used. The official value is better.")
-        return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, note))
+        return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, told))
     if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
         raise InputError(f"By the satellites the antenna is {abs(offset):.0f} m {'higher' if offset > 0 else 'lower'} "
                          f"than the trajectory with a geoid separation of {given:g} m says: heights above sea level "
                          f"and above the ellipsoid seem to be mixed up; a separation of about {given + offset:.0f} m "
                          "would fit.")
-    return signals
+    return replace(signals, notes=(*signals.notes, *note))
+
+
+def _scatter(signals: Signals) -> float:
+    """How far the strongest signals contradict each other, m, at the height that suits them best."""
+    try:
+        return strong_scatter(signals.raised(estimate_height(signals, strong_signals(signals))[0]))
+    except InsufficientDataError:
+        return float("nan")
+
+
+def _check_fit(signals: Signals, moved: Callable[[float, float], Signals]) -> tuple[str, ...]:
+    """Whether the strongest signals agree at each epoch; a note where they do so badly.
+
+    Raises
+    ------
+    InputError : the trajectory's times are UTC, or it does not belong to the observations.
+    """
+    scatter = _scatter(signals)
+    if not scatter > USUAL_SCATTER:
+        return ()
+    leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
+    for seconds, fault in ((leap, "too early, as UTC is"), (-leap, "too late")):
+        if _scatter(moved(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
+            raise InputError(f"The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.")
+    if scatter > LARGEST_SCATTER:
+        raise InputError(f"The code ranges do not fit the trajectory (the strongest signals contradict each other by "
+                         f"{scatter:.0f} m): its CRS, its times or the observation file are of another drive.")
+    if scatter < WIDE_SCATTER:
+        return ()
+    return (f"The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, more "
+            "than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.",)

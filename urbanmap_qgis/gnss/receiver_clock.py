@@ -21,6 +21,7 @@ _MAD = 1.4826
 _BLOCK = 60.0
 _LOW_LOSS = 7.0
 _FADING = 4.0
+_HIGH = 50.0
 _AIR_HEIGHT = 0.7
 _COARSE = np.array([40.0, 20.0, 10.0, 6.0, 4.0, 3.0, 3.0, 3.0, 3.0, 3.0])
 
@@ -194,7 +195,7 @@ def strong_signals(signals: Signals) -> np.ndarray:
 
     The strongest tenth of a system's signals, each raised by what the elevation costs (about 7 dB from the zenith to
     the horizon), sets the measure; 4 dB below it, more than fading takes and less than a reflection costs, is the
-    limit.
+    limit. Signals without a strength count from 50 degrees of elevation.
     """
     raised = signals.cn0 + _LOW_LOSS * (1.0 - signals.direction[:, 2])
     strong = np.zeros(len(signals), bool)
@@ -202,7 +203,26 @@ def strong_signals(signals: Signals) -> np.ndarray:
         own = (signals.system == name) & np.isfinite(raised)
         if own.any():
             strong[own] = raised[own] >= np.percentile(raised[own], 90) - _FADING
+    unknown = ~np.isfinite(signals.cn0)
+    strong[unknown] = signals.elevation[unknown] >= _HIGH
     return strong
+
+
+def strong_scatter(signals: Signals) -> float:
+    """How far the strongest signals contradict each other at an epoch, m (robust standard deviation); offsets of the
+    systems are taken off by medians. NaN with fewer than fifty to compare."""
+    rows = np.flatnonzero(strong_signals(signals))
+    epoch, epochs = _numbered(signals.epoch[rows])
+    system = np.unique(signals.system[rows], return_inverse=True)[1].ravel()
+    part, parts = _numbered(signals.epochs.source[signals.epoch[rows]] * 8 + system)
+    left = signals.residual[rows]
+    for _ in range(4):
+        left = left - grouped_median(left, epoch, epochs)[epoch]
+        left = left - grouped_median(left, part, parts)[part]
+    left = left - grouped_median(left, epoch, epochs)[epoch]
+    # One of three signals or more is the median itself.
+    left = left[(np.bincount(epoch, minlength=epochs)[epoch] > 3) & (left != 0)]
+    return float(_MAD * np.median(np.abs(left))) if len(left) >= 50 else float("nan")
 
 
 def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -> tuple[float, float]:

@@ -43,7 +43,8 @@ class Observations:
     epoch : (n,) row in `time`, not decreasing.
     satellite : (n,) names such as "G05".
     code : (n,) code range, m.
-    cn0 : (n,) carrier to noise density, dB-Hz; NaN where the file tells none.
+    cn0 : (n,) carrier to noise density, dB-Hz, where the file has no S observation by its strength digit in steps of
+        6; NaN where it tells neither.
     bands : RINEX 3 band that was taken, by system, for those in the file.
     notes : sentences on damage that was worked around and on what was left out.
     """
@@ -109,8 +110,8 @@ def _in_order(name: str, times: np.ndarray, rows: _Rows, values: tuple[np.ndarra
     code, cn0 = values
     kept = np.flatnonzero(np.isfinite(code))
     epochs, number = np.unique(times[rows.epoch[kept]], return_inverse=True)
-    key = np.char.add(np.char.zfill(number.ravel().astype("U9"), 9), rows.satellite[kept])
-    _, first = np.unique(key, return_index=True)
+    names, satellite = np.unique(rows.satellite[kept], return_inverse=True)
+    _, first = np.unique(number.ravel() * len(names) + satellite.ravel(), return_index=True)
     if len(first) < len(kept):
         notes.append(f"{name}: {len(kept) - len(first)} observations are there twice and are used once.")
     kept, number = kept[first], number.ravel()[first]
@@ -335,6 +336,8 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
                 if strength is not None:
                     strengths[empty], worse = _column(file, rows.line[empty], strength, progress)
                     bad += worse
+                else:
+                    strengths[empty] = _strength_digit(file, rows.line[empty], column)
                 unread += bad
         band = _best_band(system, found)
         if band:
@@ -368,10 +371,21 @@ def _column(file: RinexFile, line: np.ndarray, column: int, progress: Progress) 
     return values, unread
 
 
-def _field(file: RinexFile, line: np.ndarray, offset: int) -> np.ndarray:
-    """(m, 14) bytes of a field; blanks behind the end of a line, and where the file is cut within the field."""
-    at = offset + np.arange(14)
-    length = np.where((line == len(file) - 1) & file.cut & (file.length[line] < offset + 14), 0, file.length[line])
+def _strength_digit(file: RinexFile, line: np.ndarray, column: int) -> np.ndarray:
+    """(m,) dB-Hz, in steps of 6, by the digit behind an observation; NaN where it is blank or 0, not known."""
+    if file.version < 3:
+        line = line + column // 5
+    offset = 3 + 16 * column if file.version >= 3 else 16 * (column % 5)
+    digit = _field(file, line, offset + 15, 1)[:, 0].astype(np.int64) - ord("0")
+    return np.where((digit >= 1) & (digit <= 9), 6.0 * digit + 3.0, np.nan)
+
+
+def _field(file: RinexFile, line: np.ndarray, offset: int, width: int = 14) -> np.ndarray:
+    """(m, width) bytes of a field; blanks behind the end of a line, and where the file is cut within the field."""
+    line = np.minimum(line, len(file) - 1)
+    at = offset + np.arange(width)
+    cut = (line == len(file) - 1) & file.cut & (file.length[line] < offset + width)
+    length = np.where(cut, 0, file.length[line])
     index = np.minimum(file.start[line][:, None] + at, len(file.data) - 1)
     return np.where(at < length[:, None], file.data[index], np.uint8(ord(" ")))
 
