@@ -50,6 +50,28 @@ def test_every_file_is_read(real_data, name, epochs, systems):
     assert all(len(read_navigation([path]).satellites()) > 5 for path in navigation)
 
 
+@pytest.mark.parametrize("name", ["tst_2019", "tst_2020"])
+def test_rtklib_reads_the_same(real_data, name):
+    """Every code on the first band, at its time, by another reader."""
+    rtk = pytest.importorskip("pyrtklib", reason="pyrtklib, a cross-check for tests only, is not installed")
+    path = files(real_data, name)[0][0]
+    theirs, navigation, station = rtk.obs_t(), rtk.nav_t(), rtk.sta_t()
+    assert rtk.readrnx(str(path), 1, "", theirs, navigation, station) == 1
+    systems = {"G": rtk.SYS_GPS, "E": rtk.SYS_GAL, "J": rtk.SYS_QZS, "C": rtk.SYS_CMP, "R": rtk.SYS_GLO}
+    ours = read_observations(path)
+    number = {str(one): rtk.satno(systems[one[0]], int(one[1:]) + (192 if one[0] == "J" else 0))
+              for one in np.unique(ours.satellite)}
+    mine = {(round(float(ours.time[e]) * 1000), number[str(one)]): code
+            for e, one, code in zip(ours.epoch, ours.satellite, ours.code)}
+    found = {}
+    for i in range(theirs.n):
+        row = theirs.data[i]
+        if row.P[0] > 0:
+            found[round((row.time.time - 315964800 + row.time.sec) * 1000), row.sat] = row.P[0]
+    assert len(found) > 20000 and mine.keys() == found.keys()
+    assert max(abs(mine[key] - found[key]) for key in found) < 1e-3
+
+
 def test_static_receiver_of_2020(real_data, obstacles):
     """Four systems: in line of sight the residuals centre on zero, quartiles 1.5 m apart; hidden signals come late."""
     signals = load_observations(*files(real_data, "tst_2020"), CRS, 0.0)
