@@ -7,12 +7,14 @@ import gzip
 import json
 import shutil
 from dataclasses import replace
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
+from urbanmap_qgis.gnss.ephemeris import Navigation, read_navigation, satellite_states
 from urbanmap_qgis.gnss.observations import load_observations, trajectory_shift
 from urbanmap_qgis.gnss.receiver_clock import estimate_clocks, estimate_height
 from urbanmap_qgis.gnss.signals import Signals, SignalSettings, join
@@ -217,6 +219,36 @@ def test_packed_files_and_several_at_once(gnss, tmp_path, signals):
                               SEPARATION)
     assert set(found.epochs.source) == {0, 1} and len(found) == len(signals) + len(load(gnss, 4))
     assert np.abs(found.residual[:len(signals)] - signals.residual).max() < 1e-6
+
+
+def write_sp3(path: Path, navigation: Navigation, first: float, epochs: int, step: float = 900.0) -> None:
+    """Precise orbits that say what the broadcast ones say, without the relativity of the clock, as SP3 has it."""
+    names = navigation.satellites()
+    lines = ["#dP", "%c M  cc GPS ccc"]
+    for k in range(epochs):
+        time = np.full(len(names), first + k * step)
+        states = satellite_states(navigation, names, time)
+        speed = (satellite_states(navigation, names, time + 0.5).place
+                 - satellite_states(navigation, names, time - 0.5).place)
+        clock = states.clock + 2 * np.einsum("ij,ij->i", states.place, speed) / 299792458.0 ** 2
+        moment = datetime(1980, 1, 6) + timedelta(seconds=float(time[0]))
+        lines.append(f"*  {moment:%Y} {moment.month} {moment.day} {moment.hour} {moment.minute} {moment.second}.0")
+        lines += [f"P{name}" + "".join(f"{value:14.6f}" for value in (*place / 1e3, tick * 1e6))
+                  for name, place, tick in zip(names, states.place, clock) if np.isfinite(place).all()]
+    path.write_text("\n".join([*lines, "EOF"]) + "\n")
+
+
+def test_precise_orbits_in_place_of_broadcast_ones(gnss, tmp_path, signals):
+    navigation = read_navigation([gnss / "satellites.nav"])
+    middle = float(np.median(signals.epochs.gps_time))
+    write_sp3(tmp_path / "own.sp3", navigation, 900.0 * round(middle / 900.0) - 6 * 900.0, 13)
+    paths = [gnss / "satellites.nav", tmp_path / "own.sp3"]
+    found = load_observations([gnss / f"pass_{PASS:02d}.obs"], paths, drive(gnss), CRS, SEPARATION)
+    assert np.array_equal(found.satellite, signals.satellite) and (found.age == 0).mean() > 0.9
+    change = found.residual + found.clock_datum[0] - signals.residual - signals.clock_datum[0]
+    assert np.abs(change).max() < 0.05
+    alone = load_observations([gnss / f"pass_{PASS:02d}.obs"], paths[1:], drive(gnss), CRS, SEPARATION)
+    assert any("group delays" in note for note in alone.notes) and any("ionosphere" in note for note in alone.notes)
 
 
 # What cannot be used

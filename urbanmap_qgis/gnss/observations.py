@@ -271,6 +271,9 @@ def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: 
     if model is None:
         notes.append("The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not "
                      "taken off; give a navigation file of GPS.")
+    if navigation.precise and not len(navigation.kepler):
+        notes.append("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the "
+                     "navigation files too.")
     for system in sorted({name for file in files for name in file.bands}):
         seen = any((file.satellite.astype("U1") == system).any() for file in files)
         if seen and not any((part.satellite.astype("U1") == system).any() for part in parts):
