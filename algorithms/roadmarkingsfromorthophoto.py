@@ -125,8 +125,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         count = self.raster_path(parameters, "FRAME_COUNT", context)
         evidence = Evidence(self._pairs(parameters, context), count and shares_of_views(count),
                             bool(parameters.get("ROADS")), contrast)
-        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence,
-                             self.settings_of(parameters), self.parameterAsString(parameters, "NOTE", context))
+        settings = self.settings_of({name: value for name, value in parameters.items() if name != "NOTE"})
+        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence, settings,
+                             self.parameterAsString(parameters, "NOTE", context))
         return str(path)
 
     def _pairs(self, parameters, context):

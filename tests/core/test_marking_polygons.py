@@ -42,7 +42,8 @@ def polygons_of(markings, tile=None):
     rows, columns = markings.mask.shape
     tile = tile or max(rows, columns)
     window = slice(0, rows), slice(0, columns)
-    pieces = [pieces_of_tile(markings, window, slice(row, min(row + tile, rows)), slice(col, min(col + tile, columns)))
+    pieces = [pieces_of_tile(markings, window, slice(row, min(row + tile, rows)),
+                             slice(col, min(col + tile, columns)), PLACE)
               for row in range(0, rows, tile) for col in range(0, columns, tile)]
     return merge_pieces(pieces, PLACE, 1.0, 0.0)
 

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -236,7 +236,7 @@ def _tile_found(given: _Scene | Shared, levels: Levels | None, settings: Marking
     own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
                 columns.start - window[1].start:columns.stop - window[1].start]
     mask = markings.mask[own].copy()
-    pieces = pieces_of_tile(markings, window, rows, columns) if mask.any() else None
+    pieces = pieces_of_tile(markings, window, rows, columns, scene.transform) if mask.any() else None
     return _TileFound(rows, columns, mask, pieces, int(allowed[own].sum()))
 
 
@@ -249,10 +249,12 @@ def _gathered(found: Iterator[_TileFound], scene: _Scene, settings: MarkingSetti
         looked_at += part.looked_at
         marked += int(part.mask.sum())
         if part.pieces is not None:
-            pieces.append(part.pieces)
+            # As bytes, which take a fraction of the memory of geometries.
+            pieces.append(replace(part.pieces, polygons=shapely.to_wkb(part.pieces.polygons)))
         _write(target, part.mask, part.rows, part.columns, scene.factor)
     cell = scene.pixel ** 2
     smallest = settings.cleaning.min_area if settings.cleaning else 0.0
+    pieces = [replace(piece, polygons=shapely.from_wkb(piece.polygons)) for piece in pieces]
     polygons = merge_pieces(pieces, scene.transform, metres_per_unit, smallest)
     return FoundMarkings(polygons, scene.own_pixel, looked_at * cell, marked * cell)
 

@@ -37,6 +37,8 @@ class PolygonPieces:
     ----------
     polygons : (n,) shapely polygons. at_seam : (n,) bool, they touch the tile's edge.
     pixels, contrast, yellow : (n,) number of pixel centres inside, sum of contrasts, number of yellow ones.
+    measures : (n, 4) area, perimeter, north and west end, in the CRS, before whole ones (not at the seam) were
+        simplified: of millions of markings only few vertices can be kept in memory.
     """
 
     polygons: np.ndarray
@@ -44,6 +46,7 @@ class PolygonPieces:
     pixels: np.ndarray
     contrast: np.ndarray
     yellow: np.ndarray
+    measures: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -67,12 +70,14 @@ class MarkingPolygons:
         return len(self.polygons)
 
 
-def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice, columns: slice) -> PolygonPieces:
+def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice, columns: slice,
+                   transform: Affine) -> PolygonPieces:
     """Outlines of the markings of a tile.
 
     Parameters
     ----------
     markings : of the tile with its surroundings, which take `window` of the image. rows, columns : of the tile.
+    transform : from pixels (corners at whole numbers) to the CRS.
     """
     top, left = rows.start - window[0].start, columns.start - window[1].start
     height, width = rows.stop - rows.start, columns.stop - columns.start
@@ -94,7 +99,22 @@ def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice,
     sums = [np.bincount(labels[inside], weights=weights, minlength=count)[1:] for weights in
             (None, markings.contrast[own][inside], markings.yellow[own][inside])]
     moved = shapely.transform(polygons, lambda points: points + np.array([columns.start, rows.start]))
-    return PolygonPieces(moved, at_seam, *sums)
+    measures = _measures(moved, transform)
+    moved[~at_seam] = _simplified(moved[~at_seam])
+    return PolygonPieces(moved, at_seam, *sums, measures)
+
+
+def _measures(polygons: np.ndarray, transform: Affine) -> np.ndarray:
+    """(n, 4) area, perimeter, north and west end in the CRS of polygons in pixels."""
+    placed = shapely.transform(polygons, lambda points: _to_crs(points, transform))
+    box = shapely.bounds(placed).reshape(-1, 4)
+    return np.column_stack([shapely.area(placed), shapely.length(placed), box[:, 3], box[:, 0]])
+
+
+def _simplified(polygons: np.ndarray) -> np.ndarray:
+    """Polygons without vertices that hardly matter; as they are where that would break them."""
+    outlines = shapely.make_valid(shapely.simplify(polygons, _SIMPLIFIED))
+    return np.where(shapely.get_type_id(outlines) == 3, outlines, polygons)
 
 
 def _polygons_of_rings(rings: Sequence[np.ndarray]) -> np.ndarray:
@@ -154,22 +174,15 @@ def merge_pieces(pieces: Sequence[PolygonPieces], transform: Affine, metres_per_
     target[np.flatnonzero(at_seam)[part]] = found + np.count_nonzero(~at_seam)
     pixels, contrast, yellow = (np.bincount(target, weights=values, minlength=len(whole))
                                 for values in (pixels, contrast, yellow))
-    whole = shapely.transform(whole, lambda points: _to_crs(points, transform))
-    pixel = np.sqrt(abs(transform.determinant))
-    return _measured(whole, pixels, contrast, yellow, pixel, metres_per_unit, smallest)
-
-
-def _measured(polygons: np.ndarray, pixels: np.ndarray, contrast: np.ndarray, yellow: np.ndarray, pixel: float,
-              metres_per_unit: float, smallest: float) -> MarkingPolygons:
-    area = shapely.area(polygons) * metres_per_unit ** 2
-    perimeter = shapely.length(polygons) * metres_per_unit
-    kept = (area >= smallest) & (pixels > 0)
-    box = shapely.bounds(polygons)
-    kept = np.flatnonzero(kept)[np.lexsort((box[kept, 0], -box[kept, 3]))]  # from the north, whatever the tiles
+    measures = np.concatenate([np.concatenate([piece.measures[~piece.at_seam] for piece in pieces]),
+                               _measures(joined, transform)])
+    whole[len(whole) - len(joined):] = _simplified(joined)
+    area, perimeter = measures[:, 0] * metres_per_unit ** 2, measures[:, 1] * metres_per_unit
+    kept = np.flatnonzero((area >= smallest) & (pixels > 0))
+    kept = kept[np.lexsort((measures[kept, 3], -measures[kept, 2]))]  # from the north, whatever the tiles
     area, half = area[kept], perimeter[kept] / 2
     length = (half + np.sqrt(np.maximum(half ** 2 - 4 * area, 0))) / 2
-    outlines = shapely.make_valid(shapely.simplify(polygons[kept], _SIMPLIFIED * pixel))
-    outlines = np.where(shapely.get_type_id(outlines) == 3, outlines, polygons[kept])
+    outlines = shapely.transform(whole[kept], lambda points: _to_crs(points, transform))
     return MarkingPolygons(outlines, area, length, area / length, contrast[kept] / pixels[kept],
                            np.where(yellow[kept] > 0.5 * pixels[kept], YELLOW, WHITE).astype(object))
 

@@ -22,7 +22,6 @@ _PICTURE_SIDE = 1400
 _DETAIL = 500  # pixels, side of the part shown at full size
 _LINE_COLOUR = (0, 200, 83)  # blue, green, red
 _COARSE = 0.15
-_MANY_HOLES = 0.1
 _FAINT = 1.5  # times the contrast asked for
 _ONE_VIEW = 0.2
 
@@ -130,12 +129,10 @@ def doubts_of(found: FoundMarkings, evidence: Evidence) -> list[str]:
         doubts.append(f"With pixels of {found.pixel:.2f} m lane lines are narrower than a pixel: many are missed.")
     if not evidence.roads:
         doubts.append("No roads were given: bright lines on roofs, plots and paving may be among the markings.")
-    if evidence.views is not None and evidence.views[1] > _ONE_VIEW:
-        doubts.append(f"{evidence.views[1]:.0%} of the image is seen by one frame only: vehicles stay there, and hide "
-                      "markings.")
-    if evidence.views is not None and evidence.views[0] > _MANY_HOLES:
-        doubts.append(f"{evidence.views[0]:.0%} of the image holds no data (buildings, what they hide, and beyond the "
-                      "frames): markings there are missing, and lines end at its borders.")
+    alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
+    if alone > _ONE_VIEW:
+        doubts.append(f"{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and "
+                      "hide markings.")
     markings = found.polygons
     if len(markings) and (markings.contrast < _FAINT * evidence.contrast).mean() > 0.1:
         doubts.append(f"{(markings.contrast < _FAINT * evidence.contrast).mean():.0%} of the markings hardly stand out "
@@ -148,7 +145,7 @@ def doubts_of(found: FoundMarkings, evidence: Evidence) -> list[str]:
 def _agreement(report: Report, evidence: Evidence) -> None:
     if evidence.views is not None:
         report.section("Coverage")
-        names = "seen by no frame (or a building)", "by one frame", "by two", "by three or more"
+        names = "no data (buildings, hidden ground, beyond the frames)", "by one frame", "by two", "by three or more"
         report.facts({name: f"{share:.1%}" for name, share in zip(names, evidence.views)})
     if evidence.pairs is None:
         return
