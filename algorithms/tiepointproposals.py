@@ -23,7 +23,8 @@ class TiePointProposals(UrbanMapAlgorithm):
         "looked for along the outline's edges, and meet in the survey's corner. Of several possible places the one is "
         "taken that is shifted like the corners measured about the same time. Corners are gathered in sets of two.\n"
         "Each line of the result runs from the survey to the reference. Look at them before they are used: delete "
-        "wrong ones, move ends, add others. They are as good as the outlines."
+        "wrong ones, move ends, add others. They are as good as the outlines: give the outlines' accuracy as “Sigma of "
+        "tie points” to the rectification."
     )
 
     def declare(self):

@@ -36,7 +36,7 @@ NEEDED = ("time", "angle", "range")
 
 SUFFIXES = (".csv", ".txt", ".csv.gz", ".txt.gz", ".parquet", ".las", ".laz")
 
-_CHUNK_BYTES = 32_000_000
+_CHUNK_BYTES = 16_000_000
 _CHUNK_ROWS = 1_000_000
 _DAMAGED = (OSError, EOFError, UnicodeDecodeError)
 
