@@ -21,6 +21,12 @@ _ROUNDS = 15
 _LEAST_SATELLITE_ERROR = 0.2
 """Of orbit, satellite clock and atmosphere together, m: less is not believed."""
 
+_USUAL_ERROR, _USUAL_COUNT = 0.5, 4.0
+"""What is expected of it before anything is measured, m, as if so many satellites had told it."""
+
+_OUTLIER = 15.0
+"""Satellites whose squared error is so many times the median's are not in sight."""
+
 _OPEN = 1e3
 """Standard deviation of a system's offset before it is measured, m."""
 
@@ -150,7 +156,7 @@ def _scatter(normalised: np.ndarray, freedom: int) -> float:
 
 def _lasting(error: np.ndarray, variance: np.ndarray, heard: np.ndarray) -> float:
     """Standard deviation of the satellites' lasting errors: of the estimates, robustly, and what they leave open."""
-    if np.count_nonzero(heard) < 4:
-        return 1.0
-    spread = np.sqrt((1.4826 * np.median(np.abs(error[heard]))) ** 2 + np.median(variance[heard]))
-    return float(max(spread, _LEAST_SATELLITE_ERROR))
+    square = error[heard] ** 2 + variance[heard]
+    kept = square <= _OUTLIER * np.median(square) if len(square) else np.zeros(0, bool)
+    total = square[kept].sum() + _USUAL_COUNT * _USUAL_ERROR**2
+    return float(max(np.sqrt(total / (np.count_nonzero(kept) + _USUAL_COUNT)), _LEAST_SATELLITE_ERROR))
