@@ -271,6 +271,8 @@ def test_satellites_without_ephemeris_and_unhealthy_ones_are_counted(gnss, tmp_p
     assert found.left_out == {"without an ephemeris": int((signals.satellite == gone).sum()),
                               "of unhealthy satellites": int((signals.satellite == sick).sum())}
     assert set(found.satellite) == set(names) - {gone, sick}
+    assert [note for note in found.notes if "no ephemeris" in note and gone in note]
+    assert [note for note in found.notes if "unhealthy" in note and sick in note]
 
 
 def test_a_system_without_navigation_is_told(gnss, tmp_path, signals):

@@ -133,6 +133,7 @@ class _Measured:
     states: States
     bands: dict[str, str]
     left_out: Counter
+    unplaced: dict[int, set[str]]
 
 
 def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory, shift: float, crs_wkt: str,
@@ -154,8 +155,10 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     here = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
     satellite, code = file.satellite[rows], file.code[rows]
     paths = signal_paths(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
+    unplaced = {}
     for status, reason in ((NO_EPHEMERIS, "without an ephemeris"), (UNHEALTHY, "of unhealthy satellites")):
         _count(left_out, reason, paths.states.status == status)
+        unplaced[status] = set(satellite[paths.states.status == status].tolist())
     good = np.isfinite(paths.distance)
     # The clock is told by the codes themselves; at the true time of reception the antenna was a little back.
     rough = code - paths.distance + SPEED_OF_LIGHT * (paths.states.clock - paths.states.delay)
@@ -165,7 +168,7 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     place = body_to_map(trajectory, received, arm)
     states = States(*(getattr(paths.states, name)[good] for name in States.__dataclass_fields__))
     return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], states,
-                     file.bands, left_out)
+                     file.bands, left_out, unplaced)
 
 
 def within_trajectory(trajectory: Trajectory, time: np.ndarray, longest_gap: float) -> np.ndarray:
@@ -274,11 +277,14 @@ def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: 
     if navigation.precise and not len(navigation.kepler):
         notes.append("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the "
                      "navigation files too.")
-    for system in sorted({name for file in files for name in file.bands}):
-        seen = any((file.satellite.astype("U1") == system).any() for file in files)
-        if seen and not any((part.satellite.astype("U1") == system).any() for part in parts):
-            notes.append(f"No satellite of {SYSTEM_NAMES[system]} can be placed: its signals are left out; give its "
-                         "navigation file.")
+    placed = {str(name) for part in parts for name in np.unique(part.satellite.astype("U1"))}
+    for status, why in ((NO_EPHEMERIS, "have no ephemeris near in time"), (UNHEALTHY, "are unhealthy")):
+        names = sorted({name for part in parts for name in part.unplaced[status] if name[0] in placed})
+        if names:
+            notes.append(f"Satellites that {why} are left out: {', '.join(names)}.")
+    for system in sorted({name[0] for part in parts for name in part.unplaced[NO_EPHEMERIS]} - placed):
+        notes.append(f"No satellite of {SYSTEM_NAMES[system]} can be placed: its signals are left out; give its "
+                     "navigation file.")
     return tuple(notes)
 
 
@@ -304,8 +310,8 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
                              "more than any geoid separation: trajectory and observations do not belong together.")
         signals = at_height(offset)
         further, sigma = estimate_height(signals, strong_signals(signals))
-        told = (f"The geoid separation was not given; by the satellites the antenna is {offset + further:.1f} m above "
-                f"the heights of the trajectory (sigma {sigma:.1f} m), which is used. The official value is better.")
+        told = (f"The geoid separation was not given; the satellites say {offset + further:.1f} m (sigma {sigma:.1f} "
+                "m), which is used: the official value is better.")
         return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, told))
     if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
         raise InputError(f"By the satellites the antenna is {abs(offset):.0f} m {'higher' if offset > 0 else 'lower'} "
