@@ -115,6 +115,19 @@ def test_many_types_run_over_header_lines_and_columns(tmp_path):
     assert rows_of(found) == {(1.0, "G31"): (2.3e7, 50.0)}
 
 
+def test_scaled_numbers(tmp_path):
+    """Factor 10 for one type of GPS, 100 for all of Galileo."""
+    text = header_3({"G": ["C1C", "S1C"], "E": ["C1C", "S1C"], "R": ["C1C", "S1C"]})
+    factors = head("G   10   1 C1C", "SYS / SCALE FACTOR") + head("E  100", "SYS / SCALE FACTOR")
+    text = text.replace(head("", "END OF HEADER"), factors + head("", "END OF HEADER"))
+    text += epoch_3(0.0, ["G01" + field(2.1e8) + field(40.0), "E01" + field(2.3e9) + field(4100.0),
+                          "R01" + field(2.0e7) + field(42.0)])
+    rows = rows_of(read_observations(write(tmp_path, text)))
+    assert rows == {(0.0, "G01"): (2.1e7, 40.0), (0.0, "E01"): (2.3e7, 41.0), (0.0, "R01"): (2.0e7, 42.0)}
+    with pytest.raises(InputError, match="scale factor"):
+        read_observations(write(tmp_path, text.replace("G   10   1", "G   x0   1")))
+
+
 def test_the_better_served_band_is_taken(tmp_path):
     types = {"G": ["C1C", "S1C", "C2W", "S2W"]}
     rows = [f"G{i:02d}" + (field(2.1e7) + field(40.0) if i == 1 else field(None) * 2) + field(2.2e7 + i) + field(30.0)

@@ -32,6 +32,9 @@ _EVENT_2 = re.compile(r"^.{28}[2-6][ \d]{2}\d")
 _SATELLITE = re.compile(r"[GREJCSI ][ \d]\d")
 
 
+_Factors = dict[tuple[str, str], float]
+
+
 @dataclass(frozen=True)
 class Observations:
     """Code observations of one file, one band for each system.
@@ -86,7 +89,8 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
     rows = walk.rows()
     progress.step(0.3)
     scale = _time_scale(file)
-    values, bands, unread = _values(file, rows, walk.types, systems, progress.part(0.3, 1.0))
+    factors = _scale_factors(file)
+    values, bands, unread = _values(file, rows, walk.types, systems, factors, progress.part(0.3, 1.0))
     notes = [*file.notes, *walk.notes()]
     if unread:
         notes.append(f"{file.name}: {unread} numbers cannot be read and are left out.")
@@ -290,6 +294,22 @@ def _types_of(header: tuple[tuple[str, str], ...], file: RinexFile) -> dict[str,
     return types
 
 
+def _scale_factors(file: RinexFile) -> _Factors:
+    """By what the numbers of a system and type have been multiplied; the type "" stands for all of the system."""
+    factors: _Factors = {}
+    system, factor = "", 1.0
+    for content in file.contents("SYS / SCALE FACTOR"):
+        try:
+            if content[:1].strip():
+                system, factor = content[0], float(content[2:6])
+                if not int(content[8:10].strip() or 0):
+                    factors[system, ""] = factor
+        except ValueError as error:
+            raise InputError(f"{file.name} has a scale factor that cannot be read: check its header.") from error
+        factors.update(((system, kind), factor) for kind in content[10:60].split())
+    return factors
+
+
 def _band_of(system: str, kind: str, version: float) -> str | None:
     """RINEX 3 band of a code observation ("C1C", or "P1" of RINEX 2); None where it is no code of a band we use."""
     if kind[0] not in "CP" or (kind[0] == "P" and version >= 3):
@@ -316,7 +336,7 @@ def _candidates(system: str, types: list[str], version: float) -> Iterator[tuple
 
 
 def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], systems: str,
-            progress: Progress) -> tuple[tuple[np.ndarray, np.ndarray], dict[str, str], int]:
+            factors: _Factors, progress: Progress) -> tuple[tuple[np.ndarray, np.ndarray], dict[str, str], int]:
     """Code and strength (n,) of the band with most to offer, the bands, and how many numbers cannot be read."""
     code, cn0 = np.full(len(rows.line), np.nan), np.full(len(rows.line), np.nan)
     bands: dict[str, str] = {}
@@ -324,28 +344,41 @@ def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], sys
     letter = rows.satellite.astype("U1")
     present = [system for system in systems if system in MEGAHERTZ]
     for step, system in enumerate(present):
-        found: dict[str, tuple[np.ndarray, np.ndarray]] = {}
         mine = np.flatnonzero(letter == system)
-        for version in np.unique(rows.types[mine]):
-            some = mine[rows.types[mine] == version]
-            kinds = types[version].get(system if file.version >= 3 else "2", [])
-            for band, column, strength in _candidates(system, kinds, file.version):
-                codes, strengths = found.setdefault(band, (np.full(len(code), np.nan), np.full(len(code), np.nan)))
-                empty = some[np.isnan(codes[some])]
-                codes[empty], bad = _column(file, rows.line[empty], column, progress)
-                if strength is not None:
-                    strengths[empty], worse = _column(file, rows.line[empty], strength, progress)
-                    bad += worse
-                else:
-                    strengths[empty] = _strength_digit(file, rows.line[empty], column)
-                unread += bad
+        found, bad = _bands(file, rows.line[mine], rows.types[mine], system, types, factors, progress)
+        unread += bad
         band = _best_band(system, found)
         if band:
-            code[mine], cn0[mine] = found[band][0][mine], found[band][1][mine]
+            code[mine], cn0[mine] = found[band]
             bands[system] = band
         progress.step((step + 1) / len(present))
     code[~(code > 1e6)] = np.nan
     return (code, np.where(cn0 > 0, cn0, np.nan)), bands, unread
+
+
+def _bands(file: RinexFile, line: np.ndarray, version: np.ndarray, system: str, types: list[dict[str, list[str]]],
+           factors: _Factors, progress: Progress) -> tuple[dict[str, tuple[np.ndarray, np.ndarray]], int]:
+    """Codes and strengths (m,) of a system's satellites (first lines and lists of types (m,)) by band; of several
+    signals on a band the preferred one that is there."""
+    found: dict[str, tuple[np.ndarray, np.ndarray]] = {}
+    unread = 0
+    for number in np.unique(version):
+        some = np.flatnonzero(version == number)
+        kinds = types[number].get(system if file.version >= 3 else "2", [])
+        scale = [factors.get((system, kind), factors.get((system, ""), 1.0)) for kind in kinds]
+        for band, column, strength in _candidates(system, kinds, file.version):
+            codes, strengths = found.setdefault(band, (np.full(len(line), np.nan), np.full(len(line), np.nan)))
+            empty = some[np.isnan(codes[some])]
+            values, bad = _column(file, line[empty], column, progress)
+            codes[empty] = values / scale[column]
+            unread += bad
+            if strength is None:
+                strengths[empty] = _strength_digit(file, line[empty], column)
+            else:
+                values, bad = _column(file, line[empty], strength, progress)
+                strengths[empty] = values / scale[strength]
+                unread += bad
+    return found, unread
 
 
 def _best_band(system: str, found: dict[str, tuple[np.ndarray, np.ndarray]]) -> str | None:
