@@ -285,3 +285,14 @@ def test_report_shows_sets_profiles_and_warnings(tmp_path):
     assert page.count("<svg") == 5 and "Set 3 &lt;contradicts&gt; itself" in page
     assert "left out: its pairs do not fit each other" in page and "mean height stays as reported" in page
     assert "nan" not in page.lower().replace("nano", "")
+
+
+def test_few_sets_do_not_tell_how_good_they_are():
+    _, reported, ties = short()
+    some = ties.of(np.isin(ties.sets, ["1", "8"]))
+    told, progress = warned()
+    rectify(reported, some, None, None, progress)
+    assert any("2 sets do not tell" in text for text in told)
+    told, progress = warned()
+    rough = rectify(reported, some, None, RectifySettings(tie_sigma=0.5), progress)
+    assert not told and rough.plan_sigma.min() > 0.25

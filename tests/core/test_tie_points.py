@@ -58,3 +58,10 @@ def test_no_pair_within_the_time_is_refused():
         usable(ties_at(50.0, 60.0), DRIVE)
     with pytest.raises(InputError, match="gaps"):
         usable(ties_at(7.0), DRIVE)
+
+
+def test_times_of_the_week_and_adjusted_times_are_brought_together():
+    """Tie points in adjusted standard time, the trajectory in seconds of the week."""
+    start = 2200 * 604800.0 - 1e9
+    left = usable(ties_at(start + 1.0, start + 2.5), DRIVE)
+    np.testing.assert_allclose(left.time, [1.0, 2.5])

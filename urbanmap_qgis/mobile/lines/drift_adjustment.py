@@ -29,7 +29,8 @@ PACE, TURN_PACE, SIGMA = 0.05, np.radians(0.01), 0.05
 _SPREAD = np.log([4.0, 4.0, 3.0])
 _START_SIGMA = 1000.0
 _LEAST_STEP = 1e-3
-_NODE_STEP, _MOST_NODES = 1.0, 600
+_NODES, _MOST_NODES = 600, 4000
+_NODE_STEPS = 1.0, 5.0  # s
 _ROUNDS = 3
 _BAND = 5
 _CLEARLY = 20.0
@@ -168,7 +169,8 @@ class _System:
 
     def __init__(self, pairs: Pairs, trajectory: Trajectory):
         self.pairs = pairs
-        count = int(np.clip(trajectory.duration / _NODE_STEP, 2, _MOST_NODES))
+        step = np.clip(trajectory.duration / _NODES, *_NODE_STEPS)
+        count = int(np.clip(trajectory.duration / step, 2, _MOST_NODES))
         self.time = np.unique(np.concatenate([np.linspace(trajectory.time[0], trajectory.time[-1], count + 1),
                                               pairs.time]))
         self.node = np.searchsorted(self.time, pairs.time)

@@ -168,6 +168,9 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     _tell_jumps(ties, number, keep, status, names, progress)
     made = _corrected(trajectory, ties, number, place, keep, model, settings)
     _tell_reach(trajectory, model, progress)
+    if settings.tie_sigma is None and len(np.unique(number[keep])) < _FEWEST_FOR_SIGMA:
+        progress.warn(f"{len(np.unique(number[keep]))} sets do not tell how good the tie points are: give their sigma, "
+                      "or add sets.")
     progress.step(0.7)
     heights = None
     if ground is not None:

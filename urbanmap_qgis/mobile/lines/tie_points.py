@@ -17,6 +17,7 @@ import shapely
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
+from ..gps_time import shift_between
 from ..trajectory import Trajectory, gaps
 
 COLUMNS = ("set", "time", "x_mms", "y_mms", "x_ref", "y_ref")
@@ -122,15 +123,18 @@ def ends_of(lines: Sequence[shapely.Geometry | None]) -> dict[str, np.ndarray]:
 def usable(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT) -> TiePoints:
     """The pairs within the trajectory's time and outside its gaps; the others are told as a warning.
 
+    Times of the week and adjusted standard times are brought to the trajectory's.
+
     Raises
     ------
     InputError : no pair lies within the trajectory's time.
     """
     inside = trajectory.within(ties.time)
     if not inside.any():
-        raise InputError(f"The tie points were measured from {ties.time[0]:.1f} to {ties.time[-1]:.1f} s, but the "
-                         f"trajectory runs from {trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s: give those of "
-                         "one survey.")
+        span, wanted = ((float(time[0]), float(time[-1])) for time in (ties.time, trajectory.time))
+        shift = shift_between(span, wanted, "The tie points")
+        ties = TiePoints(ties.sets, ties.time + shift, ties.measured, ties.reference)
+        inside = trajectory.within(ties.time)
     if not inside.all():
         progress.warn(f"{np.count_nonzero(~inside)} tie points lie outside the trajectory's time and are left out "
                       f"(set {_some(ties.sets[~inside])}).")
