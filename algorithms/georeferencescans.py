@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+
+from ..urbanmap_qgis.errors import InputError
 from .base import UrbanMapAlgorithm
 from .parameters import tr
 
-SCANS_FILTER = "Range scans (*.csv *.txt *.gz *.parquet *.las *.laz)"
 ANGLE_UNITS = ("degrees", "radians")
 
 
@@ -26,7 +30,9 @@ class GeoreferenceScans(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.add_file("SCANS", "Range scans", "Table of time, angle, range, intensity and scanner.", SCANS_FILTER)
+        self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            "SCANS", tr("Range scans"), QgsProcessing.SourceType.TypeFile), "One or several tables of time, angle, "
+            "range, intensity and scanner (CSV, CSV.GZ, Parquet, LAS, LAZ).")
         self.add_trajectory()
         self.add_calibration()
         self.add_crs("CRS", "Coordinate reference system", "Of the trajectory, where its layer does not say it; it is "
@@ -46,12 +52,26 @@ class GeoreferenceScans(UrbanMapAlgorithm):
         self.add_number_output("OUTSIDE_TIME", "Outside the time", "Returns left out because they were measured "
                                "outside the trajectory or in a gap of it.")
 
+    def check(self, parameters, context):
+        self._scan_files(parameters, context)
+
+    def _scan_files(self, parameters, context) -> list[Path]:
+        """Files of SCANS, each once."""
+        paths = [Path(text) for text in self.parameterAsFileList(parameters, "SCANS", context) if text]
+        for path in paths:
+            if not path.is_file():
+                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
+                    self.label_of("SCANS"), path))
+        if not paths:
+            raise InputError(tr("{0}: no file was given.").format(self.label_of("SCANS")))
+        return list(dict.fromkeys(paths))
+
     def compute(self, parameters, context, feedback):
         from ..urbanmap_qgis.mobile.calibration import read_calibration
         from ..urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans
 
         progress = self.progress(feedback)
-        scans = self.input_path(parameters, "SCANS", context)
+        scans = self._scan_files(parameters, context)
         calibration = read_calibration(self.input_path(parameters, "CALIBRATION", context))
         given = self.parameterAsCrs(parameters, "CRS", context)
         file = self.read_trajectory(parameters, "TRAJECTORY", context, wkt_or_none(given), progress)
@@ -64,7 +84,7 @@ class GeoreferenceScans(UrbanMapAlgorithm):
         settings = ScanSettings(largest or None, self.parameterAsDouble(parameters, "MIN_RANGE", context),
                                 self.parameterAsString(parameters, "ANGLE_UNIT", context) == "radians")
         output = self.output_path(parameters, "OUTPUT", context)
-        placed = georeference_scans([scans], file.trajectory, calibration, output, crs, settings, progress)
+        placed = georeference_scans(scans, file.trajectory, calibration, output, crs, settings, progress)
         for scanner, count in placed.by_scanner.items():
             progress.message(tr("Scanner {0}: {1} points").format(scanner, count))
         if placed.outside:

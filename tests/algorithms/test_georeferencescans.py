@@ -68,3 +68,16 @@ def test_a_crs_in_degrees_is_refused(run, survey):
 
     with pytest.raises(QgsProcessingException):
         run(ALGORITHM, {**survey, "CRS": "EPSG:4326"})
+
+
+def test_several_files_are_placed_one_after_the_other(run, survey, tmp_path):
+    (tmp_path / "more.csv").write_text("time,angle,range,scanner\n1,90,5,1\n2,90,5,2\n")
+    result = run(ALGORITHM, {**survey, "SCANS": [survey["SCANS"], str(tmp_path / "more.csv")]})
+    assert result["POINTS"] == 102
+
+
+def test_a_file_that_is_not_there(run, survey, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="does not exist"):
+        run(ALGORITHM, {**survey, "SCANS": str(tmp_path / "none.csv")})
