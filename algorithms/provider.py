@@ -26,6 +26,7 @@ ALGORITHMS = (
     ("aerialmarkings", "AerialMarkings"),
     ("registermms", "RegisterMms"),
     ("applytrajectory", "ApplyTrajectory"),
+    ("georeferencemms", "GeoreferenceMms"),
     ("landmarkupdate", "LandmarkUpdate"),
     ("checkaccuracy", "CheckAccuracy"),
     ("groundfrommms", "GroundFromMms"),

@@ -89,8 +89,19 @@ AERIAL_MARKINGS = (
          outputs={"OUTPUT": "Marking mask", "OUTPUT_POLYGONS": "Road markings", "OUTPUT_REPORT": "Report"}),
 )
 
+GEOREFERENCE_MMS = (
+    Step("roadmarkingsfrommms", "1. Takes the points on road markings out of the survey by their intensity."),
+    Step("registermms", "2. Lays them on the reference markings: the corrected trajectory, and how sure it is.",
+         made={"POINTS": ("roadmarkingsfrommms", "OUTPUT")}, named={"OUTPUT": "OUTPUT_TRAJECTORY"},
+         outputs={"OUTPUT": "Corrected trajectory", "OUTPUT_PATCHES": "Patches", "OUTPUT_REPORT": "Report"}),
+    Step("applytrajectory", "3. Moves the survey's points and images with the corrected trajectory.",
+         made={"CORRECTED": ("registermms", "OUTPUT")},
+         outputs={"OUTPUT": "Georeferenced survey", "OUTPUT_IMAGES": "Corrected image poses"}),
+)
+
 CHAINS = (("buildings_from_als", "Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS),
-          ("aerial_markings", "Road markings from aerial frames (model)", "aerialmarkings", AERIAL_MARKINGS))
+          ("aerial_markings", "Road markings from aerial frames (model)", "aerialmarkings", AERIAL_MARKINGS),
+          ("georeference_mms", "Georeference mobile survey (model)", "georeferencemms", GEOREFERENCE_MMS))
 """File, name, algorithm with the same chain, and steps of each model."""
 
 

@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 MODELS = Path(__file__).resolve().parents[2] / "resources" / "models"
-CHAINS = {"aerial_markings": "aerialmarkings", "buildings_from_als": "buildingsfromals"}
+CHAINS = {"aerial_markings": "aerialmarkings", "buildings_from_als": "buildingsfromals",
+          "georeference_mms": "georeferencemms"}
 REMEDY = "run scripts/make_models.py"
 
 

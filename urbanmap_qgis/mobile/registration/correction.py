@@ -37,6 +37,7 @@ _FACTORS = (0.5, 1.0, 2.0, 4.0, 8.0)
 _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
 _SETTLED = 0.02
 _LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
+_LEAST_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
 _FEWEST_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
 _UNSAID = 0.02  # weight that stands for evidence that is not believed at all
@@ -381,7 +382,7 @@ def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) 
     """Weights (b,) of blocks by their reduced chi square, and the factor of the evidence's variance."""
     fair = test[np.isfinite(test)]
     if len(fair) >= _FEWEST_BLOCKS:  # the median, so that gross blocks do not raise it
-        noise = max(1.0, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
+        noise = max(_LEAST_NOISE, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
     test = np.nan_to_num(test, nan=0.0)
     share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, 1e-9))
     return np.where(test > settings.gross**2 / 2.0, 0.0, share), noise
