@@ -8,7 +8,7 @@ and the scanner in point_source_id. Times in seconds, angles in degrees (see `re
 from __future__ import annotations
 
 import gzip
-import importlib.util
+import importlib
 import io
 import os
 import re
@@ -101,9 +101,11 @@ def _reader(path: Path) -> Callable[[Path, Progress], Iterator[RangeScans]]:
     if name.endswith((".las", ".laz")):
         return _read_cloud
     if name.endswith(".parquet"):
-        if importlib.util.find_spec("pyarrow") is None:
-            raise InputError(f"{path.name} is a Parquet file, and the package pyarrow that reads these is not "
-                             "installed: install it (pip install pyarrow) or export the scans as CSV.")
+        try:
+            importlib.import_module("pyarrow.parquet")
+        except ImportError as error:
+            raise InputError(f"{path.name} is a Parquet file, and the package pyarrow that reads these cannot be loaded "
+                             f"({error}): install it (pip install pyarrow) or export the scans as CSV.") from error
         return _read_parquet
     raise InputError(f"{path.name} is of no known kind: range scans come as {', '.join(SUFFIXES)}.")
 
