@@ -121,7 +121,7 @@ def street(make_cloud, tmp_path):
 
 def collected(path, plans, **settings):
     with facade_points(open_cloud([path]), plans, FacadeSettings(**settings)) as buildings:
-        return {row: points for row, points in buildings}
+        return dict(buildings)
 
 
 def test_points_below_the_height_above_sloping_ground(street):
@@ -131,7 +131,7 @@ def test_points_below_the_height_above_sloping_ground(street):
     points = found[0]
     assert points.ground[1:] == pytest.approx([0.02, 0.0], abs=0.003)
     height = points.points[:, 2] - 11.0 - 0.02 * (points.points[:, 0] - X0)
-    assert -0.1 < height.min() and 11.7 < height.max() < 12.1
+    assert height.min() > -0.1 and 11.7 < height.max() < 12.1
     assert (points.points[:, 1] - Y0 > -2.4).all() and np.isfinite(points.time).all()
     beyond = points.front[:, 1] - Y0
     assert (beyond < -3).sum() > 50, "what stands before the facade is kept thinned"

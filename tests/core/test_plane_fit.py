@@ -14,7 +14,7 @@ def points_of(rng, n=2000, noise=0.02, lean=0.0, width=8.0, height=10.0):
     """Points of a wall at y = 0 that looks south and leans back by degrees."""
     x, z = rng.uniform(0, width, n), rng.uniform(0, height, n)
     y = np.tan(np.radians(lean)) * (z - height / 2) + rng.normal(0, noise, n)
-    return np.column_stack([x, y, z]) + (-7000, -34000, 12)
+    return np.column_stack([x - 7000, y - 34000, z + 12])
 
 
 def place(plane):

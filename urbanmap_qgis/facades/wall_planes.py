@@ -25,6 +25,9 @@ _POINT_REACH = 0.12
 _SLICE = 20_000
 _SEEDS = 3000
 
+_PASSES = 2
+"""Beside a large wall the normals of a narrow one are bent; with the points of the large one gone they are not."""
+
 
 @dataclass(frozen=True)
 class PlaneSettings:
@@ -62,16 +65,31 @@ def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outwa
     points : (n, 3) near the building, m. time : (n,) GPS seconds.
     edges : (k, 2, 2) outline edges, m. outward : (k, 2) unit normals.
     """
+    segments: list[Segment] = []
+    left = np.arange(len(points))
+    for _ in range(_PASSES):
+        found, taken = _one_pass(points[left], time[left], edges, outward, settings, progress)
+        segments += [Segment(segment.plane, left[segment.points]) for segment in found]
+        if not found:
+            break
+        left = left[~taken]
+    return sorted(segments, key=lambda segment: -len(segment.points))
+
+
+def _one_pass(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
+              progress: Progress) -> tuple[list[Segment], np.ndarray]:
+    """Walls among points, and which points lie on one (n,) bool."""
+    nothing = [], np.zeros(len(points), bool)
     if len(points) < 10:
-        return []
+        return nothing
     voxels = voxel_normals(points)
     wall = np.flatnonzero(voxels.upright)
     if len(wall) < 3:
-        return []
+        return nothing
     wall = wall[~outlying(voxels.mean[wall])]
     grown = _grow_all(voxels, wall, edges, outward, settings, progress)
     if not grown:
-        return []
+        return nothing
     owner = _claim(points, voxels, grown, settings)
     segments = []
     for number, (_centre, normal, _mask) in enumerate(grown):
@@ -81,7 +99,7 @@ def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outwa
             continue
         near = members[np.abs(plane.distance(points[members])) < max(4 * plane.rmse, 0.03)]
         segments.append(Segment(plane, near))
-    return sorted(segments, key=lambda segment: -len(segment.points))
+    return segments, owner >= 0
 
 
 @dataclass(eq=False)

@@ -1,0 +1,99 @@
+"""Contours of walls: area, openings, what was not seen and why."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.facades.plane_fit import WallPlane
+from urbanmap_qgis.facades.wall_contours import ContourSettings, in_plane, on_map, seen_share, wall_contours
+
+NAN = float("nan")
+
+
+def plane_towards(azimuth, lean=0.0):
+    turn, tilt = np.radians(azimuth), np.radians(lean)
+    normal = np.array([np.sin(turn) * np.cos(tilt), np.cos(turn) * np.cos(tilt), np.sin(tilt)])
+    return WallPlane(np.array([-7000.0, -34000.0, 20.0]), normal, 0.01, 0.001, 100, 1, NAN)
+
+
+def points_on(plane, flat):
+    along, up = plane.axes
+    return plane.point + flat[:, :1] * along + flat[:, 1:] * up
+
+
+def wall_with(rng, holes, n=12_000):
+    """Places on a wall of 12 x 10 m without those in holes (x, y, width, height)."""
+    flat = rng.uniform([-6, -5], [6, 5], (n, 2))
+    for x, y, width, height in holes:
+        flat = flat[~((flat[:, 0] > x) & (flat[:, 0] < x + width) & (flat[:, 1] > y) & (flat[:, 1] < y + height))]
+    return flat
+
+
+@pytest.mark.parametrize(("azimuth", "lean"), [(0, 0), (133, 0), (250, 6)])
+def test_contours_lie_on_the_plane_and_keep_openings(azimuth, lean):
+    plane = plane_towards(azimuth, lean)
+    rng = np.random.default_rng(1)
+    flat = wall_with(rng, [(-4, -2, 2, 3), (1, -5, 2.5, 3)])
+    contours = wall_contours(plane, points_on(plane, flat))
+    assert len(contours) == 1
+    assert contours[0].polygon.area == pytest.approx(120 - 6 - 7.5, rel=0.03)
+    assert len(contours[0].polygon.interiors) == 1, "the passage at the foot is open below, no hole"
+    assert contours[0].openings == pytest.approx(6 / 112.5, rel=0.15)
+    made = on_map(plane, contours[0].polygon)
+    corners = shapely.get_coordinates(made, include_z=True)
+    assert np.abs(plane.distance(corners)).max() < 1e-6
+    ring = shapely.get_coordinates(made.exterior, include_z=True)[:-1]
+    away = ring - ring.mean(axis=0)
+    area = np.cross(away, np.roll(away, -1, axis=0)).sum(axis=0) / 2
+    assert area @ plane.normal > 100, "counterclockwise seen from in front"
+
+
+def test_small_gaps_are_filled_and_told():
+    plane = plane_towards(90)
+    flat = wall_with(np.random.default_rng(2), [(-4, 0, 1.2, 1.2), (2, 1, 1.1, 1.1)])
+    points = points_on(plane, flat)
+    kept, = wall_contours(plane, points, ContourSettings(least_opening=0.3))
+    filled, = wall_contours(plane, points, ContourSettings(least_opening=3.0))
+    assert len(kept.polygon.interiors) == 2 and kept.filled < 0.003
+    assert not filled.polygon.interiors and filled.filled == pytest.approx(2.2 / 120, rel=0.3)
+
+
+def test_pieces_far_apart_are_contours_of_their_own_and_crumbs_none():
+    plane = plane_towards(10)
+    rng = np.random.default_rng(3)
+    flat = np.concatenate([rng.uniform([0, 0], [4, 6], (2000, 2)), rng.uniform([9, 0], [12, 6], (1500, 2)),
+                           rng.uniform([20, 0], [21, 1], (80, 2))])
+    contours = wall_contours(plane, points_on(plane, flat))
+    assert [round(contour.polygon.area) for contour in contours] == pytest.approx([24, 18], abs=1)
+
+
+def test_what_was_seen_and_what_stands_in_front():
+    plane = plane_towards(180)
+    rng = np.random.default_rng(4)
+    tree = (-3, -5, 4, 6)
+    contours = wall_contours(plane, points_on(plane, wall_with(rng, [tree])))
+    leaves = points_on(plane, rng.uniform([-2.5, -4.5], [0.5, 0.5], (200, 2))) + 3.0 * plane.normal
+    seen = seen_share(plane, contours, 15.0, 27.0, leaves)
+    assert seen.area == pytest.approx(12 * 12, rel=0.02)
+    assert seen.coverage == pytest.approx((120 - 24) / 144, abs=0.02)
+    assert seen.hidden == pytest.approx(24 / 144, abs=0.03)
+    assert seen.coverage + seen.hidden + seen.beyond == pytest.approx(1.0)
+    assert seen.beyond == pytest.approx(24 / 144, abs=0.03)
+    nothing = seen_share(plane, contours, 15.0, 27.0, np.zeros((0, 3)))
+    assert nothing.hidden == 0 and nothing.coverage == seen.coverage
+    behind = seen_share(plane, contours, 15.0, 27.0, leaves - 6.0 * plane.normal)
+    assert behind.hidden == 0
+
+
+def test_plane_coordinates_are_lengths():
+    plane = plane_towards(77, 5)
+    flat = np.array([[0.0, 0.0], [3.0, 4.0], [-2.0, 1.0]])
+    assert in_plane(plane, points_on(plane, flat)) == pytest.approx(flat, abs=1e-9)
+
+
+def test_bad_settings():
+    with pytest.raises(InputError):
+        ContourSettings(least_area=0)

@@ -1,0 +1,124 @@
+"""Walls of the sample city against the true ones."""
+
+from __future__ import annotations
+
+import sqlite3
+
+import laspy
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.facades.building_plans import building_plans
+from urbanmap_qgis.facades.facade_points import FacadeSettings
+from urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, WallSettings, find_walls, wall_columns
+from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.mobile.trajectory import move_points
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+
+def features(path, layer):
+    """Geometries and rows of a GeoPackage layer."""
+    connection = sqlite3.connect(path)
+    connection.row_factory = sqlite3.Row
+    rows = [dict(row) for row in connection.execute(f'select * from "{layer}"')]
+    name, = (row[0] for row in connection.execute(
+        "select column_name from gpkg_geometry_columns where table_name = ?", (layer,)))
+    blobs = [row.pop(name) for row in rows]
+    skip = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}
+    return shapely.from_wkb([blob[skip[blob[3] >> 1 & 7]:] for blob in blobs]), rows
+
+
+@pytest.fixture(scope="module")
+def true_survey(small_city, tmp_path_factory):
+    """The first survey of the small city where the scanners truly were."""
+    las = laspy.read(small_city / "mms" / "survey_01.laz")
+    reported = read_trajectory(small_city / "mms" / "survey_01_trajectory.csv").trajectory
+    true = read_trajectory(small_city / "truth" / "survey_01_trajectory.csv").trajectory
+    las.x, las.y, las.z = move_points(np.asarray(las.xyz), np.asarray(las.gps_time), reported, true).T
+    path = tmp_path_factory.mktemp("walls") / "survey.laz"
+    las.write(path)
+    return path
+
+
+@pytest.fixture(scope="module")
+def found(small_city, true_survey):
+    outlines, _rows = features(small_city / "footprints" / "gsi_buildings.gpkg", "BldA")
+    plans = building_plans(outlines, range(1, len(outlines) + 1))
+    return find_walls(open_cloud([true_survey]), plans)
+
+
+@pytest.fixture(scope="module")
+def truth(small_city):
+    """Ends, lowest and highest z (n, 6) of the true walls."""
+    lines, rows = features(small_city / "truth" / "roofs.gpkg", "wall_lines")
+    ends = shapely.get_coordinates(lines).reshape(-1, 4)
+    return np.column_stack([ends, [row["z_foot"] for row in rows], [row["z_top"] for row in rows]])
+
+
+def test_walls_lie_on_true_walls(found, truth):
+    """Outlines are off by decimetres; the walls found on their behalf are not."""
+    walls, counts = found
+    assert counts.with_walls >= 5 and len(walls) >= 10
+    errors, weights = [], []
+    ends = truth[:, :4].reshape(-1, 2, 2)
+    along = ends[:, 1] - ends[:, 0]
+    length = np.hypot(*along.T)
+    along /= length[:, None]
+    for wall in walls:
+        if wall.status not in ("ok", "partly seen"):
+            continue
+        places = shapely.get_coordinates(wall.contour, include_z=True)
+        alike = np.abs(np.cross(along, [-wall.plane.normal[1], wall.plane.normal[0]])) < 0.05
+        middle = places[:, :2].mean(axis=0)
+        reach = ((middle - ends[alike, 0]) * along[alike]).sum(axis=1)
+        aside = np.abs(np.cross(along[alike], middle - ends[alike, 0]))
+        near = aside[(reach > -0.5) & (reach < length[alike] + 0.5)]
+        errors.append(near.min() if len(near) else np.inf)
+        weights.append(wall.contour.length)
+    errors = np.array(errors)
+    assert np.mean(errors < 0.03) > 0.95
+    assert np.sqrt(np.mean(errors[errors < 0.03] ** 2)) < 0.01
+
+
+def test_most_of_what_was_seen_is_in_the_contours(found, truth, small_city, true_survey):
+    walls, _ = found
+    material = np.load(small_city / "truth" / "survey_01_labels.npz")["material"]
+    points = laspy.read(true_survey).xyz[np.isin(material, (4, 5))]
+    points = points[np.random.default_rng(1).permutation(len(points))[:40_000]]
+    foot = truth[:, 4].mean()
+    points = points[(points[:, 2] < foot + 18)]
+    held = np.zeros(len(points), bool)
+    for wall in walls:
+        near = np.flatnonzero(np.abs(wall.plane.distance(points)) < 0.05)
+        x_min, y_min, x_max, y_max = shapely.buffer(wall.contour, 0.3).bounds
+        inside = ((points[near, :2] > (x_min, y_min)) & (points[near, :2] < (x_max, y_max))).all(axis=1)
+        held[near[inside]] = True
+    assert held.mean() > 0.9
+
+
+def test_the_table_tells_all(found):
+    walls, _ = found
+    columns = wall_columns(walls)
+    assert list(columns) == [name for name, _ in WALL_COLUMNS]
+    ids = list(zip(columns["building_id"], columns["wall_id"]))
+    assert len(set(ids)) == len(walls)
+    for name in ("coverage", "hidden", "unseen", "openings"):
+        values = np.array(columns[name])
+        assert ((values >= 0) & (values <= 1)).all()
+    assert np.nanmax(np.array(columns["sigma"])) < 0.05
+    assert (np.array(columns["height"]) < 25).all()
+
+
+def test_a_lower_limit_gives_lower_walls_and_workers_change_nothing(small_city, true_survey, found):
+    from concurrent.futures import ThreadPoolExecutor
+
+    outlines, _ = features(small_city / "footprints" / "gsi_buildings.gpkg", "BldA")
+    plans = building_plans(outlines, range(1, len(outlines) + 1))
+    settings = WallSettings(facade=FacadeSettings(max_height=6.0))
+    with ThreadPoolExecutor(2) as executor:
+        low, _ = find_walls(open_cloud([true_survey]), plans, settings, executor=executor)
+    again, _ = find_walls(open_cloud([true_survey]), plans, settings)
+    assert 0 < max(wall_columns(low)["height"]) < 9.0
+    assert [wall.contour.wkb for wall in low] == [wall.contour.wkb for wall in again]
+    assert len(low) <= len(found[0])
