@@ -80,8 +80,9 @@ class MapFrame:
                            _axes(latitude, longitude, convergence), convergence)
 
     def _geographic(self, east: np.ndarray, north: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        longitude, latitude = self._to_degrees.transform(east, north)
-        return np.radians(longitude), np.radians(latitude)
+        # One place too many: pyproj takes an array of one for a number.
+        longitude, latitude = self._to_degrees.transform(np.append(east, east[-1:]), np.append(north, north[-1:]))
+        return np.radians(longitude[:-1]), np.radians(latitude[:-1])
 
 
 def earth_fixed(latitude: np.ndarray, longitude: np.ndarray, height: np.ndarray) -> np.ndarray:
