@@ -63,5 +63,7 @@ def test_no_pair_within_the_time_is_refused():
 def test_times_of_the_week_and_adjusted_times_are_brought_together():
     """Tie points in adjusted standard time, the trajectory in seconds of the week."""
     start = 2200 * 604800.0 - 1e9
-    left = usable(ties_at(start + 1.0, start + 2.5), DRIVE)
+    told = []
+    left = usable(ties_at(start + 1.0, start + 2.5), DRIVE, Progress(warn=told.append))
+    assert f"{-start:.0f} s were added" in told[0]
     np.testing.assert_allclose(left.time, [1.0, 2.5])

@@ -105,7 +105,8 @@ def _reader(path: Path) -> Callable[[Path, Progress], Iterator[RangeScans]]:
             importlib.import_module("pyarrow.parquet")
         except ImportError as error:
             raise InputError(f"{path.name} is a Parquet file, and the package pyarrow that reads these cannot be "
-                             f"loaded ({error}): install it (pip install pyarrow) or export the scans as CSV.") from error
+                             f"loaded ({error}): install it (pip install pyarrow) or export the scans as "
+                             "CSV.") from error
         return _read_parquet
     raise InputError(f"{path.name} is of no known kind: range scans come as {', '.join(SUFFIXES)}.")
 
