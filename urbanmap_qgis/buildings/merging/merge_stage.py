@@ -47,7 +47,7 @@ _LOW = 0.5
 _TOUCH = 0.02
 """Neighbours may share this much plan more than before, m2: the rounding of their nodes."""
 
-_ROUNDS = 8
+_ROUNDS = 20
 _LIFT = 0.01
 
 
@@ -214,11 +214,15 @@ def _union(plan: _Plan) -> shapely.Geometry:
 
 
 def _guilty(plan: _Plan, common: shapely.Geometry) -> list[int]:
-    """Edges moved outwards that border on a place; all that moved outwards where none does."""
+    """The edge moved outwards that swept most of a place; all that moved outwards where none did."""
     outwards = [number for number in plan.lines if plan.matches[number].offset > 0]
-    near = [number for number in outwards
-            if shapely.dwithin(shapely.LineString(plan.edges.edges[number].ends), common, 0.1)]
-    return near or outwards
+    swept = {}
+    for number in outwards:
+        ends, line = plan.edges.edges[number].ends, plan.lines[number]
+        strip = shapely.convex_hull(shapely.multipoints([*ends, *(line.foot(end) for end in ends)]))
+        swept[number] = shapely.intersection(strip, common).area
+    worst = max(swept, key=lambda number: (swept[number], -number), default=None)
+    return [worst] if worst is not None and swept[worst] > 0 else outwards
 
 
 def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:

@@ -1,0 +1,239 @@
+"""Models joined with measured walls: edges move, roofs stay, neighbours are not crossed, every solid is valid."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.buildings.merging.merge_stage import (
+    EDGE_COLUMNS,
+    MERGED,
+    MODEL_COLUMNS,
+    NOT_MERGED,
+    UNCHANGED,
+    edge_columns,
+    merge_models,
+    model_columns,
+)
+from urbanmap_qgis.buildings.merging.model_files import models_from_cityjson
+from urbanmap_qgis.buildings.merging.model_parts import model_parts
+from urbanmap_qgis.buildings.merging.plan_edges import Line, PlanEdges
+from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_wall
+from urbanmap_qgis.buildings.solids.plan_partition import Cell
+from urbanmap_qgis.buildings.solids.solid import building_solids
+from urbanmap_qgis.buildings.solids.validity import check_solid
+from urbanmap_qgis.errors import InputError, InsufficientDataError
+from urbanmap_qgis.geometry.solid import OVERHANG, multipolygon
+from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+
+X0, Y0, BASE = -7000.0, -34000.0, 10.0
+
+
+def box(x, y, width, depth):
+    return shapely.box(X0 + x, Y0 + y, X0 + x + width, Y0 + y + depth)
+
+
+def model(*parts):
+    """MultiPolygonZ of parts (polygon, height above ground)."""
+    cells = [Cell(polygon, number, BASE + height) for number, (polygon, height) in enumerate(parts)]
+    return multipolygon(building_solids(cells, BASE))
+
+
+def wall(start, end, low=0.5, high=18.0, rmse=0.01, number=0):
+    """A measured wall with the building at the left of start to end (plan places), heights above ground."""
+    (ax, ay), (bx, by) = start, end
+    ring = [(ax, ay, low), (bx, by, low), (bx, by, high), (ax, ay, high)]
+    return measured_wall(number, shapely.Polygon([(X0 + x, Y0 + y, BASE + z) for x, y, z in ring]), rmse, 0.001)
+
+
+def one(models, walls, **settings):
+    merged = merge_models(range(1, len(models) + 1), models, walls, MergeSettings(**settings))
+    for building in merged:
+        assert building.valid
+        for solid in building.solids:
+            assert check_solid(solid) == ()
+    return merged if len(merged) > 1 else merged[0]
+
+
+def lowest_plan(building):
+    """What a building covers on the ground."""
+    faces = [polygon for polygon in shapely.get_parts(multipolygon(building.solids))
+             if np.ptp(shapely.get_coordinates(polygon, include_z=True)[:, 2]) == 0
+             and shapely.get_coordinates(polygon, include_z=True)[0, 2] == BASE]
+    return shapely.union_all(shapely.force_2d(faces))
+
+
+def states(building):
+    return sorted(edge.match.status for edge in building.edges)
+
+
+def test_a_wall_below_the_height_moves_and_the_model_above_stays():
+    building = one([model((box(0, 0, 20, 10), 40.0))], [wall((0, -0.4), (20, -0.4))])
+    assert building.status == MERGED and states(building) == ["moved", *["not seen"] * 3]
+    assert lowest_plan(building).equals(box(0, -0.4, 20, 10.4))
+    assert building.volume == pytest.approx(20 * 10 * 40 + 20 * 0.4 * 20)
+    moved, = (edge for edge in building.edges if edge.match.status == "moved")
+    assert moved.match.offset == pytest.approx(0.4) and moved.match.seen == pytest.approx(1.0)
+
+
+def test_a_wall_behind_the_model_leaves_an_overhang_at_the_height():
+    building = one([model((box(0, 0, 20, 10), 40.0))], [wall((0, 0.25), (20, 0.25))])
+    solid, = building.solids
+    hanging = [face for face, kind in zip(solid.faces, solid.surface_type) if kind == OVERHANG]
+    assert {solid.vertices[vertex, 2] for face in hanging for vertex in face[0]} == {BASE + 20.0}
+    assert building.volume == pytest.approx(200 * 40 - 20 * 0.25 * 20)
+
+
+def test_a_turned_wall_turns_the_edge():
+    building = one([model((box(0, 0, 20, 10), 15.0))], [wall((0, -0.2), (20, 0.1))])
+    assert lowest_plan(building).area == pytest.approx(200 + 0.05 * 20, abs=0.15)
+    corner = shapely.Point(X0, Y0 - 0.2)
+    assert shapely.distance(corner, lowest_plan(building).boundary) < 0.012
+
+
+def test_roofs_of_low_buildings_follow_small_moves_but_real_overhangs_stay():
+    low = model((box(0, 0, 20, 10), 8.0))
+    followed = one([low], [wall((0, 0.15), (20, 0.15), high=7.9)])
+    assert OVERHANG not in followed.solids[0].surface_type
+    assert followed.volume == pytest.approx(20 * 9.85 * 8)
+    eaves = one([low], [wall((0, 0.6), (20, 0.6), high=7.5)])
+    solid, = eaves.solids
+    assert OVERHANG in solid.surface_type
+    assert eaves.volume == pytest.approx(20 * 9.4 * 8 + 20 * 0.6 * 0.5), "the measured top tells the slab's height"
+
+
+def test_two_walls_meet_in_a_new_corner():
+    building = one([model((box(0, 0, 20, 10), 30.0))], [wall((0, -0.3), (20, -0.3)), wall((20.5, 0), (20.5, 10))])
+    assert lowest_plan(building).equals(box(0, -0.3, 20.5, 10.3))
+
+
+def test_a_plan_of_several_roofs_keeps_its_partition():
+    parts = [(box(0, 0, 8, 10), 30.0), (box(8, 0, 12, 10), 12.0)]
+    building = one([model(*parts)], [wall((0, -0.5), (20, -0.5))])
+    assert building.volume == pytest.approx(80 * 30 + 120 * 12 + 8 * 0.5 * 20 + 12 * 0.5 * 12)
+
+
+def test_courtyards_and_corners():
+    ring = box(0, 0, 20, 20).difference(box(6, 6, 8, 8))
+    building = one([model((ring, 25.0))], [wall((0, -0.2), (20, -0.2)), wall((6, 14.3), (6, 5.7))])
+    assert building.status == MERGED
+    assert lowest_plan(building).area == pytest.approx(400 - 64 + 20 * 0.2, abs=0.2)
+    assert len(lowest_plan(building).interiors) == 1
+
+
+@pytest.mark.parametrize(("walls", "settings", "status", "words"), [
+    ([((0, -2.0), (20, -2.0))], {}, "too far", "2.00 m outside"),
+    ([((0, -0.9), (20, 0.9))], {"max_turn": 3.0}, "too far", "turned"),
+    ([((0, -0.4), (3, -0.4))], {}, "not seen", "no measured wall"),
+    ([((0, 0.004), (20, 0.004))], {}, "fits", ""),
+    ([((20, -0.4), (0, -0.4))], {}, "not seen", "no measured wall"),
+])
+def test_limits_are_kept_and_said(walls, settings, status, words):
+    near = [*(wall(*ends) for ends in walls), wall((20, 10.0), (0, 10.0))]
+    building = one([model((box(0, 0, 20, 10), 30.0))], near, **settings)
+    south = min(building.edges, key=lambda edge: shapely.get_coordinates(edge.wall)[:, 1].mean())
+    assert south.match.status == status and words in south.match.note
+    assert building.status == UNCHANGED and building.volume == pytest.approx(6000)
+
+
+def test_rough_walls_are_not_used():
+    walls = [wall((0, -0.4), (20, -0.4), rmse=0.3), wall((20, 10.0), (0, 10.0))]
+    assert one([model((box(0, 0, 20, 10), 30.0))], walls).status == UNCHANGED
+
+
+def test_a_wall_does_not_run_into_the_neighbour():
+    models = [model((box(0, 0, 20, 10), 30.0)), model((box(20.5, 0, 10, 10), 30.0))]
+    first, second = one(models, [wall((20.8, 0), (20.8, 10)), wall((0, -0.3), (20, -0.3))])
+    assert "neighbour" in states(first) and "moved" in states(first)
+    assert shapely.intersection(lowest_plan(first), lowest_plan(second)).area == 0
+
+
+def test_a_facade_of_facets_does_not_pull_a_long_edge_to_one_of_them():
+    facets = [wall((0, -0.2), (7, -0.9)), wall((7, -0.9), (13, -0.9)), wall((13, -0.9), (20, -0.2))]
+    building = one([model((box(0, 0, 20, 10), 30.0))], facets, max_turn=4.0)
+    south = min(building.edges, key=lambda edge: shapely.get_coordinates(edge.wall)[:, 1].mean())
+    assert south.match.status == "too far" and "not straight" in south.match.note
+
+
+def test_models_that_cannot_be_merged_keep_their_model_and_say_why():
+    roof = [(0, 0, 10), (20, 0, 10), (20, 5, 14), (0, 5, 14)]
+    back = [(0, 5, 14), (20, 5, 14), (20, 10, 10), (0, 10, 10)]
+    ground = [(0, 0, 0), (0, 10, 0), (20, 10, 0), (20, 0, 0)]
+    ends = [[(20, 0, 0), (20, 10, 0), (20, 10, 10), (20, 5, 14), (20, 0, 10)],
+            [(0, 10, 0), (0, 0, 0), (0, 0, 10), (0, 5, 14), (0, 10, 10)]]
+    sides = [[(0, 0, 0), (20, 0, 0), (20, 0, 10), (0, 0, 10)], [(20, 10, 0), (0, 10, 0), (0, 10, 10), (20, 10, 10)]]
+    gable = shapely.MultiPolygon([[[(X0 + x, Y0 + y, BASE + z) for x, y, z in ring], []]
+                                  for ring in (roof, back, ground, *ends, *sides)])
+    block = model((box(40, 0, 10, 10), 30.0))
+    gabled, none, moved = merge_models([1, 2, 3], [gable, None, block], [wall((40, -0.3), (50, -0.3))])
+    assert gabled.status == NOT_MERGED and "sloped" in gabled.reason and gabled.valid
+    assert gabled.volume == pytest.approx(20 * 10 * 12)
+    assert none.status == NOT_MERGED and none.solids == () and not none.valid
+    assert moved.status == MERGED
+
+
+def test_bad_input_is_told():
+    block = model((box(0, 0, 20, 10), 30.0))
+    with pytest.raises(InsufficientDataError, match="no measured walls"):
+        merge_models([1], [block], [])
+    with pytest.raises(InsufficientDataError, match="same place"):
+        merge_models([1], [block], [wall((2000, 0), (2020, 0))])
+    with pytest.raises(InputError, match="same building_id"):
+        merge_models([1, 1], [block, block], [wall((0, 0), (20, 0))])
+    with pytest.raises(InputError):
+        MergeSettings(height=0)
+    assert measured_wall(0, shapely.Polygon([(0, 0, 5), (5, 0, 5), (5, 5, 5)])) is None, "a roof is no wall"
+    assert model_parts([]).problem
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_random_blocks_and_walls_always_give_valid_solids(seed):
+    rng = np.random.default_rng(seed)
+    cut = float(np.round(rng.uniform(5, 15), 2))
+    parts = [(box(0, 0, cut, 10), float(rng.uniform(6, 40))), (box(cut, 0, 20 - cut, 7), float(rng.uniform(6, 40)))]
+    turned = [(shapely.affinity.rotate(polygon, 17.0, origin=(X0, Y0)), height) for polygon, height in parts]
+    plan = shapely.union_all([polygon for polygon, _ in turned], grid_size=0.01)
+    walls = []
+    ring = shapely.get_coordinates(shapely.simplify(plan, 0.02).exterior if plan.exterior.is_ccw
+                                   else shapely.simplify(plan, 0.02).exterior.reverse())
+    for a, b in zip(ring[:-1], ring[1:]):
+        if rng.random() < 0.7:
+            along = (b - a) / np.hypot(*(b - a))
+            off = rng.normal(0, 0.4, 2)
+            start, end = (p + o * np.array([along[1], -along[0]]) for p, o in zip((a, b), off))
+            walls.append(wall(start - (X0, Y0), end - (X0, Y0), high=rng.uniform(4, 19)))
+    if walls:
+        building = one([model(*turned)], walls)
+        assert all(math.isfinite(edge.length) for edge in building.edges)
+
+
+def test_edges_move_with_their_nodes_or_not_at_all():
+    cells = [Cell(box(0, 0, 8, 10), 0, 20.0), Cell(box(8, 0, 12, 10), 1, 12.0)]
+    edges = PlanEdges(cells)
+    assert len(edges.edges) == 4 and sorted(round(edge.length) for edge in edges.edges) == [10, 10, 20, 20]
+    south = next(number for number, edge in enumerate(edges.edges) if edge.ends[:, 1].max() == Y0)
+    down = edges.moved({south: Line(np.array([X0, Y0 - 1.0]), np.array([1.0, 0.0]))})
+    assert [polygon.area for polygon in down] == pytest.approx([88, 132])
+    assert edges.moved({south: Line(np.array([X0, Y0 + 11.0]), np.array([1.0, 0.0]))}) is None, "folded over"
+
+
+def test_tables(tmp_path):
+    buildings = [one([model((box(0, 0, 20, 10), 40.0))], [wall((0, -0.4), (20, -0.4), number=6)])]
+    columns, edges = model_columns(buildings), edge_columns(buildings)
+    assert list(columns) == [name for name, _ in MODEL_COLUMNS] and list(edges) == [name for name, _ in EDGE_COLUMNS]
+    assert columns["walls_moved"] == [1] and columns["measured"][0] == pytest.approx(1 / 3)
+    assert columns["volume_change"][0] == pytest.approx(160)
+    assert [wall for wall in edges["wall"] if wall is not None] == [7]
+
+
+def test_models_of_a_cityjson_file(tmp_path):
+    path = tmp_path / "model.city.json"
+    solids = building_solids([Cell(box(0, 0, 20, 10), 0, 40.0)], BASE)
+    write_cityjson(path, [CityBuilding("building-31", {}, solids), CityBuilding("building-7", {}, ())], epsg=6677)
+    ids, faces, names = models_from_cityjson(path)
+    assert ids.tolist() == [31, 7] and names == ["building-31", "building-7"] and faces[1] is None
+    merged = merge_models(ids.tolist(), list(faces), [wall((0, -0.4), (20, -0.4))])
+    assert merged[0].status == MERGED and merged[0].valid
