@@ -87,14 +87,14 @@ def test_places_are_found_where_their_ray_passed(turn, hertz):
     error = np.hypot(found.column - columns[found.point_index], found.row - rows[found.point_index])
     best = np.full(5000, np.inf)
     np.minimum.at(best, found.point_index, error)
-    # Where a turn brings the plane to a halt on a place, it touches without passing: such places may be missed.
-    assert np.mean(best < 1e-3) > (0.999 if turn == 0 else 0.99)
+    # Where a turn brings the plane to a halt on a place, it touches without passing: the nearest column is given.
+    assert np.mean(best < 1e-3) > (0.999 if turn == 0 else 0.99) and best.max() < 1.5
     assert (np.diff(found.point_index) >= 0).all()
     same = np.diff(found.point_index) == 0
     assert (np.diff(found.time)[same] > 0).all()
     start, ray = pixel_rays(image, trajectory, found.column, found.row)
     reached = start + found.distance[:, None] * ray
-    np.testing.assert_allclose(reached, (origin + distance[:, None] * direction)[found.point_index], atol=2e-3)
+    np.testing.assert_allclose(reached, (origin + distance[:, None] * direction)[found.point_index], atol=3e-3)
 
 
 def test_all_solutions_of_a_turn_are_those_of_a_dense_search():

@@ -2,7 +2,8 @@
 
 The plane passes through c(t) with normal e(t). Places change sides where e(t) (P - c(t)) changes sign. Over a stretch
 of time this value stays within bounds that follow from how far c and e move: stretches of which no place can be swept
-are left out, the others are cut in four, down to the interval between two columns.
+are left out, the others are cut in four, down to the interval between two columns. In a turn the plane may come to
+within millimetres of a place and go back: the column where it is nearest counts too.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ _CELL = 8.0  # m
 _PAIRS_AT_ONCE = 300_000
 _LONGEST_STEP = 10.0
 _ON_PLANE = 1e-6  # m
+_TOUCH = 2e-3  # m
 _ROUNDS = 40
 
 
@@ -94,20 +96,23 @@ def sweep_times(points: np.ndarray, sweep: Sweep, max_distance: float,
     -------
     index : (k,) rows of `points`.  time : (k,) s.
     """
-    found = [(np.empty(0, int), np.empty(0, int))]
+    passed, touched = ([(np.empty(0, int), np.empty(0, int))] for _ in range(2))
     for index, step in _candidates(points, sweep, max_distance):
         progress.check()
-        found.append((index, step))
-    index, step = (np.concatenate(column) for column in zip(*found))
-    order = np.lexsort((step, index))
-    index, step = index[order], step[order]
+        for found, part in zip((passed, touched), _swept(points, index, step, sweep)):
+            found.append(part)
+    index, step = (np.concatenate(column) for column in zip(*passed))
     time = _refined(points[index], step, sweep)
+    beside, column = (np.concatenate(part) for part in zip(*touched))
+    index, time = np.concatenate([index, beside]), np.concatenate([time, sweep.time[column]])
+    order = np.lexsort((time, index))
+    index, time = index[order], time[order]
     near = np.linalg.norm(sweep.planes(time)[0] - points[index], axis=1) <= max_distance
     return index[near], time[near]
 
 
 def _candidates(points: np.ndarray, sweep: Sweep, max_distance: float):
-    """Pieces of places and steps (index, step) in which the sign changes."""
+    """Pieces of places and steps (index, step) within which the plane may sweep over the place."""
     centre, radius, members, bounds = _cells(points)
     cell, stretch = _all_pairs(len(centre), len(sweep.levels[-1].moved))
     for power in range(_COARSEST, _CELL_LEVEL, -1):
@@ -126,16 +131,25 @@ def _candidates(points: np.ndarray, sweep: Sweep, max_distance: float):
 
 def _steps(points: np.ndarray, index: np.ndarray, stretch: np.ndarray, sweep: Sweep,
            max_distance: float) -> tuple[np.ndarray, np.ndarray]:
-    """Of places and stretches those steps in which the sign changes."""
+    """Of places and stretches the steps within which the plane may sweep over the place."""
     for power in range(_CELL_LEVEL, 0, -1):
         kept = _possible(points[index], 0.0, sweep.levels[power - 1], stretch, max_distance)
         limit = len(sweep.levels[power - 2].moved) if power > 1 else len(sweep.time) - 1
         index, stretch = _children(index[kept], stretch[kept], limit)
     used = sweep.step_used[stretch]
-    index, step = index[used], stretch[used]
-    side = [_ahead(points[index], sweep.place[step + end], sweep.normal[step + end]) < 0.0 for end in (0, 1)]
-    change = side[0] != side[1]
-    return index[change], step[change]
+    return index[used], stretch[used]
+
+
+def _swept(points: np.ndarray, index: np.ndarray, step: np.ndarray,
+           sweep: Sweep) -> tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
+    """Places and steps in which the plane passes, and places and columns at which it touches and turns back."""
+    start, end = (_ahead(points[index], sweep.place[step + k], sweep.normal[step + k]) for k in (0, 1))
+    side = start < 0.0
+    passed = side != (end < 0.0)
+    near = np.flatnonzero(~passed & (np.abs(start) < _TOUCH) & (np.abs(start) < np.abs(end)) & (step > 0))
+    before = _ahead(points[index[near]], sweep.place[step[near] - 1], sweep.normal[step[near] - 1])
+    near = near[(np.abs(before) >= np.abs(start[near])) & ((before < 0.0) == side[near])]
+    return (index[passed], step[passed]), (index[near], step[near])
 
 
 def _ahead(points: np.ndarray, place: np.ndarray, normal: np.ndarray) -> np.ndarray:

@@ -133,8 +133,8 @@ def usable(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT)
     if not inside.any():
         span, wanted = ((float(time[0]), float(time[-1])) for time in (ties.time, trajectory.time))
         shift = shift_between(span, wanted, "The tie points")
-        progress.warn(f"{shift:.0f} s were added to the times of the tie points, which are counted otherwise than those "
-                      "of the trajectory: make sure that both are of one survey.")
+        progress.warn(f"{shift:.0f} s were added to the times of the tie points, which are counted otherwise than "
+                      "those of the trajectory: make sure that both are of one survey.")
         ties = TiePoints(ties.sets, ties.time + shift, ties.measured, ties.reference)
         inside = trajectory.within(ties.time)
     if not inside.all():
