@@ -14,9 +14,11 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
+from urbanmap_qgis.gnss.antenna_height import estimate_height
 from urbanmap_qgis.gnss.ephemeris import Navigation, read_navigation, satellite_states
 from urbanmap_qgis.gnss.observations import load_observations, trajectory_shift
-from urbanmap_qgis.gnss.receiver_clock import estimate_clocks, estimate_height
+from urbanmap_qgis.gnss.residuals import corrected_residuals
+from urbanmap_qgis.gnss.shared_clock import pass_clocks
 from urbanmap_qgis.gnss.signals import Signals, SignalSettings, join
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
@@ -96,19 +98,15 @@ def test_line_of_sight_centres_on_zero(small_city, gnss):
     number = whole.epochs.source[whole.epoch] + 1
     of = [rows[str(n), round(float(t), 3), str(s)] for n, t, s in zip(number, whole.time, whole.satellite)]
     free = np.array([row["class"] == "los" for row in of])
-    clocks = estimate_clocks(whole, free)
-    seen = clocks.corrected[free & np.isfinite(clocks.corrected)]
-    low, middle, high = np.percentile(seen, [25, 50, 75])
-    assert abs(middle) < 0.1 and high - low < 1.2
-    bounced = np.array([row["class"] == "reflected" for row in of]) & np.isfinite(clocks.corrected)
+    corrected = corrected_residuals(whole, pass_clocks(whole, free))
+    known = np.isfinite(corrected)
+    low, middle, high = np.percentile(corrected[free & known], [25, 50, 75])
+    assert known.mean() > 0.9 and abs(middle) < 0.1 and high - low < 1.2
+    bounced = np.array([row["class"] == "reflected" for row in of]) & known
     late = np.array([float(row["excess_path"]) + float(row["late"]) for row in of])
-    assert abs(np.median((clocks.corrected - late)[bounced])) < 0.3
-    error = clocks.clock + whole.clock_datum[number - 1] - np.array([float(row["clock"]) for row in of])
-    known = np.isfinite(error)
-    assert known.mean() > 0.9 and abs(np.median(error[known])) < 0.2
-    # Multipath of a standing car lasts for minutes, which no sigma of an epoch knows.
-    assert np.mean(np.abs(error[known]) < 2 * clocks.sigma[known]) > 0.85
-    assert np.mean(np.abs(error[known]) < 3 * clocks.sigma[known]) > 0.95
+    assert abs(np.median((corrected - late)[bounced])) < 0.3
+    error = whole.residual - corrected + whole.clock_datum[number - 1] - np.array([float(row["clock"]) for row in of])
+    assert np.sqrt(np.mean(error[known] ** 2)) < 0.4
 
 
 def test_height_and_its_check(gnss):

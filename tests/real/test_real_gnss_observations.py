@@ -9,11 +9,13 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.gnss.antenna_height import estimate_height, strong_signals
 from urbanmap_qgis.gnss.ephemeris import read_navigation, turned_with_earth
 from urbanmap_qgis.gnss.observations import expected_sigma, load_observations
 from urbanmap_qgis.gnss.rays import Obstacles
-from urbanmap_qgis.gnss.receiver_clock import estimate_clocks, estimate_height, strong_signals
+from urbanmap_qgis.gnss.residuals import corrected_residuals
 from urbanmap_qgis.gnss.rinex_observations import read_observations
+from urbanmap_qgis.gnss.shared_clock import pass_clocks
 from urbanmap_qgis.gnss.signals import Epochs, Signals
 from urbanmap_qgis.gnss.walls import building_walls
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -77,11 +79,11 @@ def test_static_receiver_of_2020(real_data, obstacles):
     signals = load_observations(*files(real_data, "tst_2020"), CRS, 0.0)
     assert any("QZSS" in note for note in signals.notes) and signals.left_out["without an ephemeris"] > 3000
     free = obstacles.free(signals.place, signals.direction)
-    clocks = estimate_clocks(signals, free)
-    low, middle, high = np.percentile(clocks.corrected[free & np.isfinite(clocks.corrected)], [25, 50, 75])
-    assert abs(middle) < 0.15 and high - low < 2.0 and 0.4 < clocks.unit_weight < 1.2
-    hidden = ~free & np.isfinite(clocks.corrected)
-    assert np.median(clocks.corrected[hidden]) > 20 and np.mean(clocks.corrected[hidden] > -5) > 0.95
+    corrected = corrected_residuals(signals, pass_clocks(signals, free))
+    low, middle, high = np.percentile(corrected[free & np.isfinite(corrected)], [25, 50, 75])
+    assert abs(middle) < 0.15 and high - low < 2.0
+    hidden = ~free & np.isfinite(corrected)
+    assert np.median(corrected[hidden]) > 20 and np.mean(corrected[hidden] > -5) > 0.95
     height, sigma = estimate_height(signals, free)
     assert abs(height) < 3 * sigma < 4.0
 
@@ -91,11 +93,11 @@ def test_car_of_2019(real_data, obstacles):
     signals = load_observations(*files(real_data, "tst_2019"), CRS, 0.0)
     free = obstacles.free(signals.place, signals.direction)
     clear = free & (signals.cn0 >= 35)
-    clocks = estimate_clocks(signals, clear)
-    low, middle, high = np.percentile(clocks.corrected[clear & np.isfinite(clocks.corrected)], [25, 50, 75])
-    assert abs(middle) < 0.2 and high - low < 3.2
-    hidden = ~free & np.isfinite(clocks.corrected)
-    assert np.median(clocks.corrected[hidden]) > 15
+    corrected = corrected_residuals(signals, pass_clocks(signals, clear))
+    low, middle, high = np.percentile(corrected[clear & np.isfinite(corrected)], [25, 50, 75])
+    assert abs(middle) < 0.4 and high - low < 3.2
+    hidden = ~free & np.isfinite(corrected)
+    assert np.median(corrected[hidden]) > 15
 
 
 @pytest.mark.parametrize("name", ["tst_2019", "tst_2020"])
@@ -135,8 +137,8 @@ def test_clock_on_corrected_ranges_of_berlin(real_data):
     height, _ = estimate_height(signals, strong_signals(signals))
     raised = signals.raised(height)
     seen = strong_signals(raised)
-    clocks = estimate_clocks(raised, seen)
-    low, middle, high = np.percentile(clocks.corrected[seen & np.isfinite(clocks.corrected)], [25, 50, 75])
+    corrected = corrected_residuals(raised, pass_clocks(raised, seen))
+    low, middle, high = np.percentile(corrected[seen & np.isfinite(corrected)], [25, 50, 75])
     assert abs(height) < 8 and abs(middle) < 0.3 and high - low < 5.0
-    weak = ~seen & np.isfinite(clocks.corrected)
-    assert np.percentile(clocks.corrected[weak], 90) > 4 * -np.percentile(clocks.corrected[weak], 10)
+    weak = ~seen & np.isfinite(corrected)
+    assert np.percentile(corrected[weak], 90) > 4 * -np.percentile(corrected[weak], 10)

@@ -16,11 +16,11 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..mobile.trajectory import Trajectory, body_to_map, gaps
 from ..progress import SILENT, Progress
+from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
 from .ephemeris import NO_EPHEMERIS, UNHEALTHY, Navigation, States, read_navigation, signal_paths, turned_with_earth
 from .frames import EarthPlaces, MapFrame, directions, elevation_azimuth
 from .gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text
-from .receiver_clock import estimate_height, grouped_median, strong_scatter, strong_signals
 from .rinex_observations import Observations, read_observations
 from .signals import SPEED_OF_LIGHT, SYSTEM_NAMES, Epochs, Signals, SignalSettings
 
@@ -50,7 +50,7 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
     crs_wkt : of the trajectory's places.
     geoid_separation : ellipsoidal less map height, m, 0 where the trajectory has ellipsoidal heights. None: it is
         estimated from the signals (with an antenna height the trajectory does not have), which is told in the notes;
-        once it is known which signals are in line of sight, `receiver_clock.estimate_height` and
+        once it is known which signals are in line of sight, `antenna_height.estimate_height` and
         `Signals.raised` make it better.
 
     Raises

@@ -63,7 +63,7 @@ class Signals:
     """Code observations, one row each; every array has n rows, sorted by epoch.
 
     A reflected signal arrives late: its residual is the receiver's clock plus the excess path plus noise. The clock
-    is common to the signals of one system at one epoch (`receiver_clock.estimate_clocks`).
+    is common to the signals of one system at one epoch (`shared_clock.pass_clocks`).
 
     Attributes
     ----------
@@ -162,41 +162,3 @@ def join(parts: Sequence[Signals]) -> Signals:
     return Signals(epochs, **columns, clock_datum=np.concatenate([part.clock_datum for part in parts]),
                    geoid_separation=separation, geoid_sigma=sigma, left_out=left_out,
                    notes=tuple(note for part in parts for note in part.notes))
-
-
-@dataclass(frozen=True)
-class ClockSettings:
-    """How the receiver's clock is estimated from signals in line of sight.
-
-    Parameters
-    ----------
-    least_satellites : fewer signals in line of sight give no clock (NaN).
-    joined : systems of one file share a clock per epoch but for an offset that is constant over the file; otherwise
-        each system has a clock of its own at each epoch.
-    own_offset : epochs that two systems must share before their offset counts as known.
-    """
-
-    least_satellites: int = 3
-    joined: bool = True
-    own_offset: int = 10
-
-
-@dataclass(frozen=True)
-class Clocks:
-    """The receiver's clock for each signal, by `receiver_clock.estimate_clocks`; arrays of n rows.
-
-    Attributes
-    ----------
-    clock : (n,) to be taken off `Signals.residual`, m; NaN where it is not known.
-    sigma : (n,) its standard deviation, m; NaN likewise.
-    count : (n,) signals in line of sight behind it.
-    corrected : (n,) residual minus clock, m: excess path and noise.
-    unit_weight : how much larger the scatter of line-of-sight residuals is than `Signals.sigma` says (a factor);
-        `sigma` has been multiplied by it already.
-    """
-
-    clock: np.ndarray
-    sigma: np.ndarray
-    count: np.ndarray
-    corrected: np.ndarray
-    unit_weight: float

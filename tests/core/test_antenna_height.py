@@ -1,4 +1,4 @@
-"""The receiver's clock and the antenna's height from made-up residuals with a known answer."""
+"""The antenna's height and the agreement of signals from made-up residuals with a known answer."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.gnss.receiver_clock import estimate_clocks, estimate_height, grouped_median, strong_signals
-from urbanmap_qgis.gnss.signals import ClockSettings, Epochs, Signals, join
+from urbanmap_qgis.gnss.antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals, tukey
+from urbanmap_qgis.gnss.signals import Epochs, Signals, join
 
 OFFSET = {"G": 0.0, "E": 1.5, "C": -7.0}
 
@@ -42,89 +42,32 @@ def made(seed: int = 1, epochs: int = 120, satellites: int = 12, noise: float = 
     return signals, clock, delayed
 
 
-@pytest.mark.parametrize("joined", [True, False])
-def test_clocks_and_their_sigma(joined):
-    """The clock errors scatter as their sigma says, and the sigma of the signals is set right by the unit weight."""
-    signals, true, _ = made()
-    found = estimate_clocks(signals, np.ones(len(signals), bool), ClockSettings(joined=joined))
-    assert found.unit_weight == pytest.approx(0.6, rel=0.1)
-    first = np.unique(signals.epoch, return_index=True)[1]
-    error = (found.clock - true)[first] if joined else (found.clock - true)
-    error = error - (np.median(error) if joined else 0.0)
-    scaled = error / (found.sigma[first] if joined else found.sigma)
-    assert 0.8 < np.std(scaled) < 1.25
-    expected = 0.6 / np.sqrt(12) if joined else 0.6 / np.sqrt(4)
-    assert np.median(found.sigma) == pytest.approx(expected, rel=0.15)
-    assert np.all(found.count == (12 if joined else 4))
-    assert found.corrected == pytest.approx(signals.residual - found.clock)
-
-
-def test_offsets_of_systems_and_files():
-    signals, true, _ = made(files=3)
-    found = estimate_clocks(signals, np.ones(len(signals), bool))
-    for file in range(3):
-        for name in "GEC":
-            own = (signals.system == name) & (signals.epochs.source[signals.epoch] == file)
-            assert np.mean((found.clock - true)[own]) == pytest.approx(0.0, abs=0.05)
-
-
-@pytest.mark.parametrize("joined", [True, False])
-def test_late_signals_that_pass_for_line_of_sight_do_not_pull(joined):
-    signals, true, _late = made(late=0.15)
-    found = estimate_clocks(signals, np.ones(len(signals), bool), ClockSettings(joined=joined))
-    error = found.clock - true
-    assert abs(np.nanmedian(error)) < 0.15
-    assert np.percentile(np.abs(error[np.isfinite(error)]), 90) < (0.8 if joined else 2.0)
-
-
-def test_only_signals_in_line_of_sight_count():
-    signals, true, delayed = made(late=0.5)
-    found = estimate_clocks(signals, ~delayed)
-    error = (found.clock - true)[np.isfinite(found.clock)]
-    assert np.abs(error).max() < 1.5 and abs(np.mean(error)) < 0.05
-    # The excess of the late ones comes out.
-    excess = found.corrected[delayed & np.isfinite(found.corrected)]
-    assert np.mean(excess) == pytest.approx(25.0, rel=0.1)
-
-
-def test_a_system_without_line_of_sight_takes_the_others_clock():
-    signals, true, _ = made()
-    seen = ~((signals.system == "C") & (signals.epoch >= 60))
-    joined = estimate_clocks(signals, seen)
-    lost = ~seen
-    assert np.abs((joined.clock - true)[lost]).max() < 1.0 and np.all(joined.count[lost] == 8)
-    alone = estimate_clocks(signals, seen, ClockSettings(joined=False))
-    assert np.isnan(alone.clock[lost]).all() and np.isnan(alone.corrected[lost]).all()
-
-
-def test_systems_that_were_never_seen_together_are_not_linked():
-    signals, true, _ = made()
-    seen = np.where(signals.epoch < 60, signals.system != "C", signals.system == "C")
-    found = estimate_clocks(signals, seen)
-    known = np.isfinite(found.clock)
-    assert np.array_equal(known, np.where(signals.epoch < 60, signals.system != "C", signals.system == "C"))
-    assert np.abs((found.clock - true)[known]).max() < 1.5
-
-
-@pytest.mark.parametrize("least, known", [(3, True), (4, False)])
-def test_too_few_satellites_give_no_clock(least, known):
-    signals, _, _ = made()
-    seen = (signals.epoch >= 20) | np.isin(signals.satellite, ["G01", "E02", "C03"])
-    found = estimate_clocks(signals, seen, ClockSettings(least_satellites=least))
-    assert np.isfinite(found.clock[signals.epoch < 20]).all() == known
-    assert np.isfinite(found.clock[signals.epoch >= 20]).all()
-
-
-def test_without_any_line_of_sight_nothing_is_known():
-    signals, _, _ = made(epochs=5)
-    found = estimate_clocks(signals, np.zeros(len(signals), bool))
-    assert np.isnan(found.clock).all() and np.isnan(found.sigma).all() and not found.count.any()
-
-
 def test_grouped_median():
     value = np.array([5.0, 1.0, 3.0, 10.0, 20.0])
     found = grouped_median(value, np.array([0, 0, 0, 2, 2]), 4)
     assert found == pytest.approx([3.0, np.nan, 15.0, np.nan], nan_ok=True)
+
+
+def test_tukeys_weights():
+    assert tukey(np.array([0.0, 4.7, 100.0, np.nan])).tolist() == [1.0, 0.0, 0.0, 0.0]
+    assert tukey(np.array([2.35])) == pytest.approx(0.5625)
+
+
+@pytest.mark.parametrize("noise", [0.5, 2.0, 40.0])
+def test_how_far_the_strongest_signals_contradict_each_other(noise):
+    """Late weak signals do not count, nor do clocks and the offsets of systems and files."""
+    signals, _, _ = made(noise=noise, files=2, late=0.3)
+    assert strong_scatter(signals) == pytest.approx(noise, rel=0.15)
+
+
+def test_too_few_strong_signals_tell_no_scatter():
+    assert np.isnan(strong_scatter(made(epochs=3)[0]))
+
+
+def test_without_strengths_high_satellites_count():
+    signals, _, _ = made(epochs=10)
+    strong = strong_signals(replace(signals, cn0=np.full(len(signals), np.nan)))
+    assert np.array_equal(strong, signals.elevation >= 50)
 
 
 @pytest.mark.parametrize("height", [-30.0, -1.5, 0.0, 2.0, 37.0])
