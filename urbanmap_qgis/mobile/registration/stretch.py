@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -26,13 +26,18 @@ _REST = np.array([0.002, 0.002, 0.002, 1e-4, 1e-4, 1e-4])  # m and radians
 _LONGEST = np.array([0.3, 0.3, 0.5, 0.01, 0.01, 0.01])  # step of the course
 _CLUSTER = 2.0  # m: markings nearer than this share their errors
 _CLUSTER_PATCHES = 4
+_CALM = 0.12  # contradiction up to which a window's clusters agree (sample city and the independent one: 0.05 to 0.10)
+_VOTE, _VOTE_PATCHES = 4.0, 10  # m and patches of a cluster that can be outvoted
+_ROUNDS = 6
+_SOFT = 2.0
+_USUAL_EXCESS, _LEAST_VARIANCE = 0.08, 1e-3
 _HEIGHT_SIGMA = 0.05  # m, of a point's height against the ground
 _HEIGHT_ROBUST = 0.15  # m
 _OTHER_DATUM = 5.0  # m
 _LEAST_EXCESS = 0.02
 _EVENED = 5  # patches to either side
 _ON_MARKING = 0.5
-_WEAK_PRIOR = np.array([2.0, 2.0, 2.0, 0.01, 0.01, 0.01])  # of a window about the course
+_WEAK_PRIOR = np.array([0.1, 0.1, 0.1, 0.003, 0.003, 0.003])  # of a window about the course, m and radians
 
 
 @dataclass(frozen=True)
@@ -102,7 +107,50 @@ def adjust_stretch(stretch: Stretch, reference: Reference, settings: Registratio
     for number, stage in enumerate(stages):
         rest = _REST if number == len(stages) - 1 else 5 * _REST
         course, converged = _settle(course, scene, stage(scene), settings.iterations, rest)
-    return _windows_about(course, converged, scene)
+    contradiction = _contradiction(course, scene)
+    if settings.refinement and contradiction.max() > _CALM:
+        course, converged, scene = _outvoted(course, scene, contradiction)
+    return _windows_about(course, converged, contradiction, scene)
+
+
+def _contradiction(course: Course, scene: _Scene) -> np.ndarray:
+    """(n,) by how much clusters of points disagree on the window's place, against their curvature; calm below 0.1."""
+    stretch = scene.stretch
+    window, scatter, _ = _evidence_about(course, scene)
+    excess = _solve(window, scatter, list(scene.active))[2]
+    core = np.arange(stretch.core_first, stretch.core_last + 1)
+    return np.interp(np.arange(scene.patches), core, excess)
+
+
+def _outvoted(course: Course, scene: _Scene, contradiction: np.ndarray) -> tuple[Course, bool, _Scene]:
+    """The course where windows contradict themselves: clusters that pull hard lose weight in turn (J: repainted)."""
+    share = np.clip((contradiction - _CALM) / _CALM, 0.0, 1.0)[scene.patch]
+    field, whole, converged = MarkingField.of(scene.coverage, 0.0, scene.settings.background), scene, False
+    for _ in range(_ROUNDS):
+        weight = _cluster_weights(course.moved(scene.stretch.points), field, whole)
+        scene = replace(whole, evidence=whole.evidence * (1 - share + share * weight))
+        course, converged = _settle(course, scene, _field_sums(scene, 0.0), scene.settings.iterations, _REST)
+    return course, converged, scene
+
+
+def _cluster_weights(moved: np.ndarray, field: MarkingField, scene: _Scene) -> np.ndarray:
+    """(m,) weights of points by how hard their cluster pulls against what its evidence lets expect (Cauchy)."""
+    terms = field_terms(field, moved[:, 0], moved[:, 1])
+    cluster = _cluster_numbers(moved, scene.patch // _VOTE_PATCHES, _VOTE)
+    count = int(cluster.max()) + 1
+    gx, gy = (np.bincount(cluster, g * scene.evidence, count) for g in (terms.gx, terms.gy))
+    xx, xy, yy = (np.bincount(cluster, product * scene.evidence, count) * _USUAL_EXCESS + same for product, same in (
+        (terms.gx * terms.gx, _LEAST_VARIANCE), (terms.gx * terms.gy, 0.0), (terms.gy * terms.gy, _LEAST_VARIANCE)))
+    pull = (yy * gx * gx - 2 * xy * gx * gy + xx * gy * gy) / (xx * yy - xy * xy)
+    return (1.0 / (1.0 + pull / _SOFT))[cluster]
+
+
+def _cluster_numbers(moved: np.ndarray, group: np.ndarray, side: float) -> np.ndarray:
+    """(m,) one number for each square of `side` m and group of patches, from 0."""
+    cell = np.floor(moved[:, :2] / side).astype(np.int64)
+    cell -= cell.min(axis=0)
+    key = (group * (cell[:, 1].max() + 1) + cell[:, 1]) * (cell[:, 0].max() + 1) + cell[:, 0]
+    return np.unique(key, return_inverse=True)[1].reshape(-1)
 
 
 @dataclass(frozen=True)
@@ -249,7 +297,7 @@ def _evidence_about(course: Course, scene: _Scene) -> tuple[PatchSums, np.ndarra
     return sums.windows(first, last).about(arms[core]), scatter, (sums.about(arms), terms)
 
 
-def _windows_about(course: Course, converged: bool, scene: _Scene) -> AdjustedStretch:
+def _windows_about(course: Course, converged: bool, contradiction: np.ndarray, scene: _Scene) -> AdjustedStretch:
     """Each window as a rigid body about the course, and what the patches say on their own."""
     stretch, points, active = scene.stretch, scene.stretch.points, list(scene.active)
     window, scatter, (own, terms) = _evidence_about(course, scene)
@@ -257,6 +305,7 @@ def _windows_about(course: Course, converged: bool, scene: _Scene) -> AdjustedSt
     core = slice(stretch.core_first, stretch.core_last + 1)
     counted = max(float(np.median(excess)), _LEAST_EXCESS)
     covariance += course_covariance(course, _evened(own.information) / counted, scene.active)[core]
+    covariance *= np.maximum(contradiction[core] / _CALM, 1.0)[:, None, None] ** 2
     shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.share > _ON_MARKING]), scene.patch,
                       scene.patches)
     counted = window_sums(shares, stretch.window_first, stretch.window_last)
@@ -286,13 +335,13 @@ def _padded(step: np.ndarray, stretch: Stretch, patches: int) -> np.ndarray:
 def _scatter(moved: np.ndarray, gradient: tuple, scene: _Scene) -> np.ndarray:
     """(n, 6, 6) squares of the gradients of clusters of points, by patch: how uneven the evidence really is."""
     group = scene.patch // _CLUSTER_PATCHES
-    cell = np.floor(moved[:, :2] / _CLUSTER).astype(np.int64)
-    cell -= cell.min(axis=0)
-    key = (group * (cell[:, 1].max() + 1) + cell[:, 1]) * (cell[:, 0].max() + 1) + cell[:, 0]
-    order = np.argsort(key, kind="stable")
-    start = np.flatnonzero(np.r_[True, np.diff(key[order]) != 0])
+    cluster = _cluster_numbers(moved, group, _CLUSTER)
+    order = np.argsort(cluster, kind="stable")
+    start = np.flatnonzero(np.r_[True, np.diff(cluster[order]) != 0])
     total = np.add.reduceat(point_gradients(moved - scene.origin, gradient)[order], start, axis=0)
     patch = np.minimum(group[order][start] * _CLUSTER_PATCHES + _CLUSTER_PATCHES // 2, scene.patches - 1)
+    by_group = np.argsort(patch, kind="stable")
+    total, patch = total[by_group], patch[by_group]
     squares = np.einsum("ni,nj->nij", total, total)
     return by_patch(squares, patch, scene.patches)
 
