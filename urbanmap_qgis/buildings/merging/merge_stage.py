@@ -127,15 +127,15 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
         raise InsufficientDataError("There are no measured walls: run “Walls from a mobile survey” first and check "
                                     "that it found any.")
     index = WallIndex(walls)
+    boxes = [shapely.box(*model.bounds) for model in models if model is not None and not model.is_empty]
+    if boxes and not len(index.tree.query(boxes, predicate="dwithin", distance=settings.max_offset)[0]):
+        raise InsufficientDataError("No measured wall lies near any model: check that both are of the same place, and "
+                                    "that the survey has been put on the map.")
     plans = []
     work = partial(_matched, index=index, settings=settings)
     for number, plan in enumerate(in_order(work, zip(ids, models), executor, progress.check)):
         plans.append(plan)
         progress.step(0.4 * number / len(ids))
-    known = [plan for plan in plans if plan.edges is not None]
-    if known and not any(match.wall is not None for plan in known for match in plan.matches):
-        raise InsufficientDataError("No measured wall lies along any model: check that both are of the same place, and "
-                                    "that the survey has been put on the map.")
     plans = _beside_neighbours(plans, progress.part(0.4, 0.5))
     merged = []
     for number, building in enumerate(in_order(partial(_merged, settings=settings), plans, executor, progress.check)):
