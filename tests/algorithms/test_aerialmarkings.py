@@ -67,3 +67,29 @@ def test_a_step_that_fails_says_why(run, survey, tmp_path):
     with pytest.raises(QgsProcessingException, match=r"camera\.json"):
         run(ALGORITHM, {**survey, "OUTPUT": str(tmp_path / "mask.tif")})
     assert not (tmp_path / "mask.tif").exists()
+
+
+def test_report_and_shifts(run, survey, tmp_path):
+    """The dashes lie where both frames say; the report tells so and that no roads were given."""
+    from qgis.core import QgsVectorLayer
+
+    result = run(ALGORITHM, {**survey, "OUTPUT": str(tmp_path / "mask.tif"),
+                             "OUTPUT_REPORT": str(tmp_path / "report.html"),
+                             "OUTPUT_SHIFTS": str(tmp_path / "shifts.gpkg")})
+    layer = QgsVectorLayer(result["OUTPUT_SHIFTS"], "shifts", "ogr")
+    assert layer.featureCount() >= 5 and {row["status"] for row in layer.getFeatures()} == {"agree"}
+    assert result["LARGEST_SHIFT"] < 0.03
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "写真0.tif" in page and "No roads were given" in page and "data:image/png" in page
+
+
+def test_the_angles_unit_is_passed_on(run, survey, tmp_path):
+    """A heading of 400 gon, a whole turn, is no angle in degrees, and is taken when said."""
+    from qgis.core import QgsProcessingException
+
+    text = (tmp_path / "exterior.csv").read_text(encoding="utf-8").splitlines()
+    turned = [text[0], text[1].rsplit(",", 1)[0] + ",0", text[2].rsplit(",", 1)[0] + ",400"]
+    (tmp_path / "exterior.csv").write_text("\n".join(turned), encoding="utf-8")
+    with pytest.raises(QgsProcessingException, match="gon"):
+        run(ALGORITHM, {**survey, "OUTPUT": str(tmp_path / "mask.tif")})
+    assert run(ALGORITHM, {**survey, "ANGLE_UNIT": "gon", "OUTPUT": str(tmp_path / "mask.tif")})["COUNT"] == DASHES
