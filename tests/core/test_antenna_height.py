@@ -119,9 +119,3 @@ def test_joining_brings_estimated_heights_together():
     assert both.geoid_separation == pytest.approx(36.4)
     assert both.residual[:len(one)] == pytest.approx(one.residual + 0.4 * one.direction[:, 2])
     assert both.residual[len(one):] == pytest.approx(two.residual - 1.6 * two.direction[:, 2])
-
-
-def test_taking_rows():
-    signals, _, _ = made(epochs=10)
-    some = signals.take(signals.system == "E")
-    assert set(some.system) == {"E"} and some.epochs is signals.epochs and len(some.residual) == len(some)

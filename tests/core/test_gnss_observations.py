@@ -17,9 +17,10 @@ from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.gnss.antenna_height import estimate_height
 from urbanmap_qgis.gnss.ephemeris import Navigation, read_navigation, satellite_states
 from urbanmap_qgis.gnss.observations import load_observations, trajectory_shift
+from urbanmap_qgis.gnss.passes import joined
 from urbanmap_qgis.gnss.residuals import corrected_residuals
 from urbanmap_qgis.gnss.shared_clock import pass_clocks
-from urbanmap_qgis.gnss.signals import Signals, SignalSettings, join
+from urbanmap_qgis.gnss.signals import Signals, SignalSettings
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 
@@ -93,8 +94,8 @@ def test_line_of_sight_centres_on_zero(small_city, gnss):
     """Over all passes: clock by truly visible satellites; reflected ones come late by their excess."""
     with gzip.open(small_city / "truth" / "gnss_signals.csv.gz", "rt") as file:
         rows = {(row["pass"], float(row["time"]), row["satellite"]): row for row in csv.DictReader(file)}
-    parts = [load(gnss, number) for number in range(1, 17)]
-    whole = join(parts)
+    whole = load_observations(sorted(gnss.glob("*.obs")), [gnss / "satellites.nav"],
+                              joined([drive(gnss, number) for number in range(1, 17)]), CRS, SEPARATION)
     number = whole.epochs.source[whole.epoch] + 1
     of = [rows[str(n), round(float(t), 3), str(s)] for n, t, s in zip(number, whole.time, whole.satellite)]
     free = np.array([row["class"] == "los" for row in of])
@@ -211,10 +212,8 @@ def test_packed_files_and_several_at_once(gnss, tmp_path, signals):
                                CRS, SEPARATION)
     assert np.array_equal(packed.residual, signals.residual)
     one, two = drive(gnss, 3), drive(gnss, 4)
-    both = Trajectory(*(np.concatenate([getattr(one, name), getattr(two, name)])
-                        for name in ("time", "place", "angles")))
-    found = load_observations([gnss / "pass_03.obs", gnss / "pass_04.obs"], [gnss / "satellites.nav"], both, CRS,
-                              SEPARATION)
+    found = load_observations([gnss / "pass_03.obs", gnss / "pass_04.obs"], [gnss / "satellites.nav"],
+                              joined([one, two]), CRS, SEPARATION)
     assert set(found.epochs.source) == {0, 1} and len(found) == len(signals) + len(load(gnss, 4))
     assert np.abs(found.residual[:len(signals)] - signals.residual).max() < 1e-6
 

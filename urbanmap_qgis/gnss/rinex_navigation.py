@@ -17,7 +17,6 @@ from ..errors import InputError
 from .gnss_time import BEIDOU_OFFSET, calendar_seconds, leap_seconds, nearest_week, to_gps
 from .rinex_file import RinexFile, read_rinex
 
-KEPLERIAN = "GEJC"
 _SCALE = {"G": "GPS", "E": "GAL", "J": "QZS", "C": "BDT", "R": "UTC"}
 _KINDS_2 = {"N": "G", "G": "R", "L": "E", "E": "E", "C": "C", "J": "J", "Q": "J"}
 _COLUMNS = {"af0": (0, 0), "af1": (0, 1), "af2": (0, 2), "crs": (1, 1), "delta_n": (1, 2), "m0": (1, 3), "cuc": (2, 0),

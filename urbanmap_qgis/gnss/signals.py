@@ -114,11 +114,6 @@ class Signals:
     def __len__(self) -> int:
         return len(self.epoch)
 
-    def take(self, rows: np.ndarray) -> Signals:
-        """The signals of some rows (index array or mask), with the same epochs."""
-        picked = {name: getattr(self, name)[rows] for name in _COLUMNS}
-        return replace(self, **picked)
-
     def raised(self, metres: float) -> Signals:
         """The same signals as if the antenna were higher by so many metres (a correction of the geoid separation).
 
