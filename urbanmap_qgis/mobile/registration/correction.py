@@ -36,7 +36,9 @@ _HELD = 0.25  # of their usual size that angles may be off by until gross markin
 _FACTORS = (0.5, 1.0, 2.0, 4.0, 8.0)
 _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
 _SETTLED = 0.02
+_REGION = 5  # pieces to either side that are a piece's region
 _LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
+_REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 _LEAST_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
 _FEWEST_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
@@ -53,24 +55,29 @@ class CorrectionSettings:
     rate, rate_length, wander, initial, standing, waiting : see `DriftModel`; the survey itself scales rate and wander.
     block_length : m of path whose evidence is tested, and loses its weight, as one.
     single : how many times as hard as usual a single piece may pull.
+    region : how many times as much as usual the pieces around may pull in the mean.
     gross : standard deviations from which a block's contradiction is gross.
     least_margin : log-likelihood by which a place must beat all others.
-    registered_sigma : m in plan, a registered patch has at most. trusted_sigma : m, a trusted one.
+    around : m of path to either side whose markings must fix the place of a registered patch.
+    registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
+    trusted_sigma : m in plan, a patch that is to be trusted has at most.
     blurs : m, by which the reference is softened in the rounds on the points.
     reference_sigma, reference_sigma_z : m, what the reference itself is off by, added to every sigma.
     """
 
     node_length: float = 2.0
-    rate: tuple[float, ...] = (2e-3, 2e-3, 1.5e-3, 6e-4, 6e-4, 6e-4)
+    rate: tuple[float, ...] = (2e-3, 2e-3, 1.5e-3, 1.2e-3, 1.2e-3, 1.2e-3)
     rate_length: float = 40.0
-    wander: tuple[float, ...] = (1.5e-3, 1.5e-3, 1.0e-3, 5e-4, 5e-4, 5e-4)
+    wander: tuple[float, ...] = (1.5e-3, 1.5e-3, 1.0e-3, 1e-3, 1e-3, 1e-3)
     initial: tuple[float, ...] = (3.0, 3.0, 5.0, 0.15, 0.15, 0.2)
     standing: float = 1.0
     waiting: float = 0.1
     block_length: float = 10.0
     single: float = 4.0
+    region: float = 3.0
     gross: float = 5.0
     least_margin: float = 3.0
+    around: float = 15.0
     registered_sigma: float = 0.10
     trusted_sigma: float = 0.30
     blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)
@@ -347,8 +354,15 @@ def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: Correctio
 
     They lie on markings that are not the reference's: painted anew beside the old ones, or something else that shines.
     """
-    usual = np.median(misfit[(allowed > 0) & (misfit > 0)]) if ((allowed > 0) & (misfit > 0)).any() else 1.0
-    return allowed / (1.0 + misfit / (settings.single**2 * max(float(usual), _LEAST_USUAL)))
+    counted = (allowed > 0) & (misfit > 0)
+    if not counted.any():
+        return allowed
+    usual = max(float(np.median(misfit[counted])), _LEAST_USUAL)
+    running = np.concatenate([np.zeros((1, 2)), np.cumsum(np.column_stack([misfit * counted, counted]), axis=0)])
+    number = np.arange(len(misfit))
+    total = (running[np.minimum(number + _REGION + 1, len(misfit))] - running[np.maximum(number - _REGION, 0)])
+    around = total[:, 0] / np.maximum(total[:, 1], 1.0)
+    return allowed / (1.0 + misfit / (settings.single**2 * usual)) / np.maximum(around / (settings.region * usual), 1.0)
 
 
 def _block_tests(evidence: Evidence, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
@@ -416,41 +430,45 @@ def _result(windows: WindowResults, chain: _Chain, fit: _Fit, at_patches: np.nda
     piece = np.searchsorted(0.5 * (evidence.clock[1:] + evidence.clock[:-1]), at_patches)
     weight = np.where(evidence.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
-    status, reason = _judge(windows, weight, _plan_sigma(covariance), doubtful, settings)
+    own = _own_sigma(evidence, fit.weight / fit.noise_factor, at_patches, settings.around)
+    status, reason = _judge(own, weight, _plan_sigma(covariance), doubtful, settings)
     return Correction(windows.time, windows.way, value, covariance, status, reason, weight, residual,
                       evidence.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
                       evidence.active, settings.standing)
 
 
-def _judge(windows: WindowResults, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
+def _judge(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
            settings: CorrectionSettings) -> tuple[np.ndarray, np.ndarray]:
-    """Status (n,) and its reason (n,) of each patch."""
-    n = len(windows)
+    """Status (n,) and its reason (n,) of each patch.
+
+    `own` (n,) is the standard deviation in plan that the markings around the patch give alone, m.
+    """
+    n = len(own)
     reason = np.full(n, "", dtype=object)
-    spoken = np.nan_to_num(weight) > 0.3
-    around = _near(spoken, windows)
-    rejected = weight <= 0.3
-    status = np.where(around & (sigma <= settings.registered_sigma), REGISTERED, BRIDGED).astype(np.int8)
-    reason[~around] = "no markings registered around the patch"
-    reason[around & (sigma > settings.registered_sigma)] = "the markings do not fix the place well"
-    reason[rejected] = "the markings here contradict those around"
-    status[rejected] = BRIDGED
-    reason[doubtful] = "another place of the markings fits as well"
-    status[doubtful] = BRIDGED
-    wide = sigma > settings.trusted_sigma
-    status[wide] = DISTRUSTED
-    if not (spoken & ~doubtful).any():
+    status = np.where((own <= settings.registered_sigma) & (sigma <= settings.registered_sigma), REGISTERED,
+                      BRIDGED).astype(np.int8)
+    reason[sigma > settings.registered_sigma] = "the markings do not fix the place well"
+    reason[own > settings.registered_sigma] = "the markings around do not fix the place in all directions"
+    reason[~np.isfinite(own)] = "no markings registered around the patch"
+    rejected = weight <= _REJECTED
+    status[rejected], reason[rejected] = BRIDGED, "the markings here contradict those around"
+    status[doubtful], reason[doubtful] = BRIDGED, "another place of the markings fits as well"
+    status[sigma > settings.trusted_sigma] = DISTRUSTED
+    if not (np.isfinite(own) & ~doubtful).any():
         status[:] = DISTRUSTED
     return status, reason
 
 
-def _near(spoken: np.ndarray, windows: WindowResults) -> np.ndarray:
-    """Mask (n,) of patches in the middle half of whose window some patch's evidence was used."""
-    running = np.concatenate([[0], np.cumsum(spoken)])
-    number = np.arange(len(spoken))
-    low = np.maximum((number + windows.window_first) // 2, 0)
-    high = np.minimum((number + windows.window_last + 1) // 2, len(spoken) - 1)
-    return running[high + 1] - running[low] > 0
+def _own_sigma(evidence: Evidence, weight: np.ndarray, clock: np.ndarray, reach: float) -> np.ndarray:
+    """(n,) m: standard deviation in the worst direction in plan by the evidence within `reach` of clock readings (n,).
+
+    Infinite where there is none.
+    """
+    running = np.concatenate([np.zeros((1, 2, 2)),
+                              np.cumsum(evidence.information[:, :2, :2] * weight[:, None, None], axis=0)])
+    low, high = np.searchsorted(evidence.clock, clock - reach), np.searchsorted(evidence.clock, clock + reach)
+    least = np.linalg.eigvalsh(running[high] - running[low])[:, 0]
+    return np.where(least > 1e-3, 1.0 / np.sqrt(np.maximum(least, 1e-3)), np.inf)
 
 
 def _plan_sigma(covariance: np.ndarray) -> np.ndarray:
