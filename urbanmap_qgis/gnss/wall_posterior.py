@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.sparse import csr_matrix
 from scipy.special import log_ndtr, logsumexp
 
 from ..progress import SILENT, Progress
@@ -22,7 +23,9 @@ _STRAY_SPAN = 80.0
 _GRID = np.arange(-4.0, 4.0001, 0.02)
 """Offsets that are tried for each wall, m."""
 
-_ROUNDS = 60
+_ROUNDS, _JUMPS = 60, 10
+"""Steps at most, and the first of them in which a wall may go to a better maximum."""
+
 _CHUNK = 2000
 
 _FACADE = 0.1
@@ -107,7 +110,7 @@ def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel | None 
         if learn:
             model = _learnt(model, model.shares(error, votes.variance), error, votes.variance, fitted)
         new_offset, latent, covariance, fitted = system.improved(offset, latent, model)
-        if number < _ROUNDS // 2:
+        if number < _JUMPS:
             jumped = system.best_on_grid(latent, model)
             new_offset = np.where(np.abs(jumped - new_offset) > 0.25, jumped, new_offset)
         moved = np.abs(new_offset - offset).max(initial=0.0)
@@ -195,8 +198,9 @@ class _System:
         for first in range(0, len(rest), _CHUNK):
             some = slice(first, first + _CHUNK)
             error = rest[some, None] + 2 * self.votes.slope[some, None] * _GRID
-            parts = model.log_parts(error, self.votes.variance[some, None])
-            np.add.at(log, self.wall[some], logsumexp(parts, axis=0))
+            each = np.logaddexp.reduce(model.log_parts(error, self.votes.variance[some, None]), axis=0)
+            of_wall = csr_matrix((np.ones(len(each)), (self.wall[some], np.arange(len(each)))), (len(log), len(each)))
+            log += of_wall @ each
         return log - 0.5 * (_GRID / self.prior) ** 2
 
     def best_on_grid(self, latent: list[np.ndarray], model: ErrorModel) -> np.ndarray:
