@@ -1,0 +1,73 @@
+"""Ground and road markings of mobile surveys that are real, or were made by another simulator."""
+
+from __future__ import annotations
+
+import laspy
+import numpy as np
+import pytest
+
+from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.mobile.calibration import read_calibration
+from urbanmap_qgis.mobile.ground import classify_ground_files
+from urbanmap_qgis.mobile.markings.curve_report import contrast_of, doubts
+from urbanmap_qgis.mobile.markings.marking_stage import extract_markings
+from urbanmap_qgis.mobile.markings.survey_points import sampled_span
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+ASPHALT, PAINT = 1, 2
+
+
+@pytest.fixture(scope="module")
+def city(real_data):
+    """Extraction from a survey of the independent city, and the material of each of its points."""
+    folder = real_data / "city"
+    made = extract_markings(open_cloud([folder / "mms" / "survey_02.laz"]),
+                            read_trajectory(folder / "mms" / "survey_02_trajectory.csv").trajectory,
+                            read_calibration(folder / "mms" / "calibration.json"))
+    return made, np.load(folder / "truth" / "survey_02_labels.npz")["material"]
+
+
+def test_markings_of_the_independent_city(city):
+    made, material = city
+    found = material[made.number]
+    # Spots lit by paint whose middle is worn or beside it are labelled asphalt: few are anything else.
+    assert np.mean(found == PAINT) > 0.85
+    assert np.mean(np.isin(found, (ASPHALT, PAINT))) > 0.995
+    assert made.marked_way > 0.9 and not doubts(made)
+
+
+def test_its_curve(city):
+    made, _material = city
+    curve = made.curves[1]
+    assert set(made.curves) == {1} and curve.residual < 0.05 and curve.scatter < 0.2
+    assert curve.nearest < 6 and curve.farthest > 18
+
+
+def test_spinning_scanner_in_a_queue(real_data):
+    """25 sweeps of 64 lasers whose intensities differ from each other: found, and told to be doubtful."""
+    folder = real_data / "mobile" / "kitti"
+    made = extract_markings(open_cloud([folder / "kitti_0926_25_sweeps.laz"]),
+                            read_trajectory(folder / "trajectory.csv").trajectory,
+                            read_calibration(folder / "calibration.json"))
+    assert len(made.points) > 20_000 and contrast_of(made) > 2
+    assert any("scatter" in sentence for sentence in doubts(made))
+    # Three lines of dashes run along the road, which goes east: most points lie in a few rows.
+    near = np.abs(made.points.y - np.median(made.points.y)) < 8
+    rows = np.sort(np.histogram(made.points.y[near], bins=np.arange(-8, 8.01, 0.25) + np.median(made.points.y))[0])
+    assert rows[-12:].sum() > 0.6 * rows.sum()
+
+
+def test_a_tile_of_ground_alone_is_ground(real_data, tmp_path):
+    path = real_data / "mobile" / "amsterdam" / "road_ground_labelled_2293_9698.laz"
+    made = classify_ground_files([path], tmp_path / "g.laz")
+    assert made.ground > 0.99 * made.points and made.legs > 1
+    before, after = laspy.read(path), laspy.read(tmp_path / "g.laz")
+    assert all(np.array_equal(before[name], after[name]) for name in before.point_format.dimension_names
+               if name != "classification")
+
+
+def test_times_of_a_copc_file_are_sampled(real_data):
+    cloud = open_cloud([real_data / "als" / "bratislava" / "strip_204623.copc.laz"])
+    time = np.asarray(laspy.read(cloud.paths[0]).gps_time)
+    low, high = sampled_span(cloud)
+    assert time.min() <= low < high <= time.max()
