@@ -108,7 +108,7 @@ def test_vehicles_of_two_orthophotos(run, tmp_path):
 
 
 def test_shifts_are_a_layer(run, tmp_path, make_frames_of_dashes):
-    """Two frames of the same dashes, one of which says it stood 0.6 m farther west."""
+    """Two frames of the same dashes, one of which says it stood 0.6 m farther east."""
     from qgis.core import QgsVectorLayer
 
     result = run(ALGORITHM, {**make_frames_of_dashes(0.6), "OUTPUT_SHIFTS": str(tmp_path / "shifts.gpkg")})
@@ -148,3 +148,31 @@ def make_frames_of_dashes(tmp_path, block):
         (tmp_path / "exterior.csv").write_text("\n".join(rows), encoding="utf-8")
         return {**block, "FRAMES": [str(tmp_path / "a.tif"), str(tmp_path / "b.tif")]}
     return make
+
+
+def test_orthophotos_tell_their_shift(run, tmp_path, make_frames_of_dashes):
+    """Each frame laid on the ground alone; the second says it stood 0.3 m farther east."""
+    from qgis.core import QgsVectorLayer
+
+    given, orthophotos = make_frames_of_dashes(0.3), []
+    for number, frame in enumerate(given["FRAMES"]):
+        orthophotos.append(str(tmp_path / f"{number}.tif"))
+        run(ALGORITHM, {**given, "FRAMES": [frame], "OUTPUT": orthophotos[-1]})
+    result = run("urbanmap:filtervehicles", {"ORTHOPHOTOS": orthophotos, "OUTPUT": str(tmp_path / "both.tif"),
+                                             "OUTPUT_SHIFTS": str(tmp_path / "shifts.gpkg")})
+    assert result["LARGEST_SHIFT"] == pytest.approx(0.3, abs=0.05)
+    layer = QgsVectorLayer(result["OUTPUT_SHIFTS"], "shifts", "ogr")
+    assert {(row["first"], row["second"], row["status"]) for row in layer.getFeatures()} == {
+        ("0.tif", "1.tif", "apart")}
+
+
+def test_heights_of_outlines_come_from_their_field(run, block, polygon_layer):
+    """Two level frames see nothing behind a block of 60 m that the surface lacks; a field of text is refused."""
+    ring = "POLYGON ((-8004 -34002, -8001 -34002, -8001 -33998, -8004 -33998, -8004 -34002))"
+    plain = run(ALGORITHM, {**block, "FOOTPRINTS": polygon_layer([ring], "EPSG:6677", {"h": [60.0]})})
+    high = run(ALGORITHM, {**block, "FOOTPRINTS": polygon_layer([ring], "EPSG:6677", {"h": [60.0]}),
+                           "HEIGHT_FIELD": "h"})
+    assert high["HOLE_AREA"] > plain["HOLE_AREA"] + 0.5
+    with pytest.raises(Exception, match="must hold numbers"):
+        run(ALGORITHM, {**block, "FOOTPRINTS": polygon_layer([ring], "EPSG:6677", {"h": ["tall"]}),
+                        "HEIGHT_FIELD": "h"})
