@@ -22,7 +22,7 @@ from .walls import Walls
 SKY_STEP = 10.0
 """Satellites are placed anew after so many seconds, in which they move by less than 0.1 degree."""
 
-_RAYS = 50_000
+_RAYS = 25_000
 _LARGEST_GRID = 1_000_000
 _WORST_PDOP = 999.0
 
