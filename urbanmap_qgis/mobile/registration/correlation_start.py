@@ -23,8 +23,7 @@ EVIDENCE_AREA = 0.15
 """m2 of paint (1 m of a lane line) that count as one independent observation."""
 
 _BLUR = 0.2
-_SIGMAS = 2.0
-_MOST_STEPS = 12
+_SIGMAS = 3.0
 
 
 @dataclass(frozen=True)
@@ -141,20 +140,31 @@ def best_way(scores: np.ndarray, wander: np.ndarray, likely: float) -> BestWay:
     return BestWay(np.stack([best % size, best // size], axis=1) - size // 2, beaten)
 
 
-def _spread(score: np.ndarray, variance: float) -> np.ndarray:
-    """Best score that can be reached at each shift from the others, a change d costing d2 / (2 variance).
+def spreads(way: BestWay, apart: float) -> np.ndarray:
+    """(b, 2, 2) m2: how far the best way may be off because others, more than `apart` m away, fit nearly as well."""
+    offset = np.arange(way.beaten.shape[1]) - way.beaten.shape[1] // 2
+    spread = np.zeros((len(way.beaten), 2, 2))
+    for block, (east, north) in enumerate(way.shift):
+        likely = np.exp(-way.beaten[block].astype(np.float64))
+        likely /= likely.sum()
+        to_east, to_north = np.meshgrid((offset - east) * CELL, (offset - north) * CELL)
+        likely[np.maximum(np.abs(to_east), np.abs(to_north)) < apart] = 0.0  # that is the place itself
+        cross = (likely * to_east * to_north).sum()
+        spread[block] = [[(likely * to_east ** 2).sum(), cross], [cross, (likely * to_north ** 2).sum()]]
+    return spread
 
-    A large change is made in several steps of a cell each.
-    """
-    steps = int(np.clip(np.ceil(_SIGMAS * math.sqrt(variance) / CELL), 1, _MOST_STEPS))
-    cost = np.float32(steps * CELL ** 2 / (2 * max(variance, 1e-6)))
-    for _ in range(steps):
-        for axis in (0, 1):
-            score = np.moveaxis(score, axis, 0)
-            spread = score.copy()
-            np.maximum(spread[1:], score[:-1] - cost, out=spread[1:])
-            np.maximum(spread[:-1], score[1:] - cost, out=spread[:-1])
-            score = np.moveaxis(spread, 0, axis)
+
+def _spread(score: np.ndarray, variance: float) -> np.ndarray:
+    """Best score that can be reached at each shift from the others, a change d costing d2 / (2 variance)."""
+    furthest = int(np.clip(math.ceil(_SIGMAS * math.sqrt(variance) / CELL), 1, len(score) - 1))
+    cost = CELL ** 2 / (2 * max(variance, 1e-6)) * np.arange(furthest + 1, dtype=np.float32) ** 2
+    for axis in (0, 1):
+        score = np.moveaxis(score, axis, 0)
+        spread = score.copy()
+        for step in range(1, furthest + 1):
+            np.maximum(spread[step:], score[:-step] - cost[step], out=spread[step:])
+            np.maximum(spread[:-step], score[step:] - cost[step], out=spread[:-step])
+        score = np.moveaxis(spread, 0, axis)
     return score
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..trajectory import angles_of, rotations
-from .correlation_start import CELL, peaks
+from .correlation_start import CELL, BestWay, peaks, spreads
 from .ndt_match import turn_matrix
 from .patches import Patches
 from .results import (
@@ -107,20 +107,6 @@ def _margins(start: Start) -> np.ndarray:
     return margin
 
 
-def _spreads(start: Start) -> np.ndarray:
-    """(b, 2, 2) m2: how far the error may be off because other places fit nearly as well in the whole survey."""
-    offset = np.arange(start.beaten.shape[1]) - start.beaten.shape[1] // 2
-    spread = np.zeros((len(start.beaten), 2, 2))
-    for block, (east, north) in enumerate(start.best):
-        likely = np.exp(-start.beaten[block].astype(np.float64))
-        likely /= likely.sum()
-        to_east, to_north = np.meshgrid((offset - east) * CELL, (offset - north) * CELL)
-        likely[np.maximum(np.abs(to_east), np.abs(to_north)) < (_APART - 0.5) * CELL] = 0.0  # that is the place itself
-        cross = (likely * to_east * to_north).sum()
-        spread[block] = [[(likely * to_east ** 2).sum(), cross], [cross, (likely * to_north ** 2).sum()]]
-    return spread
-
-
 def assemble(patches: Patches, windows: Windows, start: Start, parts: Sequence, settings: RegistrationSettings
              ) -> WindowResults:
     """Rows of all patches from the stretches' results (see `AdjustedStretch`)."""
@@ -139,7 +125,8 @@ def assemble(patches: Patches, windows: Windows, start: Start, parts: Sequence, 
     linearised = np.column_stack([course[:, :3], turned_angles(patches.angles, course[:, 3:])])
     points, overlap = column("points"), column("overlap")
     places = other_places(start, windows, len(patches))
-    covariance[:, :2, :2] += _spreads(start)[np.arange(len(patches)) // start.block]
+    covariance[:, :2, :2] += spreads(BestWay(start.best, start.beaten), (_APART - 0.5) * CELL)[
+        np.arange(len(patches)) // start.block]
     status = _statuses(points, overlap, covariance, places, column("converged"))
     if not settings.three_d:
         correction[:, 2:5] = covariance[:, 2:5] = covariance[:, :, 2:5] = np.nan

@@ -1,0 +1,344 @@
+"""Windows of a simulated street registered to its reference: accuracy, honesty, the trap of repeating dashes."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+import shapely
+from pyproj import CRS
+from shapely import affinity
+
+from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
+from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.io.raster import write_raster
+from urbanmap_qgis.mobile.registration import register as register_module
+from urbanmap_qgis.mobile.registration.reference import Reference
+from urbanmap_qgis.mobile.registration.register import register_windows
+from urbanmap_qgis.mobile.registration.results import (
+    AMBIGUOUS,
+    NO_MARKINGS,
+    REGISTERED,
+    MarkingPoints,
+    RegistrationSettings,
+    WindowResults,
+)
+from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points
+
+ORIGIN = np.array([-7000.0, -34000.0])
+HEADING = 37.0
+SPEED = 8.0
+
+
+def along_street(along, across):
+    """Map coordinates of places in the street's own: along its axis and to the right of it, m."""
+    h = np.radians(HEADING)
+    forward, right = np.array([np.sin(h), np.cos(h)]), np.array([np.cos(h), -np.sin(h)])
+    return ORIGIN + np.multiply.outer(along, forward) + np.multiply.outer(across, right)
+
+
+def bar(along, across, length, width):
+    """A painted rectangle in the map."""
+    corners = [(along - length / 2, across - width / 2), (along + length / 2, across - width / 2),
+               (along + length / 2, across + width / 2), (along - length / 2, across + width / 2)]
+    return shapely.Polygon([along_street(a, c) for a, c in corners])
+
+
+def lines(length):
+    """Two solid edge lines."""
+    return [bar(length / 2, across, length + 200, 0.15) for across in (-7.0, 7.0)]
+
+
+def dashes(length, period=10.0):
+    """Two rows of dashes, in step."""
+    return [bar(along, across, period / 2, 0.15) for along in np.arange(-100, length + 100, period)
+            for across in (-3.5, 3.5)]
+
+
+def crossings(length, every=60.0):
+    """A stop line and a zebra crossing every so often."""
+    stop = [bar(along, 3.5, 0.45, 6.5) for along in np.arange(15.0, length + 30, every)]
+    zebra = [bar(along + 4, across, 3.0, 0.45) for along in np.arange(15.0, length + 30, every)
+             for across in np.arange(-6, 6.5, 0.9)]
+    return stop + zebra
+
+
+def true_trajectory(length, wait_at=None, wait=10.0):
+    """Along the axis at 8 m/s, 2 m above a level road of height 12; a wait if wanted."""
+    time = np.arange(0, length / SPEED + (wait if wait_at is not None else 0), 0.02)
+    along = SPEED * time
+    if wait_at is not None:
+        along = np.where(along > wait_at, np.maximum(wait_at, along - SPEED * wait), along)
+    angles = np.column_stack([np.zeros_like(time), np.zeros_like(time), np.full_like(time, HEADING)])
+    return Trajectory(361000.0 + time, np.column_stack([along_street(along, np.zeros_like(along)),
+                                                        np.full_like(time, 14.0)]), angles)
+
+
+def reported_trajectory(true, error):
+    """The true one with an error (n, 6) taken off: corrections of the registration should equal `error`."""
+    return Trajectory(true.time, true.place - error[:, :3], true.angles - error[:, 3:])
+
+
+def seen(polygons, true, reported, density=100.0, reach=12.0, noise=0.01, seed=1, share=1.0, stray=0.0):
+    """Points on paint as the reported trajectory places them, each measured about 5 m before the vehicle is there.
+
+    `share` of them is kept, and `stray` times as many lie anywhere on the road.
+    """
+    rng = np.random.default_rng(seed)
+    local = []
+    for polygon in polygons:
+        upright = affinity.rotate(polygon, HEADING, origin=tuple(ORIGIN))
+        x0, y0, x1, y1 = upright.bounds
+        number = rng.poisson(density * (x1 - x0) * (y1 - y0))
+        at = np.column_stack([rng.uniform(x0, x1, number), rng.uniform(y0, y1, number)])
+        local.append(at[shapely.contains_xy(upright, at[:, 0], at[:, 1])] - ORIGIN)
+    local = np.concatenate(local)
+    count = int(stray * len(local))
+    more = np.column_stack([rng.uniform(-8, 8, count), rng.uniform(local[:, 1].min(), local[:, 1].max(), count)])
+    across, along = np.concatenate([local, more]).T
+    h = np.radians(HEADING)
+    places = (ORIGIN + np.multiply.outer(along, [np.sin(h), np.cos(h)])
+              + np.multiply.outer(across, [np.cos(h), -np.sin(h)]))
+    vehicle = (true.place[:, :2] - ORIGIN) @ [np.sin(h), np.cos(h)]
+    passed = along - 5 - rng.uniform(0, 1.5, len(along))
+    moving = np.r_[True, np.diff(vehicle) > 0]
+    time = np.interp(passed, vehicle[moving], true.time[moving])
+    keep = ((passed > vehicle[0]) & (passed < vehicle[-1]) & (np.abs(across) < reach)
+            & (rng.uniform(size=len(along)) < share))
+    points = np.column_stack([places + rng.normal(0, noise, places.shape), np.full(len(places), 12.0)])[keep]
+    points[:, 2] += rng.normal(0, noise, len(points))
+    time = time[keep]
+    moved = move_points(points, time, true, reported)
+    order = np.argsort(time, kind="stable")
+    moved, time = moved[order], time[order]
+    return MarkingPoints(moved[:, 0], moved[:, 1], moved[:, 2], time, np.ones(len(time)), np.ones(len(time), int))
+
+
+def slow_error(true, east=1.1, north=-0.7, up=0.0, heading=0.1):
+    """An error that drifts by a few decimetres in a hundred metres."""
+    t = true.time - true.time[0]
+    wave = np.sin(2 * np.pi * t / 40.0)
+    return np.column_stack([east + 0.25 * wave, north + 0.2 * np.cos(2 * np.pi * t / 50.0), up + 0.1 * wave,
+                            np.zeros_like(t), np.zeros_like(t), heading + 0.03 * wave])
+
+
+def errors(result, true):
+    """(n, 6) of the rows' corrections, and (n, 2) in plan along the street and across it."""
+    pose = interpolate(true, result.time)
+    off = result.correction - np.column_stack([pose.place - result.place, pose.angles - result.angles])
+    h = np.radians(HEADING)
+    return off, off[:, :2] @ np.array([[np.sin(h), np.cos(h)], [np.cos(h), -np.sin(h)]])
+
+
+def along_sigma(result):
+    h = np.radians(HEADING)
+    forward = np.array([np.sin(h), np.cos(h)])
+    return np.sqrt(forward @ result.covariance[:, :2, :2] @ forward)
+
+
+@pytest.fixture(scope="module")
+def street():
+    """True and reported trajectory, paint, and what was seen of it with some stray points."""
+    true = true_trajectory(120.0, wait_at=50.0)
+    reported = reported_trajectory(true, slow_error(true))
+    paint = lines(120) + dashes(120, 5.0) + crossings(120)
+    return true, reported, paint, seen(paint, true, reported, stray=0.05)
+
+
+@pytest.fixture(scope="module")
+def registered(street):
+    _, reported, paint, markings = street
+    return register_windows(markings, reported, Reference.from_polygons(paint))
+
+
+def test_corrections_are_the_errors_and_sigmas_cover_them(street, registered):
+    off, plan = errors(registered, street[0])
+    assert (registered.status == REGISTERED).all()
+    assert np.hypot(*plan.T).mean() < 0.035 and np.abs(plan).max() < 0.1
+    assert np.abs(off[:, 5]).mean() < 0.05
+    chi = np.einsum("ni,nij,nj->n", off[:, :2], np.linalg.inv(registered.covariance[:, :2, :2]), off[:, :2])
+    assert (chi < 6.0).mean() > 0.95
+    assert np.median(registered.sigma()[:, :2]) < 0.05
+    assert np.isnan(registered.correction[:, 2:5]).all()
+
+
+def test_rows_follow_the_driven_way_not_time(street, registered):
+    assert np.allclose(np.diff(registered.way)[:-1], 0.5)
+    assert (np.diff(registered.time) > 0).all() and np.diff(registered.time).max() > 9.0  # the wait
+    patch = np.arange(len(registered))
+    assert (registered.window_first <= patch).all() and (registered.window_last >= patch).all()
+    assert (registered.window_length <= 100.0).all()
+    assert (registered.overlap > 0.8).all() and (registered.score > 0.5).all()
+
+
+def test_own_place_comes_first_among_the_modes(registered):
+    assert np.allclose(registered.modes[:, 0], registered.correction[:, :2])
+    others = np.nan_to_num(registered.mode_scores[:, 1:], nan=-np.inf)
+    assert (others < registered.mode_scores[:, :1]).all()
+
+
+@pytest.mark.parametrize("direction", [0.3, 2.4, 4.4])
+def test_three_metres_of_error_are_found(street, direction):
+    true, _, paint, _ = street
+    error = slow_error(true, 0.0, 0.0)
+    error[:, :2] += 3.0 * np.array([np.cos(direction), np.sin(direction)]) - error[:, :2].mean(axis=0)
+    reported = reported_trajectory(true, error)
+    result = register_windows(seen(paint, true, reported), reported, Reference.from_polygons(paint))
+    assert np.abs(errors(result, true)[1]).max() < 0.08
+
+
+def test_lane_lines_alone_tell_nothing_along_the_road(street):
+    true, reported, _, _ = street
+    paint = lines(120)
+    result = register_windows(seen(paint, true, reported), reported, Reference.from_polygons(paint))
+    _, plan = errors(result, true)
+    assert (result.status == AMBIGUOUS).all() and (along_sigma(result) > 1.0).all()
+    assert np.abs(plan[:, 1]).max() < 0.05  # across they do
+
+
+def test_a_slip_by_one_dash_is_never_taken_for_certain(street):
+    """Endless dashes of 2.5 m in a period of 5 m, the error 2.4 m along the road: both places fit alike."""
+    true, _, _, _ = street
+    h = np.radians(HEADING)
+    error = slow_error(true, 0.0, 0.0)
+    error[:, :2] += 2.4 * np.array([np.sin(h), np.cos(h)]) - error[:, :2].mean(axis=0)
+    reported = reported_trajectory(true, error)
+    inside = [bar(along, across, 2.5, 0.15) for along in np.arange(-100, 220, 5.0) for across in (-3.5, 3.5)]
+    markings = seen(inside, true, reported)
+    result = register_windows(markings, reported, Reference.from_polygons(inside))
+    truth = interpolate(true, result.time).place - result.place
+    nearest = np.nanmin(np.hypot(*np.moveaxis(result.modes - truth[:, None, :2], 2, 0)), axis=1)
+    slipped = np.abs(errors(result, true)[1][:, 0]) > 1.0
+    assert (result.status[slipped] == AMBIGUOUS).all()
+    assert (along_sigma(result) > 1.0).all()
+    assert np.median(nearest) < 0.3  # the truth is among the modes
+
+
+def test_one_stop_line_decides_between_dashes(street):
+    true, _, _, _ = street
+    h = np.radians(HEADING)
+    error = slow_error(true, 0.0, 0.0)
+    error[:, :2] += 2.9 * np.array([np.sin(h), np.cos(h)]) - error[:, :2].mean(axis=0)
+    reported = reported_trajectory(true, error)
+    paint = [*dashes(120, 5.0), bar(70.0, 3.5, 0.45, 6.5), bar(72.0, 3.5, 2.0, 2.0)]
+    result = register_windows(seen(paint, true, reported), reported, Reference.from_polygons(paint))
+    assert np.abs(errors(result, true)[1]).max() < 0.15
+    assert (result.margin > 3).all()
+
+
+def test_paint_that_was_moved_draws_little_and_widens_sigma(street):
+    true, reported, paint, _ = street
+    rng = np.random.default_rng(4)
+    moved = [affinity.translate(p, 0.25, 0.15) if rng.uniform() < 0.35 else p for p in paint]
+    result = register_windows(seen(moved, true, reported), reported, Reference.from_polygons(paint))
+    _, plan = errors(result, true)
+    assert np.hypot(*plan.T).mean() < 0.05
+    off = errors(result, true)[0]
+    chi = np.einsum("ni,nij,nj->n", off[:, :2], np.linalg.inv(result.covariance[:, :2, :2]), off[:, :2])
+    assert (chi < 6.0).mean() > 0.9
+
+
+def test_stretch_without_reference_is_said(street):
+    _, reported, paint, markings = street
+    near = [p for p in paint if (np.array(p.centroid.coords[0]) - ORIGIN) @ [np.sin(np.radians(HEADING)),
+                                                                          np.cos(np.radians(HEADING))] < 10]
+    near = [p for p in near if shapely.length(p) < 60]
+    result = register_windows(markings, reported, Reference.from_polygons(near))
+    far = result.way > 100
+    assert not (result.status[far] == REGISTERED).any()
+    lost = result.status == NO_MARKINGS
+    assert np.isnan(result.correction[lost]).all() and np.isnan(result.covariance[lost]).all()
+
+
+def in_space(street, tmp_path, up):
+    true, _, paint, _ = street
+    error = slow_error(true, up=up)
+    error[:, 3:5] = [0.06, -0.05]
+    reported = reported_trajectory(true, error)
+    grid = Grid(ORIGIN[0] - 60, ORIGIN[1] + 200, 1.0, 300, 200)
+    path = tmp_path / "ground.tif"
+    write_raster(path, np.full(grid.shape, 12.0, np.float32), grid, CRS.from_epsg(6677).to_wkt())
+    return true, reported, seen(paint, true, reported), Reference.from_polygons(paint, path)
+
+
+def test_in_space(street, tmp_path):
+    true, reported, markings, reference = in_space(street, tmp_path, 0.9)
+    result = register_windows(markings, reported, reference, RegistrationSettings(three_d=True))
+    off, plan = errors(result, true)
+    assert result.three_d and np.isfinite(result.correction).all()
+    assert np.abs(plan).max() < 0.08 and np.abs(off[:, 2]).max() < 0.05
+    assert np.abs(off[:, 3]).mean() < 0.05
+    sigma = result.sigma()
+    assert (np.abs(off[:, 2]) < 2 * sigma[:, 2]).mean() > 0.95
+
+
+def test_heights_of_another_datum_are_refused(street, tmp_path):
+    _, reported, markings, reference = in_space(street, tmp_path, -37.0)
+    with pytest.raises(InputError, match="37.0 m above"):
+        register_windows(markings, reported, reference, RegistrationSettings(three_d=True))
+
+
+def test_in_space_needs_heights(street):
+    _, reported, paint, markings = street
+    with pytest.raises(InputError, match="heights"):
+        register_windows(markings, reported, Reference.from_polygons(paint), RegistrationSettings(three_d=True))
+
+
+def test_no_reference_near_and_times_apart(street):
+    _, reported, paint, markings = street
+    away = Reference.from_polygons([affinity.translate(paint[0], 5000, 0)])
+    with pytest.raises(InsufficientDataError, match="reference"):
+        register_windows(markings, reported, away)
+    later = replace(markings, time=markings.time + 1e5)
+    with pytest.raises(InsufficientDataError, match="time"):
+        register_windows(later, reported, Reference.from_polygons(paint))
+
+
+def test_an_executor_changes_nothing(street, registered, monkeypatch):
+    _, reported, paint, markings = street
+    reference = Reference.from_polygons(paint)
+    with ThreadPoolExecutor(2) as executor:
+        other = register_windows(markings, reported, reference, executor=executor)
+    for field in fields(WindowResults):
+        assert np.allclose(getattr(registered, field.name), getattr(other, field.name), rtol=1e-6, equal_nan=True)
+    monkeypatch.setattr(register_module, "_STRETCH", 90)  # another cut
+    cut = register_windows(markings, reported, reference)
+    assert np.abs(cut.correction[:, :2] - registered.correction[:, :2]).max() < 0.02
+
+
+def test_cancel_and_progress(street):
+    from urbanmap_qgis.progress import Progress
+
+    _, reported, paint, markings = street
+    told = []
+    register_windows(markings, reported, Reference.from_polygons(paint), progress=Progress(report=told.append))
+    assert told == sorted(told) and told[-1] == 1.0
+    with pytest.raises(Cancelled):
+        register_windows(markings, reported, Reference.from_polygons(paint),
+                         progress=Progress(cancelled=lambda: True))
+
+
+def test_to_the_letter_windows_are_rigid_and_on_their_own():
+    true = true_trajectory(60.0)
+    error = slow_error(true, 0.2, -0.15, heading=0.0)
+    reported = reported_trajectory(true, error)
+    paint = lines(60) + dashes(60, 5.0) + crossings(60, 30.0)
+    markings = seen(paint, true, reported)
+    paper = register_windows(markings, reported, Reference.from_polygons(paint), RegistrationSettings.paper())
+    ours = register_windows(markings, reported, Reference.from_polygons(paint))
+    letter, better = (np.hypot(*errors(r, true)[1].T).mean() for r in (paper, ours))
+    assert letter < 0.25 and better < letter
+    assert not paper.information.any()
+
+
+@pytest.mark.parametrize("bad", [{"patch_length": 0.0}, {"outlier_share": 1.0}, {"longest_window": 10},
+                                 {"iterations": 0}, {"search": float("nan")}])
+def test_settings_that_mean_nothing_are_refused(bad):
+    with pytest.raises(InputError):
+        RegistrationSettings(**bad)
+
+
+def test_columns_must_be_of_one_length():
+    one, two = np.zeros(1), np.zeros(2)
+    with pytest.raises(InputError):
+        MarkingPoints(one, one, one, two, one, one)
