@@ -181,20 +181,23 @@ class _Survey:
 
     def _tiles(self, keys: list[int], leg: int, margin: float) -> Iterator[TilePoints]:
         """The points of each tile and of a margin round it, of one leg."""
-        known = set(keys)
+        known, held = set(keys), {}
         for key in keys:
             x_min, y_min, x_max, y_max = box = self.tiling.box(key)
-            parts = []
-            for near in self.tiling.around(key):
-                if near not in known:
-                    continue
-                records = self.buckets.read(near)
-                keep = self.legs.of(records["t"]) == leg if self.legs.count > 1 else np.ones(len(records), dtype=bool)
-                if near != key:
-                    keep &= ((records["x"] >= x_min - margin) & (records["x"] <= x_max + margin)
-                             & (records["y"] >= y_min - margin) & (records["y"] <= y_max + margin))
-                parts.append(records if keep.all() else records[keep])
+            around = [near for near in self.tiling.around(key) if near in known]
+            # Keys grow by rows: most neighbours were neighbours of the tile before.
+            held = {near: held[near] if near in held else self._of_leg(near, leg) for near in around}
+            parts = [held[key]]
+            for near in around[1:]:
+                x, y = held[near]["x"], held[near]["y"]
+                parts.append(held[near][(x >= x_min - margin) & (x <= x_max + margin)
+                                        & (y >= y_min - margin) & (y <= y_max + margin)])
             yield TilePoints(np.concatenate(parts), len(parts[0]), box)
+
+    def _of_leg(self, key: int, leg: int) -> np.ndarray:
+        """The points of a tile that were measured in a leg."""
+        records = self.buckets.read(key)
+        return records if self.legs.count == 1 else records[self.legs.of(records["t"]) == leg]
 
 
 def _put(layers: list[np.ndarray], part: ClothPart) -> None:
