@@ -44,7 +44,8 @@ class Result:
 
 def run_stage(process: str, stage: Stage, folder: Path) -> Result:
     """Run a stage as users do; ends the demo with what QGIS said if it fails."""
-    parameters = [f"{name}={value}" for name, value in stage.parameters_in(folder).items()]
+    parameters = [f"{name}={item}" for name, value in stage.parameters_in(folder).items()
+                  for item in (value if isinstance(value, list) else [value])]
     start = time.monotonic()
     quietly(process, "run", stage.algorithm, "--", *parameters)
     return Result(stage, time.monotonic() - start, stage.check(folder))

@@ -1,0 +1,161 @@
+"""Measures the demo's street-level results against the sample city's truth.
+
+As in `demo_checks`, only files are read and geometry is written anew: nothing of the code that made them is used.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import shapely
+
+from scripts.demo_checks import Figure, read_layer
+
+FACING = np.cos(np.radians(20.0))
+"""A wall belongs to a true one when their directions differ by less than 20 degrees."""
+
+NEAR = 1.5
+"""And when they lie less than this apart, m."""
+
+
+def poses(path: Path) -> np.ndarray:
+    """Rows (n, 7) of a trajectory: time, x, y, z, roll, pitch, heading (degrees, without jumps of a full turn)."""
+    table = np.loadtxt(path, delimiter=",", skiprows=1)
+    table[:, 4:] = np.unwrap(table[:, 4:], axis=0, period=360.0)
+    return table
+
+
+def at(trajectory: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Poses (m, 6) at times, linear between epochs."""
+    return np.column_stack([np.interp(time, trajectory[:, 0], column) for column in trajectory[:, 1:].T])
+
+
+def turn(angles: np.ndarray) -> np.ndarray:
+    """Matrices (n, 3, 3) from forward, right, down to east, north, up: Rz(heading) Ry(pitch) Rx(roll)."""
+    matrices = []
+    for roll, pitch, heading in np.radians(angles):
+        about_x = np.array([[1, 0, 0], [0, np.cos(roll), -np.sin(roll)], [0, np.sin(roll), np.cos(roll)]])
+        about_y = np.array([[np.cos(pitch), 0, np.sin(pitch)], [0, 1, 0], [-np.sin(pitch), 0, np.cos(pitch)]])
+        about_z = np.array([[np.cos(heading), -np.sin(heading), 0], [np.sin(heading), np.cos(heading), 0], [0, 0, 1]])
+        matrices.append(np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1]]) @ about_z @ about_y @ about_x)
+    return np.array(matrices)
+
+
+def moved(places: np.ndarray, time: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Places (n, 3) of one trajectory as another one puts them."""
+    first, second = at(before, time), at(after, time)
+    body = np.einsum("nji,nj->ni", turn(first[:, 3:]), places - first[:, :3])
+    return second[:, :3] + np.einsum("nij,nj->ni", turn(second[:, 3:]), body)
+
+
+def registered_survey(folder: Path) -> list[Figure]:
+    """Control points of the first mobile survey before and after its registration to the markings."""
+    city = folder / "city"
+    with open(city / "truth/control_survey_01.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    true, measured = (np.array([[float(row[name]) for name in names] for row in rows])
+                      for names in (("x", "y", "z"), ("x_mms", "y_mms", "z_mms")))
+    time = np.array([float(row["time"]) for row in rows])
+    after = moved(measured, time, poses(city / "mms/survey_01_trajectory.csv"),
+                  poses(folder / "survey_01_trajectory.csv"))
+    figures = []
+    for name, places in (("before", measured), ("after", after)):
+        plan, space = np.linalg.norm((places - true)[:, :2], axis=1), np.linalg.norm(places - true, axis=1)
+        figures += [Figure(f"control points {name}, mean distance in plan", float(plan.mean()), "{:.3f} m"),
+                    Figure(f"control points {name}, greatest in plan", float(plan.max()), "{:.3f} m"),
+                    Figure(f"control points {name}, mean in space", float(space.mean()), "{:.3f} m")]
+    return figures
+
+
+def rectified_trajectory(folder: Path) -> list[Figure]:
+    """The line scanners' trajectory before and after its rectification by tie points."""
+    city = folder / "city"
+    true = poses(city / "truth/lines_trajectory.csv")
+    figures = []
+    for name, path in (("before", city / "lines/trajectory.csv"), ("after", folder / "lines_trajectory.csv")):
+        found = poses(path)
+        off = found[:, 1:4] - at(true, found[:, 0])[:, :3]
+        figures += [Figure(f"epochs {name}, mean distance in plan", float(np.hypot(off[:, 0], off[:, 1]).mean()),
+                           "{:.3f} m"),
+                    Figure(f"epochs {name}, mean height error", float(np.abs(off[:, 2]).mean()), "{:.3f} m")]
+    return figures
+
+
+def true_walls(city: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Feet of the true walls: starts and ends (n, 2) each."""
+    lines, _ = read_layer(city / "truth/roofs.gpkg", layer="wall_lines")
+    ends = np.array([shapely.get_coordinates(shapely.force_2d(line))[[0, -1]] for line in lines])
+    return ends[:, 0], ends[:, 1]
+
+
+def distance_to_walls(middle: np.ndarray, direction: np.ndarray, walls: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
+    """Distance (n,) of walls with the given middles and directions (n, 2) from the line of the nearest true wall.
+
+    NaN where no true wall of the same direction is near.
+    """
+    start, end = walls
+    length = np.linalg.norm(end - start, axis=1)
+    along = (end - start) / np.maximum(length, 1e-9)[:, None]
+    off = middle[:, None, :] - start[None]
+    way = np.einsum("nmi,mi->nm", off, along)
+    across = off[..., 0] * along[None, :, 1] - off[..., 1] * along[None, :, 0]
+    fits = (np.abs(direction @ along.T) > FACING) & (way > -0.5) & (way < length + 0.5) & (np.abs(across) < NEAR)
+    distance = np.where(fits, np.abs(across), np.inf).min(axis=1)
+    return np.where(np.isfinite(distance), distance, np.nan)
+
+
+def measured_walls(folder: Path) -> list[Figure]:
+    """Walls measured by the corrected mobile survey against the true ones."""
+    walls, (areas,) = read_layer(folder / "walls.gpkg", "area")
+    boxes = [shapely.minimum_rotated_rectangle(shapely.force_2d(wall).buffer(0.001)) for wall in walls]
+    sides = [max(zip(shapely.get_coordinates(box)[:-1], shapely.get_coordinates(box)[1:]),
+                 key=lambda side: np.hypot(*(side[1] - side[0]))) for box in boxes]
+    direction = np.array([(end - start) / np.hypot(*(end - start)) for start, end in sides])
+    middle = np.array([shapely.get_coordinates(shapely.force_2d(wall).centroid)[0] for wall in walls])
+    off = distance_to_walls(middle, direction, true_walls(folder / "city"))
+    areas = np.array(areas, float)
+    known = np.isfinite(off)
+    return [Figure("measured walls that are true walls, share of area", float(areas[known].sum() / areas.sum()),
+                   "{:.0%}"),
+            Figure("their distance from the true plane, RMS by area",
+                   float(np.sqrt(np.average(off[known] ** 2, weights=areas[known]))), "{:.3f} m")]
+
+
+def adjusted_walls(folder: Path) -> list[Figure]:
+    """Walls that were moved by GNSS reflections against the true offsets of the delivered models."""
+    with open(folder / "city/truth/wall_offsets.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    middle = np.array([[(float(row[a]) + float(row[b])) / 2 for a, b in (("x0", "x1"), ("y0", "y1"))] for row in rows])
+    normal = np.array([[float(row["nx"]), float(row["ny"])] for row in rows])
+    true = np.array([float(row["offset"]) for row in rows])
+    lines, (offsets, statuses) = read_layer(folder / "adjusted_walls.gpkg", "offset", "status")
+    errors, before = [], []
+    for line, offset, status in zip(lines, offsets, statuses):
+        if status != "adjusted":
+            continue
+        at_wall = np.array(shapely.force_2d(line).centroid.coords[0])
+        nearest = int(np.argmin(np.abs(np.einsum("ni,ni->n", middle - at_wall, normal))
+                                + np.linalg.norm(middle - at_wall, axis=1)))
+        errors.append(offset - true[nearest])
+        before.append(true[nearest])
+    if not errors:
+        return [Figure("walls adjusted", 0, "{:.0f}")]
+    return [Figure("walls adjusted", len(errors), "{:.0f}"),
+            Figure("their offset as delivered, RMS", float(np.sqrt(np.mean(np.square(before)))), "{:.2f} m"),
+            Figure("their offset after the adjustment, RMS", float(np.sqrt(np.mean(np.square(errors)))), "{:.2f} m")]
+
+
+def textured_model(folder: Path) -> list[Figure]:
+    """What is in the textured model, and the images it names."""
+    content = json.loads((folder / "textured/model.city.json").read_text(encoding="utf-8"))
+    images = [texture["image"] for texture in content["appearance"]["textures"]]
+    there = sum((folder / "textured" / name).is_file() for name in images)
+    _, (seen, areas) = read_layer(folder / "facades.gpkg", "seen", "area")
+    street = np.array(seen, float) > 0
+    return [Figure("facades with a texture", float(street.sum()), "{:.0f}"),
+            Figure("images that the model names and that are there", there / max(len(images), 1), "{:.0%}"),
+            Figure("share of these facades that images show",
+                   float(np.average(np.array(seen)[street], weights=np.array(areas)[street])), "{:.0%}")]
