@@ -63,7 +63,7 @@ def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -
 
     A queue stands in most views at the same place and would win. So each view is also judged over the size of a
     vehicle: the one chosen is replaced where little of it is like the road around and most of another is. What is
-    bright and narrow counts as road there, so that a grey vehicle does not win over a zebra crossing.
+    bright and narrow counts as road in the chosen one, so that a grey vehicle does not win over a zebra crossing.
 
     Parameters
     ----------
@@ -90,22 +90,25 @@ def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -
     like = seen & (unlike < np.maximum(LIKENESS * road.mean(axis=-1), AGREEMENT_FLOOR * full_scale))
     alike = _lowest(unlike, like)
     number = np.where(~agreed & known & (alike >= 0), alike, number)
-    like |= seen & (_narrow(total) > LIKENESS * road.sum(axis=-1))
-    return np.where(known, _freer(number, total, like, seen), number)
+    paint = seen & (_narrow(total) > LIKENESS * road.sum(axis=-1))
+    return np.where(known, _freer(number, total, like, paint, seen), number)
 
 
-def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, seen: np.ndarray) -> np.ndarray:
+def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.ndarray,
+           seen: np.ndarray) -> np.ndarray:
     """The chosen views, or those that show far more free road over the size of a vehicle.
 
     Parameters
     ----------
-    total : (views, rows, columns) brightness; like, seen : where the views are like the road around, and see it.
+    total : (views, rows, columns) brightness; like, paint, seen : where the views are like the road around, may show
+        paint, and see the ground. Paint speaks for the view that is chosen only: vehicles have narrow bright parts too.
     """
     free = np.stack([_share(flags, sees) for flags, sees in zip(like, seen)])
     freest = free.max(axis=0, initial=0)
     # Of several that are as free, the darkest, so that their order does not matter.
     best = _lowest(total, seen & (free >= freest - 0.02))
-    chosen = np.take_along_axis(free, np.maximum(number, 0)[None], axis=0)[0]
+    held = np.stack([_share(flags, sees) for flags, sees in zip(like | paint, seen)])
+    chosen = np.take_along_axis(held, np.maximum(number, 0)[None], axis=0)[0]
     return np.where((number >= 0) & (freest >= FREE_SHARE) & (freest > chosen + CLEARER), best, number)
 
 
