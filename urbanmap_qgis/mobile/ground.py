@@ -183,21 +183,29 @@ class _Survey:
         """The points of each tile and of a margin round it, of one leg."""
         known, held = set(keys), {}
         for key in keys:
-            x_min, y_min, x_max, y_max = box = self.tiling.box(key)
+            box, (column, row) = self.tiling.box(key), self.tiling.place(key)
             around = [near for near in self.tiling.around(key) if near in known]
             # Keys grow by rows: most neighbours were neighbours of the tile before.
             held = {near: held[near] if near in held else self._of_leg(near, leg) for near in around}
             parts = [held[key]]
             for near in around[1:]:
-                x, y = held[near]["x"], held[near]["y"]
-                parts.append(held[near][(x >= x_min - margin) & (x <= x_max + margin)
-                                        & (y >= y_min - margin) & (y <= y_max + margin)])
+                other_column, other_row = self.tiling.place(near)
+                parts.append(_beside(held[near], box, margin, other_column - column, other_row - row))
             yield TilePoints(np.concatenate(parts), len(parts[0]), box)
 
     def _of_leg(self, key: int, leg: int) -> np.ndarray:
         """The points of a tile that were measured in a leg."""
         records = self.buckets.read(key)
         return records if self.legs.count == 1 else records[self.legs.of(records["t"]) == leg]
+
+
+def _beside(records: np.ndarray, box: tuple[float, float, float, float], margin: float, right: int,
+            up: int) -> np.ndarray:
+    """The points of the tile `right` columns and `up` rows away that lie within a margin of a tile's box."""
+    for name, step, low, high in (("x", right, box[0], box[2]), ("y", up, box[1], box[3])):
+        if step:
+            records = records[records[name] <= high + margin if step > 0 else records[name] >= low - margin]
+    return records
 
 
 def _put(layers: list[np.ndarray], part: ClothPart) -> None:
