@@ -9,7 +9,7 @@ import numpy as np
 _TUKEY = 4.685
 _LEAST_NOISE = 0.003
 _ENOUGH = 20_000
-"""Points on which a plane is found; the last two rounds take all."""
+"""Points on which a plane is found, evenly taken from all; its figures are those of all."""
 
 _BLOCK = 1.0
 """Points within a square of this side (m) share their errors: the accuracy counts squares, not points."""
@@ -72,7 +72,7 @@ def least_squares_plane(points: np.ndarray, weights: np.ndarray, upright: bool) 
 
 
 def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilting: bool = True,
-                 rounds: int = 8) -> WallPlane | None:
+                 rounds: int = 7) -> WallPlane | None:
     """Plane through points (n, 3) by iterated weights (Tukey), its normal on the side of `normal`.
 
     It is upright, unless the points tell a lean of more than a quarter of a degree and three standard deviations.
@@ -80,28 +80,34 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilti
     """
     if len(points) < 10:
         return None
-    plane = _fitted(points, time, normal, True, rounds)
+    some = points[::max(1, len(points) // _ENOUGH)]
+    plane = _described(points, time, normal, *_solved(some, True, rounds))
     if not tilting or np.ptp(points[:, 2]) < 2.0:
         return plane
-    leaning = _fitted(points, time, normal, False, rounds)
-    height = points[:, 2].std()
-    sigma_lean = leaning.sigma / max(height, 0.1)
-    lean = abs(np.arcsin(leaning.normal[2]))
-    return leaning if lean > max(np.radians(0.25), 3 * sigma_lean) else plane
+    centre, leaning, scale = _solved(some, False, rounds)
+    sigma_lean = plane.sigma / max(float(some[:, 2].std()), 0.1)
+    lean = abs(float(np.arcsin(leaning[2])))
+    if lean <= max(np.radians(0.25), 3 * sigma_lean):
+        return plane
+    return _described(points, time, normal, centre, leaning, scale)
 
 
-def _fitted(points: np.ndarray, time: np.ndarray, side: np.ndarray, upright: bool, rounds: int) -> WallPlane:
-    some = points[::max(1, len(points) // _ENOUGH)]
+def _solved(points: np.ndarray, upright: bool, rounds: int) -> tuple[np.ndarray, np.ndarray, float]:
+    """Point and normal of the plane by iterated weights, and the noise (m) that they are judged by."""
     middle, scale = 0.0, np.inf
-    centre, normal = least_squares_plane(some, np.ones(len(some)), upright)
-    for number in range(rounds):
-        if number == rounds - 2:
-            some = points
-        residual = (some - centre) @ normal
+    centre, normal = least_squares_plane(points, np.ones(len(points)), upright)
+    for _ in range(rounds):
+        residual = (points - centre) @ normal
         held = residual[np.abs(residual - middle) < _TUKEY * scale]
         middle = float(np.median(held))
         scale = max(1.4826 * float(np.median(np.abs(held - middle))), _LEAST_NOISE)
-        centre, normal = least_squares_plane(some, _weights(residual, middle, scale), upright)
+        centre, normal = least_squares_plane(points, _weights(residual, middle, scale), upright)
+    return centre, normal, scale
+
+
+def _described(points: np.ndarray, time: np.ndarray, side: np.ndarray, centre: np.ndarray, normal: np.ndarray,
+               scale: float) -> WallPlane:
+    """A plane with what is known of it from all points."""
     if normal @ side < 0:
         normal = -normal
     residual = (points - centre) @ normal

@@ -103,9 +103,7 @@ def wall_contours(plane: WallPlane, points: np.ndarray,
                   settings: ContourSettings = ContourSettings()) -> list[Contour]:
     """Contours of a wall's points (n, 3), the largest first; empty where none is large enough."""
     flat = in_plane(plane, points)
-    thin = _thinned(flat)
-    alpha = settings.alpha or default_alpha(thin)
-    hull = concave_hull(thin, alpha)
+    hull = concave_hull(_thinned(flat), settings.alpha or default_alpha(flat))
     contours = []
     for polygon in shapely.get_parts(hull):
         if polygon.area < settings.least_area:
@@ -117,9 +115,15 @@ def wall_contours(plane: WallPlane, points: np.ndarray,
 
 
 def _thinned(flat: np.ndarray) -> np.ndarray:
-    """One point of each small square."""
+    """One point of each small square; well within the wall one of each four."""
     place = np.floor((flat - flat.min(axis=0)) / _THIN).astype(np.int64)
-    return flat[np.unique(place[:, 0] * (int(place[:, 1].max()) + 1) + place[:, 1], return_index=True)[1]]
+    height = int(place[:, 1].max()) + 1
+    code, first = np.unique(place[:, 0] * height + place[:, 1], return_index=True)
+    row, column = code // height, code % height
+    filled = np.zeros((int(row.max()) + 1, height), bool)
+    filled[row, column] = True
+    within = ndimage.binary_erosion(filled, np.ones((5, 5)))[row, column]
+    return flat[first[~within | ((row % 2 == 0) & (column % 2 == 0))]]
 
 
 def default_alpha(flat: np.ndarray) -> float:

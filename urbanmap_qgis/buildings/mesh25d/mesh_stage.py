@@ -35,6 +35,9 @@ _ENOUGH = 0.95
 _TRIES = (1.0, 0.7, 0.4)
 """Shares of the stated error, step and least area that are tried one after another while the points are not met."""
 
+_GAIN = 0.01
+"""More triangles must bring at least this share of points within the error."""
+
 _CHECKED = 4000
 """Meshes of up to so many triangles are checked for self-intersection."""
 
@@ -127,7 +130,7 @@ def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray
         best = None
         for share in _TRIES:
             made = _meshed(number, plan, points, base, settings, share)
-            if best is None or (made.watertight, made.fit.within) > (best.watertight, best.fit.within):
+            if best is None or (made.watertight, made.fit.within - _GAIN) > (best.watertight, best.fit.within):
                 best = made
             if best.watertight and best.fit.within >= _ENOUGH:
                 break
