@@ -102,6 +102,10 @@ class GnssInputs(Declarations):
         """One trajectory of all that were given, in the CRS of the buildings."""
         from ..urbanmap_qgis.gnss.passes import joined
 
+        return joined(*self._each_trajectory(parameters, context, crs_wkt, progress))
+
+    def _each_trajectory(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
+        """The trajectories that were given, and their files' names."""
         names = self._files(parameters, "TRAJECTORY", context)
         read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt) for text in names]
         for item in read:
@@ -109,24 +113,24 @@ class GnssInputs(Declarations):
                 self.same_crs("TRAJECTORY", item.crs_wkt, "BUILDINGS", crs_wkt)
             for note in item.notes:
                 progress.warn(note)
-        return joined([item.trajectory for item in read], [Path(text).name for text in names])
+        return [item.trajectory for item in read], [Path(text).name for text in names]
 
     def read_signals(self, parameters: Mapping, context: QgsProcessingContext, buildings: BuildingInput,
                      progress: Progress):
         """The core's `Signals` of all observation files."""
-        from ..urbanmap_qgis.gnss.observations import load_observations
+        from ..urbanmap_qgis.gnss.passes import load_passes
         from ..urbanmap_qgis.gnss.signals import SignalSettings
 
         wkt = buildings.table.crs_wkt
-        trajectory = self.read_trajectories(parameters, context, wkt, progress)
+        trajectories, names = self._each_trajectory(parameters, context, wkt, progress)
         separation = (None if parameters.get("GEOID_SEPARATION") is None
                       else self.parameterAsDouble(parameters, "GEOID_SEPARATION", context))
         settings = SignalSettings(systems=self.parameterAsString(parameters, "SYSTEMS", context).upper(),
                                   elevation_mask=self.parameterAsDouble(parameters, "ELEVATION_MASK", context),
                                   lever_arm=self._lever_arm(parameters, context))
-        signals = load_observations(self._files(parameters, "OBSERVATIONS", context),
-                                    self._files(parameters, "NAVIGATION", context), trajectory, wkt, separation,
-                                    settings, progress)
+        signals = load_passes(self._files(parameters, "OBSERVATIONS", context),
+                              self._files(parameters, "NAVIGATION", context), trajectories, names, wkt,
+                              separation, settings, progress)
         for reason, count in signals.left_out.items():
             progress.message(tr("{0} observations left out: {1}").format(count, reason))
         return signals
