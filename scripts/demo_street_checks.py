@@ -120,32 +120,44 @@ def measured_walls(folder: Path) -> list[Figure]:
     known = np.isfinite(off)
     return [Figure("measured walls that are true walls, share of area", float(areas[known].sum() / areas.sum()),
                    "{:.0%}"),
-            Figure("their distance from the true plane, RMS by area",
-                   float(np.sqrt(np.average(off[known] ** 2, weights=areas[known]))), "{:.3f} m")]
+            Figure("their distance from the true plane, median by area",
+                   float(np.sort(off[known])[np.searchsorted(np.cumsum(areas[known][np.argsort(off[known])]),
+                                                             areas[known].sum() / 2)]), "{:.3f} m"),
+            Figure("share of them within 5 cm of it", float(areas[known][off[known] < 0.05].sum() / areas[known].sum()),
+                   "{:.0%}")]
 
 
 def adjusted_walls(folder: Path) -> list[Figure]:
     """Walls that were moved by GNSS reflections against the true offsets of the delivered models."""
     with open(folder / "city/truth/wall_offsets.csv", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    middle = np.array([[(float(row[a]) + float(row[b])) / 2 for a, b in (("x0", "x1"), ("y0", "y1"))] for row in rows])
-    normal = np.array([[float(row["nx"]), float(row["ny"])] for row in rows])
+        rows = [row for row in csv.DictReader(file) if row["z_low"]]
+    start, end, normal = (np.array([[float(row[name]) for name in names] for row in rows])
+                          for names in (("x0", "y0"), ("x1", "y1"), ("nx", "ny")))
     true = np.array([float(row["offset"]) for row in rows])
-    lines, (offsets, statuses) = read_layer(folder / "adjusted_walls.gpkg", "offset", "status")
-    errors, before = [], []
-    for line, offset, status in zip(lines, offsets, statuses):
-        if status != "adjusted":
-            continue
-        at_wall = np.array(shapely.force_2d(line).centroid.coords[0])
-        nearest = int(np.argmin(np.abs(np.einsum("ni,ni->n", middle - at_wall, normal))
-                                + np.linalg.norm(middle - at_wall, axis=1)))
-        errors.append(offset - true[nearest])
-        before.append(true[nearest])
-    if not errors:
+    lines, (offsets, statuses, applied) = read_layer(folder / "adjusted_walls.gpkg", "offset", "status", "applied")
+    pairs = []
+    for line, offset, status, move in zip(lines, offsets, statuses, applied):
+        if status == "adjusted":
+            row = delivered_wall(shapely.get_coordinates(shapely.force_2d(line)), move, start, end, normal)
+            pairs.append((true[row], offset))
+    if not pairs:
         return [Figure("walls adjusted", 0, "{:.0f}")]
-    return [Figure("walls adjusted", len(errors), "{:.0f}"),
-            Figure("their offset as delivered, RMS", float(np.sqrt(np.mean(np.square(before)))), "{:.2f} m"),
-            Figure("their offset after the adjustment, RMS", float(np.sqrt(np.mean(np.square(errors)))), "{:.2f} m")]
+    before, found = np.array(pairs).T
+    return [Figure("walls adjusted", len(pairs), "{:.0f}"),
+            Figure("their offset as delivered, RMS", float(np.sqrt(np.mean(before**2))), "{:.2f} m"),
+            Figure("their offset after the adjustment, RMS", float(np.sqrt(np.mean((found - before) ** 2))),
+                   "{:.2f} m")]
+
+
+def delivered_wall(line: np.ndarray, move: float, start: np.ndarray, end: np.ndarray, normal: np.ndarray) -> int:
+    """Row of the delivered wall, of those from `start` to `end` (n, 2), that stands at a line moved by `move` m."""
+    middle, direction = line.mean(axis=0), (line[-1] - line[0]) / np.linalg.norm(line[-1] - line[0])
+    off = np.abs(np.einsum("ni,ni->n", middle - start, normal) - move)
+    along = (end - start) / np.linalg.norm(end - start, axis=1)[:, None]
+    way = np.einsum("ni,ni->n", middle - start, along)
+    beside = np.maximum(np.maximum(-way, way - np.linalg.norm(end - start, axis=1)), 0.0)
+    turned = 100.0 * (np.abs(along @ direction) < FACING)
+    return int(np.argmin(off + beside + turned))
 
 
 def textured_model(folder: Path) -> list[Figure]:

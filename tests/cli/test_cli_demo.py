@@ -19,6 +19,16 @@ SANE = {
                                         ("height of flat", 0.0001, 0.1), ("height of gabled", 0.05, 0.8),
                                         ("overlap", 0.88, 1)],
 }
+SANE["Mobile survey onto the markings"] = [
+    ("control points before", 0.3, 3.0), ("control points after, mean distance in plan", 0.0, 0.03),
+    ("control points after, greatest", 0.0, 0.10), ("control points after, mean in space", 0.0, 0.05)]
+SANE["Walls from the mobile survey"] = [("measured walls", 0.5, 1), ("their distance", 0.0, 0.05),
+                                        ("share of them", 0.6, 1)]
+SANE["Rectified trajectory of the line scanners"] = [
+    ("epochs before", 0.05, 3.0), ("epochs after, mean distance", 0.0, 0.1), ("epochs after, mean height", 0.0, 0.1)]
+SANE["Facade textures"] = [("facades with", 1, 100), ("images that", 1, 1), ("share of these", 0.2, 1)]
+SANE["Walls adjusted by GNSS reflections"] = [
+    ("walls adjusted", 2, 100), ("their offset as delivered", 0.3, 2.0), ("their offset after", 0.0, 0.4)]
 SANE["Road markings from frames"] = [("found paint", 0.5, 1), ("seen paint", 0.6, 1)]
 SANE["Buildings from classified ALS"] = SANE["Buildings from unclassified ALS"]
 
