@@ -9,9 +9,14 @@ import numpy as np
 import pytest
 import shapely
 
+from urbanmap_qgis.buildings.merging.merge_stage import merge_models
+from urbanmap_qgis.buildings.merging.wall_match import measured_wall
+from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
+from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.facade_points import FacadeSettings
 from urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, WallSettings, find_walls, wall_columns
+from urbanmap_qgis.geometry.solid import multipolygon
 from urbanmap_qgis.io.pointcloud import open_cloud
 from urbanmap_qgis.mobile.trajectory import move_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -108,6 +113,35 @@ def test_the_table_tells_all(found):
         assert ((values >= 0) & (values <= 1)).all()
     assert np.nanmax(np.array(columns["sigma"])) < 0.05
     assert (np.array(columns["height"]) < 25).all()
+
+
+def test_models_off_by_half_a_metre_come_to_the_true_walls(found, truth, small_city):
+    """Blocks over the true outlines, moved, then merged with the walls found in the survey."""
+    outlines, rows = features(small_city / "truth" / "footprints.gpkg", "wall_footprints")
+    models, ids = [], []
+    for outline, row in zip(outlines, rows):
+        moved = shapely.affinity.translate(shapely.force_2d(outline), 0.45, -0.3)
+        plan = partition_plan(moved, [moved], [row["z_max"]], [0])
+        models.append(multipolygon(building_solids(plan.cells, row["z_ground"])))
+        ids.append(row["building"])
+    walls = [measured_wall(number, wall.contour, wall.plane.rmse, wall.plane.sigma)
+             for number, wall in enumerate(found[0]) if wall.status in ("ok", "partly seen")]
+    merged = merge_models(ids, models, walls)
+    assert all(building.valid for building in merged)
+    lines = shapely.linestrings(truth[:, :4].reshape(-1, 2, 2))
+    off = []
+    for building in merged:
+        ground = [polygon for polygon in shapely.get_parts(multipolygon(building.solids))
+                  if (shapely.get_coordinates(polygon, include_z=True)[:, 2] == building.base).all()]
+        border = shapely.boundary(shapely.union_all(shapely.force_2d(ground)))
+        for edge in building.edges:
+            if edge.match.status == "moved" and edge.length > 5 and edge.match.seen > 0.6:
+                ends = shapely.get_coordinates(edge.wall)[:2]
+                middle = shapely.line_interpolate_point(border, shapely.line_locate_point(
+                    border, shapely.Point(ends.mean(axis=0))))
+                off.append(shapely.distance(middle, lines).min())
+    assert len(off) >= 5
+    assert np.median(off) < 0.01 and np.mean(np.array(off) < 0.03) > 0.9
 
 
 def test_a_lower_limit_gives_lower_walls_and_workers_change_nothing(small_city, true_survey, found):
