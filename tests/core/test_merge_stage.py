@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
@@ -237,3 +238,11 @@ def test_models_of_a_cityjson_file(tmp_path):
     assert ids.tolist() == [31, 7] and names == ["building-31", "building-7"] and faces[1] is None
     merged = merge_models(ids.tolist(), list(faces), [wall((0, -0.4), (20, -0.4))])
     assert merged[0].status == MERGED and merged[0].valid
+
+    content = json.loads(path.read_text(encoding="utf-8"))
+    whole = content["CityObjects"]["building-31"]
+    content["CityObjects"]["building-31-0"] = {**whole, "type": "BuildingPart"}
+    whole["geometry"] = []
+    path.write_text(json.dumps(content), encoding="utf-8")
+    _, faces, names = models_from_cityjson(path)
+    assert names == ["building-7", "building-31-0"] and faces[1] is not None, "the frame of a part is no model"

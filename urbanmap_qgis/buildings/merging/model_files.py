@@ -25,8 +25,10 @@ def models_from_cityjson(path: str | os.PathLike) -> tuple[np.ndarray, np.ndarra
     InsufficientDataError : it holds no building.
     """
     objects = [item for item in read_cityjson(path) if item.type in ("Building", "BuildingPart")]
-    # A building whose parts hold the solids is only their frame.
-    objects = [item for item in objects if item.solids or item.type == "Building"]
+    # A building whose parts hold the solids is only their frame: parts are named after it.
+    parts = [item.id for item in objects if item.type == "BuildingPart"]
+    objects = [item for item in objects
+               if item.solids or not any(part.startswith(item.id) for part in parts if part != item.id)]
     if not objects:
         raise InsufficientDataError(f"{os.fspath(path)} holds no building: give a CityJSON file with buildings.")
     faces = np.full(len(objects), None, object)
