@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProcessing, QgsProcessingFeatureSource, QgsProcessingParameterMapLayer, QgsRasterLayer
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingFeatureSource,
+    QgsProcessingParameterMapLayer,
+    QgsRasterLayer,
+    QgsWkbTypes,
+)
 
 from ..urbanmap_qgis.errors import InputError
 from . import layers
@@ -36,7 +42,7 @@ def read_reference(algorithm, parameters, context, ground, progress):
             raise InputError(tr("{0}: {1} is no file; export the layer to a GeoTIFF first.").format(
                 label, layer.name()))
         return Reference.from_mask(path, ground), layer.crs()
-    if not hasattr(layer, "getFeatures"):
+    if not hasattr(layer, "wkbType") or QgsWkbTypes.geometryType(layer.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
         raise InputError(tr("{0}: {1} is neither a raster nor a polygon layer; choose another one.").format(
             label, layer.name()))
     table = layers.read_polygon_source(QgsProcessingFeatureSource(layer, context), label, progress)

@@ -33,13 +33,14 @@ _PASSES = 6
 _SEARCHED = (1,)  # rounds on the points in which the size of the drift is looked for again
 _AT_REST = 0.002  # m
 _HELD = 0.25  # of their usual size that angles may be off by until gross markings have lost their weight
-_FACTORS = (0.5, 1.0, 2.0, 4.0, 8.0)
+_FACTORS = (1.0, 2.0, 4.0, 8.0)
 _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
 _SETTLED = 0.02
 _REGION = 5  # pieces to either side that are a piece's region
 _LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
 _REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 _LEAST_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
+_LEAST_TOLD = 0.6  # the same for the standard deviations: how quiet a short survey looks is partly luck
 _FEWEST_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
 _UNSAID = 0.02  # weight that stands for evidence that is not believed at all
@@ -178,7 +179,9 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     if points is not None:
         at_nodes = np.interp(chain.nodes, at_patches, allowed)
         chain, fit = _onto_points(points, chain, fit, settings.model(), at_nodes, settings, progress.part(0.5, 1.0))
-    return _result(windows, chain, fit, at_patches, doubtful, settings)
+    model = settings.model().scaled(fit.drift_factor)
+    told = chain.solve(model, fit.weight / max(fit.noise_factor, _LEAST_TOLD))[1]
+    return _result(windows, chain, replace(fit, covariance=told), at_patches, doubtful, settings)
 
 
 def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: DriftModel, allowed: np.ndarray,
@@ -367,15 +370,16 @@ def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: Correctio
 
 def _block_tests(evidence: Evidence, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
                  single: np.ndarray, share: np.ndarray, noise: float) -> np.ndarray:
-    """For each block (b,): how far its own evidence lies from what all others say, as a reduced chi square.
+    """For each block (b,): how far its own evidence in plan lies from what all others say, as a reduced chi square.
 
     `single` (n,) and `share` (b,) are the weights of pieces and blocks with which the values were found; NaN is given
     for a block without evidence.
     """
-    count, d = len(share), value.shape[1]
-    lean, information = np.zeros((count, d)), np.zeros((count, d, d))
-    np.add.at(lean, block, evidence.pull_at(value) * (single / noise)[:, None])
-    np.add.at(information, block, evidence.information * (single / noise)[:, None, None])
+    plan, count = evidence.in_plan(), len(share)
+    lean, information = np.zeros((count, len(plan))), np.zeros((count, len(plan), len(plan)))
+    np.add.at(lean, block, evidence.pull_at(value)[:, plan] * (single / noise)[:, None])
+    np.add.at(information, block, evidence.information[:, plan][:, :, plan] * (single / noise)[:, None, None])
+    covariance = covariance[:, plan][:, :, plan]
     ends = np.searchsorted(block, np.arange(count + 1))
     middle = np.minimum((ends[:-1] + ends[1:]) // 2, len(block) - 1)
     test = np.full(count, np.nan)

@@ -37,7 +37,7 @@ class DriftModel:
 
     def scaled(self, factor: float) -> DriftModel:
         """The same with drift and wander `factor` times as large."""
-        return replace(self, rate=self.rate * factor, wander=self.wander * factor, waiting=self.waiting * factor)
+        return replace(self, rate=self.rate * factor, wander=self.wander * factor)
 
     def with_angles(self, factor: float) -> DriftModel:
         """The same with errors of the angles `factor` times as large."""

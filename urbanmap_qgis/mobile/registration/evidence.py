@@ -41,11 +41,16 @@ class Evidence:
         return self.pull - np.einsum("nij,nj->ni", self.information, value - self.place)
 
 
+    def in_plan(self) -> list[int]:
+        """Which of the d parameters move points in plan alone: dx, dy and dheading."""
+        return [number for number, parameter in enumerate(self.active) if parameter in PLANE]
+
     def misfit(self, value: np.ndarray) -> np.ndarray:
-        """(n,) reduced chi square of corrections (n, d): how hard each piece pulls away from them."""
-        sizes, axes = np.linalg.eigh(self.information)
+        """(n,) reduced chi square in plan of corrections (n, d): how hard each piece pulls away from them."""
+        plan = self.in_plan()
+        sizes, axes = np.linalg.eigh(self.information[:, plan][:, :, plan])
         there = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
-        along = np.einsum("nji,nj->ni", axes, self.pull_at(value))
+        along = np.einsum("nji,nj->ni", axes, self.pull_at(value)[:, plan])
         pulls = np.where(there, along**2, 0.0) / np.where(there, sizes, 1.0)
         return pulls.sum(axis=1) / np.maximum(there.sum(axis=1), 1)
 

@@ -1,0 +1,144 @@
+"""Registration of a mobile survey through Processing, on a small sample city with its true markings as reference."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+ALGORITHM = "urbanmap:registermms"
+
+
+@pytest.fixture(scope="module")
+def markings(qgis_app, small_city, tmp_path_factory):
+    """Marking points of the first survey."""
+    import processing
+
+    path = str(tmp_path_factory.mktemp("markings") / "路面標示.laz")
+    return processing.run("urbanmap:roadmarkingsfrommms", given(small_city, POINTS=[survey(small_city)], OUTPUT=path,
+                                                                CALIBRATION=str(small_city / "mms/calibration.json"),
+                                                                OUTPUT_CURVE=None))["OUTPUT"]
+
+
+def survey(city):
+    return str(city / "mms/survey_01.laz")
+
+
+def reference(city):
+    return f"{city / 'truth/markings.gpkg'}|layername=aerial"
+
+
+def given(city, **more):
+    return {"TRAJECTORY": str(city / "mms/survey_01_trajectory.csv"), **more}
+
+
+def columns(path, names):
+    with open(path, encoding="utf-8") as file:
+        return np.array([[float(row[name]) for name in names] for row in csv.DictReader(file)])
+
+
+def test_trajectory_patches_and_report(run, small_city, markings, read_layer, tmp_path):
+    result = run(ALGORITHM, given(
+        small_city, POINTS=[markings], MARKINGS=reference(small_city), GROUND=str(small_city / "truth/ground.tif"),
+        OUTPUT=str(tmp_path / "新.csv"), OUTPUT_PATCHES=str(tmp_path / "patches.gpkg"),
+        OUTPUT_REPORT=str(tmp_path / "report.html")))
+    names = ("x", "y", "z")
+    true, got = (columns(path, names) for path in (small_city / "truth/survey_01_trajectory.csv", result["OUTPUT"]))
+    reported = columns(small_city / "mms/survey_01_trajectory.csv", names)
+    assert np.linalg.norm(reported - true, axis=1).mean() > 0.5
+    assert np.linalg.norm(got - true, axis=1).mean() < 0.06
+    assert result["REGISTERED_SHARE"] > 0.7 and result["MEDIAN_SIGMA"] < 0.05
+    assert result["REGISTERED_SHARE"] + result["BRIDGED_SHARE"] + result["DISTRUSTED_SHARE"] == pytest.approx(1.0)
+    rows = read_layer(result["OUTPUT_PATCHES"])
+    assert len(rows) == pytest.approx(result["WAY"] / 0.5, abs=1)
+    assert {row.attributes["status"] for row in rows} <= {"registered", "bridged", "not to be trusted"}
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "What to distrust" in text and text.count("data:image/png") >= 3
+
+    from qgis.core import QgsVectorLayer
+
+    layer = QgsVectorLayer(result["OUTPUT_PATCHES"], "patches", "ogr")
+    assert layer.crs().authid() == "EPSG:6677" and layer.renderer().type() == "RuleRenderer"
+
+
+def test_without_heights_only_the_plan_changes(run, small_city, markings, tmp_path):
+    import processing
+
+    flat = processing.run("native:dropmzvalues", {"INPUT": reference(small_city), "DROP_M_VALUES": True,
+                                                  "DROP_Z_VALUES": True, "OUTPUT": str(tmp_path / "flat.gpkg")})
+    result = run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=flat["OUTPUT"],
+                                  OUTPUT=str(tmp_path / "new.csv"), OUTPUT_PATCHES=None, OUTPUT_REPORT=None))
+    names = ("z", "roll", "pitch")
+    before, after = (columns(path, names) for path in (small_city / "mms/survey_01_trajectory.csv", result["OUTPUT"]))
+    assert np.array_equal(before, after)
+    true, got = (columns(path, ("x", "y")) for path in (small_city / "truth/survey_01_trajectory.csv",
+                                                        result["OUTPUT"]))
+    assert np.hypot(*(got - true).T).mean() < 0.06
+    assert "OUTPUT_PATCHES" not in result and "OUTPUT_REPORT" not in result
+
+
+def test_chain_gives_the_survey_itself(run, small_city, tmp_path):
+    result = run("urbanmap:georeferencemms", given(
+        small_city, POINTS=[survey(small_city)], CALIBRATION=str(small_city / "mms/calibration.json"),
+        MARKINGS=reference(small_city), GROUND=str(small_city / "truth/ground.tif"),
+        IMAGES=str(small_city / "mms/survey_01_images.csv"), OUTPUT=str(tmp_path / "out.laz"),
+        OUTPUT_TRAJECTORY=str(tmp_path / "out.csv"), OUTPUT_IMAGES=str(tmp_path / "images.csv")))
+    checked = run("urbanmap:checkaccuracy", given(
+        small_city, CONTROL=str(small_city / "truth/control_survey_01.csv"), CORRECTED=result["OUTPUT_TRAJECTORY"],
+        OUTPUT="TEMPORARY_OUTPUT"))
+    assert checked["MEAN_2D"] < 0.05 and checked["MEAN_3D"] < 0.06
+    import laspy
+
+    with laspy.open(survey(small_city)) as before, laspy.open(result["OUTPUT"]) as after:
+        assert before.header.point_count == after.header.point_count
+    assert (tmp_path / "images.csv").is_file()
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"MARKINGS": "far"}, "no reference marking near the survey|could be registered"),
+    ({"GROUND": "ellipsoid"}, "heights above the ellipsoid"),
+    ({"TRAJECTORY": "later"}, "give those of one survey"),
+    ({"MARKINGS": "other crs"}, "reproject one of them"),
+    ({"MARKINGS": "table"}, "neither a raster nor a polygon layer"),
+])
+def test_bad_input_in_one_sentence(run, small_city, markings, polygon_layer, tmp_path, change, words):
+    from qgis.core import QgsProcessingException, QgsProject
+
+    summary = json.loads((small_city / "truth/summary.json").read_text(encoding="utf-8"))
+    assert summary["crs"] == "EPSG:6677"
+    bad = {"far": lambda: polygon_layer(["POLYGON((0 0,9 0,9 9,0 0))"], name="far"),
+           "other crs": lambda: polygon_layer(["POLYGON((0 0,9 0,9 9,0 0))"], crs="EPSG:6676", name="other"),
+           "table": lambda: str(small_city / "truth/control_survey_01.csv"),
+           "later": lambda: later(small_city, tmp_path), "ellipsoid": lambda: lifted(small_city, tmp_path)}
+    (name, kind), = change.items()
+    value = bad[kind]()
+    if not isinstance(value, str):
+        QgsProject.instance().addMapLayer(value)
+    parameters = given(small_city, POINTS=[markings], MARKINGS=reference(small_city), OUTPUT=str(tmp_path / "new.csv"))
+    with pytest.raises(QgsProcessingException, match=words):
+        run(ALGORITHM, {**parameters, name: value})
+    assert not (tmp_path / "new.csv").exists()
+    if not isinstance(value, str):
+        QgsProject.instance().removeMapLayer(value.id())
+
+
+def later(city, folder):
+    """The trajectory of another time of the day."""
+    lines = (city / "mms/survey_01_trajectory.csv").read_text().splitlines()
+    rows = [line.split(",") for line in lines[1:]]
+    moved = [",".join([f"{float(row[0]) + 7000:.2f}", *row[1:]]) for row in rows]
+    (folder / "later.csv").write_text("\n".join([lines[0], *moved]))
+    return str(folder / "later.csv")
+
+
+def lifted(city, folder):
+    """The ground with heights above an ellipsoid."""
+    import rasterio
+
+    with rasterio.open(city / "truth/ground.tif") as source:
+        heights, profile = source.read(1), source.profile
+    with rasterio.open(folder / "lifted.tif", "w", **profile) as target:
+        target.write(np.where(heights == profile["nodata"], heights, heights + 37.0).astype(heights.dtype), 1)
+    return str(folder / "lifted.tif")
