@@ -1,6 +1,8 @@
 """GNSS algorithms on the sample city's observations, and on bad input."""
 
 import csv
+from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import shapely
@@ -138,3 +140,15 @@ def test_buildings_without_heights_are_refused(run, small_city, polygon_layer, t
     with pytest.raises(QgsProcessingException, match="no heights"):
         run("urbanmap:adjustwalls", {**numbered(small_city, [1]), "BUILDINGS": flat,
                                      "OUTPUT": str(tmp_path / "a.gpkg")})
+
+
+@pytest.mark.parametrize("style, values", [
+    ("gnss_rays", ("LOS", "NLOS", "reflected")), ("gnss_walls", ("adjusted", "not observable", "held"))])
+def test_every_class_has_its_symbol_in_plan_and_in_3d(style, values):
+    path = Path(__file__).resolve().parents[2] / "resources" / "styles" / f"{style}.qml"
+    document = ElementTree.parse(path)
+    flat = ElementTree.tostring(document.find("renderer-v2"), encoding="unicode")
+    upright = ElementTree.tostring(document.find("renderer-3d"), encoding="unicode")
+    for value in values:
+        assert f'value="{value}"' in flat or f"= '{value}'" in flat
+        assert f"= '{value}'" in upright
