@@ -140,7 +140,8 @@ class WindowResults:
     time : (n,) s, at the patch's middle. way : (n,) m driven to the patch's middle.
     place : (n, 3) m, angles : (n, 3) degrees, of the reported trajectory there.
     correction : (n, 6) dx, dy, dz (m), droll, dpitch, dheading (degrees). NaN where there is none.
-    covariance : (n, 6, 6) of the correction, m and degrees. NaN where there is none. Includes the floor.
+    covariance : (n, 6, 6) of the correction, m and degrees. NaN where there is none. Includes the floor of the
+        reference, the drift within the window, contradictions within it, and other places that fit nearly as well.
     score : (n,) mean likelihood score of the window's points, 0 to 1.
     overlap : (n,) share of the window's points that lie on reference markings after the correction.
     window_first, window_last : (n,) numbers of the first and last patch of the window, both included.

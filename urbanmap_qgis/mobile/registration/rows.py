@@ -24,7 +24,9 @@ from .results import (
 from .windows import Windows
 
 _FEWEST_POINTS = 30
-_LEAST_OVERLAP = 0.3
+_LEAST_OVERLAP = 0.45  # below, most of the points contradict the place
+_CHANCE_OVERLAP = 0.25  # below, it may be chance
+_CHANCE_SIGMA = 1.0  # m
 _LARGEST_SIGMA = 0.10  # m in plan
 _PROOF = 3.0  # log-likelihood
 _APART = 3  # cells (0.6 m): places nearer are one
@@ -124,6 +126,7 @@ def assemble(patches: Patches, windows: Windows, start: Start, parts: Sequence, 
     pull = np.einsum("nji,nj->ni", back, column("pull"))
     linearised = np.column_stack([course[:, :3], turned_angles(patches.angles, course[:, 3:])])
     points, overlap = column("points"), column("overlap")
+    covariance[:, [0, 1], [0, 1]] += _chance_variance(overlap)[:, None]
     places = other_places(start, windows, len(patches))
     covariance[:, :2, :2] += spreads(BestWay(start.best, start.beaten), (_APART - 0.5) * CELL)[
         np.arange(len(patches)) // start.block]
@@ -138,6 +141,12 @@ def assemble(patches: Patches, windows: Windows, start: Start, parts: Sequence, 
         windows.first, windows.last, (windows.last - windows.first + 1) * patches.length, windows.features, points,
         places.alias_ratio, places.margin, status, *_modes(correction, places, status), linearised, information, pull,
         settings.three_d)
+
+
+def _chance_variance(overlap: np.ndarray) -> np.ndarray:
+    """(n,) m2, because a place that few points share, as of dashes that were all painted anew, may be chance."""
+    lack = (_LEAST_OVERLAP - np.nan_to_num(overlap)) / (_LEAST_OVERLAP - _CHANCE_OVERLAP)
+    return (_CHANCE_SIGMA * np.clip(lack, 0.0, 1.0)) ** 2
 
 
 def _modes(correction: np.ndarray, places: Places, status: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
