@@ -42,7 +42,8 @@ def read_reference(algorithm, parameters, context, ground, progress):
             raise InputError(tr("{0}: {1} is no file; export the layer to a GeoTIFF first.").format(
                 label, layer.name()))
         return Reference.from_mask(path, ground), layer.crs()
-    if not hasattr(layer, "wkbType") or QgsWkbTypes.geometryType(layer.wkbType()) != QgsWkbTypes.GeometryType.PolygonGeometry:
+    polygon = QgsWkbTypes.GeometryType.PolygonGeometry
+    if not hasattr(layer, "wkbType") or QgsWkbTypes.geometryType(layer.wkbType()) != polygon:
         raise InputError(tr("{0}: {1} is neither a raster nor a polygon layer; choose another one.").format(
             label, layer.name()))
     table = layers.read_polygon_source(QgsProcessingFeatureSource(layer, context), label, progress)
