@@ -74,10 +74,11 @@ def test_walls_lie_on_true_walls(found, truth):
         if wall.status not in ("ok", "partly seen"):
             continue
         places = shapely.get_coordinates(wall.contour, include_z=True)
-        alike = np.abs(np.cross(along, [-wall.plane.normal[1], wall.plane.normal[0]])) < 0.05
+        alike = np.abs(along @ wall.plane.normal[:2]) < 0.05
         middle = places[:, :2].mean(axis=0)
         reach = ((middle - ends[alike, 0]) * along[alike]).sum(axis=1)
-        aside = np.abs(np.cross(along[alike], middle - ends[alike, 0]))
+        away = middle - ends[alike, 0]
+        aside = np.abs(along[alike, 0] * away[:, 1] - along[alike, 1] * away[:, 0])
         near = aside[(reach > -0.5) & (reach < length[alike] + 0.5)]
         errors.append(near.min() if len(near) else np.inf)
         weights.append(wall.contour.length)

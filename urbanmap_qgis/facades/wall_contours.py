@@ -13,6 +13,7 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
+from ..buildings.polygons.alpha_shape import alpha_shape
 from ..errors import InputError
 from .plane_fit import WallPlane
 
@@ -136,8 +137,6 @@ def default_alpha(flat: np.ndarray) -> float:
 
 def concave_hull(flat: np.ndarray, alpha: float) -> shapely.Geometry:
     """Polygons that points (n, 2) cover: Delaunay triangles with a circumradius below `alpha`, joined, simplified."""
-    from ..buildings.polygons.alpha_shape import alpha_shape
-
     rings = alpha_shape(flat, alpha)
     outer, holes = [], []
     for ring in rings:

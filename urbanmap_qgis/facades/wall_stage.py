@@ -105,7 +105,8 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     walls: list[Wall] = []
     near = with_walls = points = 0
     with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
-        work = partial(_walls_of, settings=settings, check=progress if executor is None else SILENT)
+        # A worker in another process cannot be asked to stop; between buildings it is.
+        work = partial(_walls_of, settings=settings, check=progress if executor is None else None)
         counted = _pieces(buildings, plans, progress.part(0.5, 1.0))
         for found, count in in_order(work, counted, executor, progress.check):
             progress.check()
@@ -126,12 +127,12 @@ def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
         yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points)
 
 
-def _walls_of(piece: _Piece, settings: WallSettings, check: Progress) -> tuple[list[Wall], int]:
+def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> tuple[list[Wall], int]:
     """Walls of one building, and the number of its points."""
     ends, outward = outline_edges(piece.plan)
     given = piece.points
     walls: list[Wall] = []
-    for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check):
+    for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check or SILENT):
         own = given.points[segment.points]
         contours = wall_contours(segment.plane, own, settings.contours)
         if contours:
