@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import shapely
 
-from scripts.demo_checks import Figure, read_layer
+from scripts.demo_checks import Figure, overlap, read_layer, true_outlines
 
 FACING = np.cos(np.radians(20.0))
 """A wall belongs to a true one when their directions differ by less than 20 degrees."""
@@ -125,6 +125,45 @@ def measured_walls(folder: Path) -> list[Figure]:
                                                              areas[known].sum() / 2)]), "{:.3f} m"),
             Figure("share of them within 5 cm of it", float(areas[known][off[known] < 0.05].sum() / areas[known].sum()),
                    "{:.0%}")]
+
+
+def merged_models(folder: Path) -> list[Figure]:
+    """Models whose lower walls were moved: are they closed, and how well do their feet fit the true outlines."""
+    true = true_outlines(folder / "city")
+    number_of = json.loads((folder / "city/truth/gsi_to_building.json").read_text(encoding="utf-8"))
+    _, (ids, names) = read_layer(folder / "outlines.gpkg", "building_id", "gml_id")
+    of = {number: number_of[name] for number, name in zip(ids, names)}
+    figures, feet = [], {}
+    for name in ("models", "merged"):
+        shapes, (numbers, status) = read_layer(folder / f"{name}.gpkg", "building_id", "status")
+        feet[name] = {number: foot(shape) for number, shape in zip(numbers, shapes)}
+        if name == "merged":
+            merged = [number for number, word in zip(numbers, status) if word == "merged"]
+            figures.append(Figure("merged models, closed", float(np.mean([is_closed(shape) for shape in shapes])),
+                                  "{:.0%}"))
+    figures.insert(0, Figure("buildings with moved walls", len(merged), "{:.0f}"))
+    for name, what in (("models", "before"), ("merged", "after")):
+        fits = [overlap(true[of[number]], feet[name][number]) for number in merged]
+        figures.append(Figure(f"overlap of their feet with the true outlines {what}", float(np.mean(fits)), "{:.3f}"))
+    return figures
+
+
+def foot(shape: shapely.Geometry) -> shapely.Geometry:
+    """Plan of the lowest faces of a model."""
+    faces = shapely.get_parts(shape)
+    lowest = np.array([shapely.get_coordinates(face, include_z=True)[:, 2].max() for face in faces])
+    return shapely.union_all(shapely.force_2d(faces[lowest < lowest.min() + 0.01]))
+
+
+def is_closed(shape: shapely.Geometry) -> bool:
+    """Whether every edge of a model's faces is met as often in one sense as in the other."""
+    balance: dict[tuple, int] = {}
+    for ring in shapely.get_rings(shapely.get_parts(shape)):
+        millimetres = np.rint(shapely.get_coordinates(ring, include_z=True) * 1000).astype(int)
+        corners = [tuple(corner) for corner in millimetres]
+        for a, b in zip(corners, corners[1:]):
+            balance[min((a, b), (b, a))] = balance.get(min((a, b), (b, a)), 0) + (1 if a < b else -1)
+    return not any(balance.values())
 
 
 def adjusted_walls(folder: Path) -> list[Figure]:

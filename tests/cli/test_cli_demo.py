@@ -24,6 +24,7 @@ SANE["Mobile survey onto the markings"] = [
     ("control points after, greatest", 0.0, 0.10), ("control points after, mean in space", 0.0, 0.05)]
 SANE["Walls from the mobile survey"] = [("measured walls", 0.5, 1), ("their distance", 0.0, 0.05),
                                         ("share of them", 0.6, 1)]
+SANE["Models merged with the walls"] = [("buildings with", 1, 1000), ("merged models", 1, 1), ("overlap", 0.9, 1)]
 SANE["Rectified trajectory of the line scanners"] = [
     ("epochs before", 0.05, 3.0), ("epochs after, mean distance", 0.0, 0.1), ("epochs after, mean height", 0.0, 0.1)]
 SANE["Facade textures"] = [("facades with", 1, 100), ("images that", 1, 1), ("share of these", 0.2, 1)]
