@@ -30,6 +30,10 @@ FILES = (
     ("city/", "the sample city; city/README.txt says what is where"),
     ("models.gpkg", "building models, one feature a building; models.html is their report"),
     ("models.city.json", "the same as CityJSON 2.0"),
+    ("survey_01.laz", "the mobile survey on the markings; survey_01.html is the report of its registration"),
+    ("merged.gpkg", "the models with walls that the survey measured"),
+    ("textured/", "the models with facades from line images: glTF, OBJ and CityJSON"),
+    ("adjusted.html", "report on the walls that GNSS reflections moved"),
 )
 
 

@@ -44,6 +44,41 @@ def _results(folder: Path) -> Iterator[tuple[str, np.ndarray, str]]:
            "that they see, without buildings and moving vehicles; found road markings in magenta.")
 
 
+    yield ("survey.jpg", _survey_over_ground(folder), "Bright laser points of the mobile survey over the orthophoto: "
+           "as delivered (red, left) and after the registration to the road markings (green, right).")
+    texture = max((folder / "textured/textures").glob("*.jpg"), key=lambda path: path.stat().st_size)
+    yield ("texture.jpg", _shrunk(read_image(texture), 900), "Textures of a building's facades from the strip image of "
+           "the line camera; grey is what no image shows, such as what trees hide.")
+
+
+def _survey_over_ground(folder: Path, side: int = 500) -> np.ndarray:
+    """Two pictures side by side: the points of most intensity before and after, round the middle of the drive."""
+    source = gdal.Open(str(folder / "orthophoto.tif"))
+    west, cell, _, north, _, _ = source.GetGeoTransform()
+    ground = read_image(folder / "orthophoto.tif")
+    panels, centre = [], None
+    for path, colour in ((folder / "city/mms/survey_01.laz", (0, 0, 255)), (folder / "survey_01.laz", (0, 220, 0))):
+        cloud = laspy.read(path)
+        bright = np.asarray(cloud.intensity) > np.percentile(cloud.intensity, 98.5)
+        column = ((np.asarray(cloud.x)[bright] - west) / cell).astype(int)
+        row = ((north - np.asarray(cloud.y)[bright]) / cell).astype(int)
+        if centre is None:
+            height, width = ground.shape[:2]
+            centre = (int(np.clip(np.median(row), side / 2, height - side / 2)),
+                      int(np.clip(np.median(column), side / 2, width - side / 2)))
+        top, left = centre[0] - side // 2, centre[1] - side // 2
+        panel = ground[top:top + side, left:left + side].copy()
+        inside = (row >= top) & (row < top + side) & (column >= left) & (column < left + side)
+        panel[row[inside] - top, column[inside] - left] = colour
+        panels.append(panel)
+    return np.hstack(panels)
+
+
+def _shrunk(picture: np.ndarray, side: int) -> np.ndarray:
+    factor = min(1.0, side / max(picture.shape[:2]))
+    return cv2.resize(picture, None, fx=factor, fy=factor, interpolation=cv2.INTER_AREA)
+
+
 def _pictures(city: Path) -> Iterator[tuple[str, np.ndarray, str]]:
     yield ("frame.jpg", middle(read_image(city / "aerial/frame_02.tif"), 1200, 900),
            "Part of an aerial frame, 12 cm a pixel: perspective, so that buildings lean outwards and hide the street.")
