@@ -223,8 +223,11 @@ def make_layers(folder: Path) -> dict[str, list[tuple[QgsMapLayer, bool]]]:
     frame = open_layer(write_shapes(folder / "frames.gpkg", frames(city, foot), "Polygon"), "Frames on the ground")
     markings = open_layer(city / "truth/markings.gpkg", "Road markings", part="mms")
     return {
-        "Mobile surveys": [(categorised(ways, "trajectory", {"reported": line("#e8590c"), "true": line("#22d3ee")}),
-                            True)],
+        "Mobile surveys": [
+            (categorised(ways, "trajectory", {"reported": line("#e8590c"), "true": line("#22d3ee")}), True),
+            (result(folder, "survey_01_patches", "Patches of the registered survey", "mms_patches"), True),
+            (result(folder, "walls", "Measured walls", "facade_walls"), False),
+            (result(folder, "adjusted_walls", "Walls moved by GNSS reflections", "gnss_walls"), False)],
         "Truth": [(outlined(open_layer(city / "truth/footprints.gpkg", "True outlines"), "#22d3ee"), True),
                   (categorised(markings, "color", {"white": fill("#ffffff"), "yellow": fill("#ffd43b")}), True)],
         "Buildings": [
@@ -233,13 +236,20 @@ def make_layers(folder: Path) -> dict[str, list[tuple[QgsMapLayer, bool]]]:
                     foot - 0.2), True),
             (styled(open_layer(folder / "models_surfaces.gpkg", "Surfaces of the models (3D)"), "building_surfaces"),
              False),
+            (result(folder, "merged", "Models with measured walls (3D)", "merged_models"), False),
             (models, False)],
         "Aerial": [
             (outlined(frame, "#fab005", "dot"), False),
+            (result(folder, "markings", "Road markings found in the frames", "road_markings"), False),
             (open_layer(city / "aerial/ortho.tif", "Conventional orthophoto", QgsRasterLayer), True),
             (styled(open_layer(folder / "dsm.tif", "Surface (DSM)", QgsRasterLayer), "dsm"), False),
             (styled(open_layer(folder / "ground.tif", "Ground", QgsRasterLayer), "ground"), False)],
     }
+
+
+def result(folder: Path, name: str, title: str, style: str) -> QgsVectorLayer:
+    """A layer that a stage wrote, in its style."""
+    return styled(open_layer(folder / f"{name}.gpkg", title), style)
 
 
 def foot_of(models: QgsVectorLayer) -> float:
