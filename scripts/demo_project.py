@@ -272,7 +272,7 @@ def main() -> None:
             node = group.addLayer(layer)
             node.setExpanded(False)
             node.setItemVisibilityChecked(shown)
-    (outlines, _), (surfaces, _), (models, _) = groups["Buildings"][1:]
+    (outlines, _), (surfaces, _), _, (models, _) = groups["Buildings"][1:]
     project.setCrs(models.crs())
     project.setTitle("UrbanMap demo")
     project.writeProject.connect(lambda document: add_views(document, [outlines, surfaces], foot_of(models)))
