@@ -169,7 +169,7 @@ def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress
 
 def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, fields: QgsFields,
                 columns: Mapping[str, Sequence], crs: QgsCoordinateReferenceSystem | str,
-                geometries: Iterable | None = None, geometry_type: str = "NoGeometry", style: str = "",
+                geometries: Sequence | None = None, geometry_type: str = "NoGeometry", style: str = "",
                 progress: Progress = SILENT) -> str | None:
     """Write one output layer, when all of it is computed.
 
@@ -178,7 +178,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
     Parameters
     ----------
-    fields : see `make_fields`; `columns` has a sequence of the same length for each of their names.
+    fields : see `make_fields`; `columns` has a sequence of the same length for each of their names, sliced in batches.
     geometries : shapely geometries, None where a feature has none; `geometry_type` as QGIS names it ("PolygonZ").
     crs : as QGIS's or as WKT.
     style : name of a file in resources/styles without its ending; saved into a GeoPackage and given to the layer.
@@ -272,33 +272,41 @@ def _polygons_of(geometry):
     return parts[0] if len(parts) == 1 else shapely.multipolygons(parts)
 
 
-def features_of(fields: QgsFields, columns: Mapping[str, Sequence], geometries: Iterable | None,
+def features_of(fields: QgsFields, columns: Mapping[str, Sequence], geometries: Sequence | None,
                 progress: Progress = SILENT) -> Iterable[list[QgsFeature]]:
-    """Features with the values of `columns` and shapely geometries, in batches."""
-    values = [_values(columns[item.name()]) for item in fields]
+    """Features with the values of `columns` and shapely geometries, in batches.
+
+    Both are sliced batch by batch, so sequences that read from a file need not fit into memory.
+    """
+    values = [columns[item.name()] for item in fields]
+    count = len(geometries) if geometries is not None else len(values[0]) if values else 0
+    if any(len(column) != count for column in values):
+        raise ValueError("columns and geometries differ in length")
+    for start in range(0, count, BATCH):
+        progress.check()
+        yield _batch(fields, [_values(column[start:start + BATCH]) for column in values],
+                     None if geometries is None else geometries[start:start + BATCH], min(BATCH, count - start))
+
+
+def _batch(fields: QgsFields, values: list[list], geometries: Sequence | None, count: int) -> list[QgsFeature]:
     wkb = None
     if geometries is not None:
         import numpy as np
         import shapely
 
-        array = np.empty(len(geometries), dtype=object)
+        array = np.empty(count, dtype=object)
         array[:] = list(geometries)
         wkb = shapely.to_wkb(array, output_dimension=3)
-    count = len(wkb) if wkb is not None else len(values[0]) if values else 0
-    if any(len(column) != count for column in values):
-        raise ValueError("columns and geometries differ in length")
-    for start in range(0, count, BATCH):
-        progress.check()
-        batch = []
-        for row in range(start, min(start + BATCH, count)):
-            feature = QgsFeature(fields)
-            feature.setAttributes([column[row] for column in values])
-            if wkb is not None and wkb[row] is not None:
-                geometry = QgsGeometry()
-                geometry.fromWkb(wkb[row])
-                feature.setGeometry(geometry)
-            batch.append(feature)
-        yield batch
+    batch = []
+    for row in range(count):
+        feature = QgsFeature(fields)
+        feature.setAttributes([column[row] for column in values])
+        if wkb is not None and wkb[row] is not None:
+            geometry = QgsGeometry()
+            geometry.fromWkb(wkb[row])
+            feature.setGeometry(geometry)
+        batch.append(feature)
+    return batch
 
 
 def _values(column: Sequence) -> list:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tempfile
+
 import cv2
 import numpy as np
 import pytest
@@ -45,7 +47,7 @@ def polygons_of(markings, tile=None):
     pieces = [pieces_of_tile(markings, window, slice(row, min(row + tile, rows)),
                              slice(col, min(col + tile, columns)), PLACE)
               for row in range(0, rows, tile) for col in range(0, columns, tile)]
-    return merge_pieces(pieces, PLACE, 1.0, 0.0)
+    return merge_pieces(pieces, PLACE, 1.0, 0.0, tempfile.gettempdir())
 
 
 def turned_box(x, y, length, width, degrees):
@@ -102,7 +104,7 @@ def test_heights_of_the_ground(tmp_path):
     write_raster(tmp_path / "g.tif", plane, grid, CRS.from_epsg(6677).to_wkt())
     with RasterSampler(tmp_path / "g.tif") as ground:
         raised, without = with_heights(found.polygons, ground)
-        _, outside = with_heights(shapely.transform(found.polygons, lambda xy: xy + 1000), ground)
+        _, outside = with_heights(shapely.transform(found.polygons[:], lambda xy: xy + 1000), ground)
     assert without == 0 and outside == 1
-    x, y, z = shapely.get_coordinates(raised, include_z=True).T
+    x, y, z = shapely.get_coordinates(raised[:], include_z=True).T
     assert np.allclose(z, 10 + 0.1 * (x - 100) + 0.05 * (y - 180), atol=1e-4)

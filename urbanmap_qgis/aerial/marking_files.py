@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -39,6 +39,7 @@ COARSEST = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
 
 _TILE = 2048
+_CACHE = 128 * 2**20  # bytes that GDAL may keep of files: each block is read once or twice, by neighbouring tiles
 _SAMPLES = 16
 _SAMPLE_SIDE = 128
 
@@ -180,7 +181,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     InputError : the orthophoto or the mask cannot be used. OutputError : the mask cannot be written.
     """
     settings, places = settings or MarkingSettings(), places or Places()
-    with own_gdal(), ExitStack() as stack:
+    with own_gdal(_CACHE), ExitStack() as stack:
         opener = partial(_Scene, path, places, metres_per_unit)
         scene = opener(stack)
         if not scene.mask_covers():
@@ -230,7 +231,7 @@ def _tile_found(given: _Scene | Shared, levels: Levels | None, settings: Marking
     if levels is None:
         nothing = np.zeros((rows.stop - rows.start, columns.stop - columns.start), bool)
         return _TileFound(rows, columns, nothing, None, 0)
-    with own_gdal():
+    with own_gdal(_CACHE):
         scene = given.get() if isinstance(given, Shared) else given
         markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
     own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
@@ -243,19 +244,20 @@ def _tile_found(given: _Scene | Shared, levels: Levels | None, settings: Marking
 def _gathered(found: Iterator[_TileFound], scene: _Scene, settings: MarkingSettings,
               target: rasterio.io.DatasetWriter, metres_per_unit: float) -> FoundMarkings:
     """Write the masks and join the outlines of all tiles."""
-    pieces: list[PolygonPieces] = []
     looked_at = marked = 0
-    for part in found:
-        looked_at += part.looked_at
-        marked += int(part.mask.sum())
-        if part.pieces is not None:
-            # As bytes, which take a fraction of the memory of geometries.
-            pieces.append(replace(part.pieces, polygons=shapely.to_wkb(part.pieces.polygons)))
-        _write(target, part.mask, part.rows, part.columns, scene.factor)
+
+    def pieces() -> Iterator[PolygonPieces]:
+        nonlocal looked_at, marked
+        for part in found:
+            looked_at += part.looked_at
+            marked += int(part.mask.sum())
+            _write(target, part.mask, part.rows, part.columns, scene.factor)
+            if part.pieces is not None:
+                yield part.pieces
+
     cell = scene.pixel ** 2
     smallest = settings.cleaning.min_area if settings.cleaning else 0.0
-    pieces = [replace(piece, polygons=shapely.from_wkb(piece.polygons)) for piece in pieces]
-    polygons = merge_pieces(pieces, scene.transform, metres_per_unit, smallest)
+    polygons = merge_pieces(pieces(), scene.transform, metres_per_unit, smallest, Path(target.name).parent)
     return FoundMarkings(polygons, scene.own_pixel, looked_at * cell, marked * cell)
 
 

@@ -6,17 +6,21 @@ so the parts of a marking in several tiles fit exactly and are joined.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import os
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 from rasterio.features import rasterize
 from rasterio.transform import Affine
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 from skimage.measure import find_contours
 
 from ..io.raster import RasterSampler
 from .road_markings import Markings
+from .stored_polygons import StoredPolygons, StoredRows, batches
 
 WHITE, YELLOW = "white", "yellow"
 
@@ -38,7 +42,7 @@ class PolygonPieces:
     polygons : (n,) shapely polygons. at_seam : (n,) bool, they touch the tile's edge.
     pixels, contrast, yellow : (n,) number of pixel centres inside, sum of contrasts, number of yellow ones.
     measures : (n, 4) area, perimeter, north and west end, in the CRS, before whole ones (not at the seam) were
-        simplified: of millions of markings only few vertices can be kept in memory.
+        simplified. top : first row of the tile.
     """
 
     polygons: np.ndarray
@@ -47,6 +51,7 @@ class PolygonPieces:
     contrast: np.ndarray
     yellow: np.ndarray
     measures: np.ndarray
+    top: int
 
 
 @dataclass(frozen=True)
@@ -55,11 +60,12 @@ class MarkingPolygons:
 
     Attributes
     ----------
-    polygons : (n,) shapely polygons. area : (n,) m2. length, width : (n,) m, of the stroke if it were straightened.
+    polygons : (n,) shapely polygons, an array or in a file. area : (n,) m2.
+    length, width : (n,) m, of the stroke if it were straightened.
     contrast : (n,) mean grey values (of 255 after level adjustment) above the road. colour : (n,) "white" or "yellow".
     """
 
-    polygons: np.ndarray
+    polygons: np.ndarray | StoredPolygons
     area: np.ndarray
     length: np.ndarray
     width: np.ndarray
@@ -101,7 +107,7 @@ def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice,
     moved = shapely.transform(polygons, lambda points: points + np.array([columns.start, rows.start]))
     measures = _measures(moved, transform)
     moved[~at_seam] = _simplified(moved[~at_seam])
-    return PolygonPieces(moved, at_seam, *sums, measures)
+    return PolygonPieces(moved, at_seam, *sums, measures, rows.start)
 
 
 def _measures(polygons: np.ndarray, transform: Affine) -> np.ndarray:
@@ -151,40 +157,89 @@ def _labels(polygons: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
                      transform=Affine.translation(-0.5, -0.5), dtype="int32")
 
 
-def merge_pieces(pieces: Sequence[PolygonPieces], transform: Affine, metres_per_unit: float,
-                 smallest: float) -> MarkingPolygons:
+def merge_pieces(pieces: Iterable[PolygonPieces], transform: Affine, metres_per_unit: float, smallest: float,
+                 folder: str | os.PathLike) -> MarkingPolygons:
     """Join the parts of markings across seams and measure them.
+
+    In memory are the parts at the seams of a row of tiles, and of markings that go on below it; outlines and figures of
+    finished ones are in files that vanish with the result.
 
     Parameters
     ----------
-    transform : from pixels (corners at whole numbers) to the CRS. smallest : m2, smaller ones are left out.
+    pieces : of tiles in rows from the top. transform : from pixels (corners at whole numbers) to the CRS.
+    smallest : m2, smaller ones are left out. folder : for the files.
     """
-    if not pieces:
-        empty = np.empty(0)
-        return MarkingPolygons(np.empty(0, dtype=object), empty, empty, empty, empty, np.empty(0, dtype=object))
-    polygons, at_seam, pixels, contrast, yellow = (
-        np.concatenate([getattr(piece, name) for piece in pieces])
-        for name in ("polygons", "at_seam", "pixels", "contrast", "yellow"))
-    joined = shapely.get_parts(shapely.union_all(shapely.make_valid(polygons[at_seam])))
-    joined = joined[shapely.get_type_id(joined) == 3]
-    whole = np.concatenate([polygons[~at_seam], joined])
-    target = np.arange(len(polygons))
-    target[~at_seam] = np.arange(np.count_nonzero(~at_seam))
-    part, found = shapely.STRtree(joined).query(shapely.point_on_surface(polygons[at_seam]), predicate="intersects")
-    target[np.flatnonzero(at_seam)[part]] = found + np.count_nonzero(~at_seam)
-    pixels, contrast, yellow = (np.bincount(target, weights=values, minlength=len(whole))
-                                for values in (pixels, contrast, yellow))
-    measures = np.concatenate([np.concatenate([piece.measures[~piece.at_seam] for piece in pieces]),
-                               _measures(joined, transform)])
-    whole[len(whole) - len(joined):] = _simplified(joined)
-    area, perimeter = measures[:, 0] * metres_per_unit ** 2, measures[:, 1] * metres_per_unit
-    kept = np.flatnonzero((area >= smallest) & (pixels > 0))
-    kept = kept[np.lexsort((measures[kept, 3], -measures[kept, 2]))]  # from the north, whatever the tiles
-    area, half = area[kept], perimeter[kept] / 2
+    store, rows = StoredPolygons(folder), StoredRows(folder, len(_FIGURES))
+    try:
+        for polygons, figures in _finished(pieces, transform):
+            kept = (figures[:, _AREA] * metres_per_unit ** 2 >= smallest) & (figures[:, _PIXELS] > 0)
+            store.add(shapely.transform(polygons[kept], lambda points: _to_crs(points, transform)))
+            rows.add(figures[kept])
+        return _sorted(store, rows, metres_per_unit)
+    finally:
+        rows.close()
+
+
+_FIGURES = _AREA, _PERIMETER, _NORTH, _WEST, _PIXELS, _CONTRAST, _YELLOW_PIXELS = range(7)
+
+
+def _finished(pieces: Iterable[PolygonPieces], transform: Affine) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Whole markings in pixels and their figures (n, 7), as soon as no further tile can hold a part of them."""
+    waiting = _no_parts()
+    top = None
+    for piece in pieces:
+        if top is not None and piece.top > top:
+            waiting, done = _closed(waiting, piece.top)
+            yield _joined(done, transform)
+        top = piece.top
+        sums = np.column_stack([piece.pixels, piece.contrast, piece.yellow])
+        inner = ~piece.at_seam
+        yield piece.polygons[inner], np.column_stack([piece.measures[inner], sums[inner]])
+        outlines = shapely.make_valid(piece.polygons[piece.at_seam])
+        waiting = np.concatenate([waiting[0], outlines]), np.concatenate([waiting[1], sums[piece.at_seam]])
+    yield _joined(waiting, transform)
+
+
+def _no_parts() -> tuple[np.ndarray, np.ndarray]:
+    return np.empty(0, dtype=object), np.empty((0, 3))
+
+
+def _closed(waiting: tuple[np.ndarray, np.ndarray], top: int) -> tuple[tuple, tuple]:
+    """Parts of markings that may go on at row `top` or below, and those that do not."""
+    outlines, sums = waiting
+    if not len(outlines):
+        return waiting, waiting
+    first, second = shapely.STRtree(outlines).query(outlines, predicate="intersects")
+    count = len(outlines)
+    _, group = connected_components(coo_matrix((np.ones(len(first), bool), (first, second)), (count, count)), False)
+    goes_on = np.zeros(count, bool)
+    goes_on[group[shapely.bounds(outlines)[:, 3] >= top]] = True
+    opened = goes_on[group]
+    return (outlines[opened], sums[opened]), (outlines[~opened], sums[~opened])
+
+
+def _joined(parts: tuple[np.ndarray, np.ndarray], transform: Affine) -> tuple[np.ndarray, np.ndarray]:
+    """Markings joined from their parts, and their figures."""
+    outlines, sums = parts
+    joined = shapely.get_parts(shapely.union_all(outlines))
+    # Where a ring starts decides what is simplified: it must not depend on what else is joined at the time.
+    joined = shapely.normalize(joined[shapely.get_type_id(joined) == 3])
+    if not len(joined):
+        return np.empty(0, dtype=object), np.empty((0, len(_FIGURES)))
+    part, found = shapely.STRtree(joined).query(shapely.point_on_surface(outlines), predicate="intersects")
+    totals = [np.bincount(found, weights=values[part], minlength=len(joined)) for values in sums.T]
+    return _simplified(joined), np.column_stack([_measures(joined, transform), *totals])
+
+
+def _sorted(store: StoredPolygons, rows: StoredRows, metres_per_unit: float) -> MarkingPolygons:
+    """Markings from the north, whatever the tiles."""
+    order = np.lexsort((rows.column(_WEST), -rows.column(_NORTH)))
+    store.sort(order)
+    area, half = rows.column(_AREA)[order] * metres_per_unit ** 2, rows.column(_PERIMETER)[order] * metres_per_unit / 2
     length = (half + np.sqrt(np.maximum(half ** 2 - 4 * area, 0))) / 2
-    outlines = shapely.transform(whole[kept], lambda points: _to_crs(points, transform))
-    return MarkingPolygons(outlines, area, length, area / length, contrast[kept] / pixels[kept],
-                           np.where(yellow[kept] > 0.5 * pixels[kept], YELLOW, WHITE).astype(object))
+    pixels = rows.column(_PIXELS)[order]
+    colour = np.where(rows.column(_YELLOW_PIXELS)[order] > 0.5 * pixels, YELLOW, WHITE).astype(object)
+    return MarkingPolygons(store, area, length, area / length, rows.column(_CONTRAST)[order] / pixels, colour)
 
 
 def _to_crs(points: np.ndarray, transform: Affine) -> np.ndarray:
@@ -193,9 +248,21 @@ def _to_crs(points: np.ndarray, transform: Affine) -> np.ndarray:
                             transform.d * column + transform.e * row + transform.f])
 
 
-def with_heights(polygons: np.ndarray, ground: RasterSampler) -> tuple[np.ndarray, int]:
-    """Polygons with the ground's height at each vertex (J 4.1), and how many have vertices without one (NaN)."""
-    points, owner = shapely.get_coordinates(polygons, return_index=True)
-    heights = ground.sample(points[:, 0], points[:, 1]).astype(np.float64)
-    raised = shapely.set_coordinates(shapely.force_3d(polygons), np.column_stack([points, heights]))
-    return raised, len(np.unique(owner[np.isnan(heights)]))
+def with_heights(polygons: Sequence, ground: RasterSampler) -> tuple[Sequence, int]:
+    """Polygons with the ground's height at each vertex (J 4.1), and how many have vertices without one (NaN).
+
+    An array becomes an array, stored polygons other stored ones.
+    """
+    without = 0
+
+    def raised() -> Iterator[np.ndarray]:
+        nonlocal without
+        for batch in batches(polygons):
+            points, owner = shapely.get_coordinates(batch, return_index=True)
+            heights = ground.sample(points[:, 0], points[:, 1]).astype(np.float64)
+            without += len(np.unique(owner[np.isnan(heights)]))
+            yield shapely.set_coordinates(shapely.force_3d(batch), np.column_stack([points, heights]))
+
+    made = (polygons.like(raised()) if isinstance(polygons, StoredPolygons)
+            else np.concatenate([np.empty(0, dtype=object), *raised()]))
+    return made, without

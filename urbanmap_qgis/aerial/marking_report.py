@@ -13,10 +13,12 @@ import numpy as np
 import rasterio
 import shapely
 from rasterio.enums import Resampling
+from rasterio.transform import Affine
 
 from ..io.raster import own_gdal
 from ..io.report import Report
 from .marking_files import FoundMarkings, colour_bands
+from .stored_polygons import batches
 
 _PICTURE_SIDE = 1400
 _DETAIL = 500  # pixels, side of the part shown at full size
@@ -173,7 +175,8 @@ def _pictures(report: Report, orthophoto: Path, found: FoundMarkings) -> None:
 
 def _densest(source: rasterio.DatasetReader, found: FoundMarkings) -> tuple[int, int, int, int]:
     """Box of pixels (left, top, width, height) with the largest area of markings."""
-    middle = shapely.get_coordinates(shapely.centroid(found.polygons.polygons))
+    middle = np.concatenate([shapely.get_coordinates(shapely.centroid(batch))
+                             for batch in batches(found.polygons.polygons)])
     back = ~source.transform
     column = back.a * middle[:, 0] + back.b * middle[:, 1] + back.c
     row = back.d * middle[:, 0] + back.e * middle[:, 1] + back.f
@@ -195,14 +198,22 @@ def _drawn(source: rasterio.DatasetReader, path: Path, box: tuple[int, int, int,
     high = np.percentile(seen[seen > 0], 99.5) if (seen > 0).any() else 1.0
     image = np.clip(np.moveaxis(seen, 0, -1) * (255 / max(high, 1e-6)), 0, 255).astype(np.uint8)
     image = np.ascontiguousarray(np.repeat(image, 3, axis=-1) if image.shape[-1] == 1 else image[..., ::-1])
-    back = ~source.transform
-    for polygon in found.polygons.polygons:
-        for ring in (polygon.exterior, *polygon.interiors):
-            points = shapely.get_coordinates(ring)[:, :2]
-            column = (back.a * points[:, 0] + back.b * points[:, 1] + back.c - left) / factor - 0.5
-            row = (back.d * points[:, 0] + back.e * points[:, 1] + back.f - top) / factor - 0.5
-            if column.max() < 0 or row.max() < 0 or column.min() > shape[1] or row.min() > shape[0]:
-                continue
-            corners = np.round(16 * np.column_stack((column, row))).astype(np.int32)
-            cv2.polylines(image, [corners], True, _LINE_COLOUR, 1, cv2.LINE_AA, shift=4)
+    for batch in batches(found.polygons.polygons):
+        _draw(image, batch, ~source.transform, box, factor)
     return cv2.imencode(".png", image)[1].tobytes()
+
+
+def _draw(image: np.ndarray, polygons: np.ndarray, back: Affine, box: tuple[int, int, int, int],
+          factor: float) -> None:
+    """Draw the outlines that lie in a part of the image; `back` leads from the CRS to its pixels."""
+    left, top, width, height = box
+    there = ~back
+    part = [(there.a * x + there.b * y + there.c, there.d * x + there.e * y + there.f)
+            for x, y in ((left, top), (left + width, top), (left + width, top + height), (left, top + height))]
+    near = shapely.STRtree(polygons).query(shapely.Polygon(part))
+    for ring in shapely.get_rings(polygons[np.sort(near)]):
+        points = shapely.get_coordinates(ring)[:, :2]
+        column = (back.a * points[:, 0] + back.b * points[:, 1] + back.c - left) / factor - 0.5
+        row = (back.d * points[:, 0] + back.e * points[:, 1] + back.f - top) / factor - 0.5
+        places = np.round(16 * np.column_stack((column, row))).astype(np.int32)
+        cv2.polylines(image, [places], True, _LINE_COLOUR, 1, cv2.LINE_AA, shift=4)

@@ -27,14 +27,18 @@ _SAMPLE_BLOCK = 2048
 
 
 @contextmanager
-def own_gdal() -> Iterator[None]:
+def own_gdal(cache: int | None = None) -> Iterator[None]:
     """Let rasterio use the GDAL and PROJ data that came with it.
 
     QGIS sets PROJ_LIB and GDAL_DATA for its own libraries; a rasterio wheel brings others of another version,
     which cannot read those. This tells rasterio's copies only, not the process.
+
+    `cache` : bytes that GDAL may keep of files in the meantime; None for its own choice, 5 % of the memory.
     """
     folder = Path(rasterio.__file__).parent
     options = {"GDAL_DATA": str(folder / "gdal_data")} if (folder / "gdal_data").is_dir() else {}
+    if cache is not None:
+        options["GDAL_CACHEMAX"] = cache
     with rasterio.Env(**options):
         if (folder / "proj_data").is_dir():
             set_proj_data_search_path(str(folder / "proj_data"))
