@@ -58,7 +58,7 @@ def test_head_materials_and_origin(tmp_path):
     assert "500000.0000 5000000.0000 1.0000" in first
     assert second == "mtllib a.mtl"
     named = [line.split()[1] for line in (tmp_path / "a.mtl").read_text().splitlines() if line.startswith("newmtl")]
-    assert named == ["roof", "outer_wall", "inner_wall", "ground"]
+    assert named == ["roof", "outer_wall", "inner_wall", "ground", "overhang"]
     write_obj(path, [house("a", 5e5)], origin=(499_990.0, 5e6, 0.0))
     assert read(path)[0].min(axis=0).tolist() == [10.0, 0.0, 1.0]
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.mtl", "a.obj"]
