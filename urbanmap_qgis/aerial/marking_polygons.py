@@ -237,9 +237,12 @@ def _sorted(store: StoredPolygons, rows: StoredRows, metres_per_unit: float) -> 
     store.sort(order)
     area, half = rows.column(_AREA)[order] * metres_per_unit ** 2, rows.column(_PERIMETER)[order] * metres_per_unit / 2
     length = (half + np.sqrt(np.maximum(half ** 2 - 4 * area, 0))) / 2
+    del half  # of millions of markings each column counts
     pixels = rows.column(_PIXELS)[order]
-    colour = np.where(rows.column(_YELLOW_PIXELS)[order] > 0.5 * pixels, YELLOW, WHITE).astype(object)
-    return MarkingPolygons(store, area, length, area / length, rows.column(_CONTRAST)[order] / pixels, colour)
+    contrast = rows.column(_CONTRAST)[order] / pixels
+    yellow = rows.column(_YELLOW_PIXELS)[order] > 0.5 * pixels
+    colour = np.array([WHITE, YELLOW], dtype=object)[yellow.astype(np.intp)]
+    return MarkingPolygons(store, area, length, area / length, contrast, colour)
 
 
 def _to_crs(points: np.ndarray, transform: Affine) -> np.ndarray:

@@ -94,20 +94,21 @@ class StoredRows:
     def __init__(self, folder: str | os.PathLike, columns: int):
         self._file = tempfile.TemporaryFile(prefix=".urbanmap-", dir=Path(folder))  # noqa: SIM115
         self._columns = columns
+        self._count = 0
 
     def add(self, rows: np.ndarray) -> None:
         """Put (n, columns) rows at the end."""
+        self._count += len(rows)
         self._file.write(np.ascontiguousarray(rows, dtype=np.float64).tobytes())
 
     def column(self, number: int) -> np.ndarray:
         """One column, float64."""
         self._file.seek(0)
-        parts = [np.empty(0)]
-        while True:
-            block = self._file.read(8 * self._columns * BATCH)
-            if not block:
-                return np.concatenate(parts)
-            parts.append(np.frombuffer(block).reshape(-1, self._columns)[:, number].copy())
+        made = np.empty(self._count)
+        for start in range(0, self._count, BATCH):
+            block = np.frombuffer(self._file.read(8 * self._columns * BATCH))
+            made[start:start + BATCH] = block.reshape(-1, self._columns)[:, number]
+        return made
 
     def close(self) -> None:
         """Remove the file."""
