@@ -178,3 +178,26 @@ def test_waiting_counts_in_the_clock():
     assert clock[-1] == pytest.approx(60.0 + 2.0 * drive.reported.duration, abs=0.5)
     assert (np.diff(clock) > 0).all()
     assert CorrectionSettings().model().standing > 0
+
+
+def test_correction_at_the_limit_of_the_search_is_not_to_be_trusted():
+    drive = simulate(0, length=100.0)
+    largest = np.abs(drive.error[:, :2]).max()
+    near = adjust_correction(drive.windows, drive.reported, CorrectionSettings(search=largest + 0.1))
+    far = adjust_correction(drive.windows, drive.reported, CorrectionSettings(search=largest + 2.0))
+    assert (near.status == DISTRUSTED).all()
+    assert set(near.reason) == {"the correction reaches the largest error looked for"}
+    assert (far.status != DISTRUSTED).all()
+
+
+def test_gap_and_jump_of_the_trajectory_are_not_to_be_trusted():
+    drive = simulate(0, length=200.0)
+    since = drive.reported.time
+    hole = (since > 10.0) & (since < 13.0)
+    gappy = type(drive.reported)(since[~hole], drive.reported.place[~hole], drive.reported.angles[~hole])
+    made = adjust_correction(drive.windows, gappy)
+    inside = (made.time > 10.1) & (made.time < 12.9)
+    assert (made.status[inside] == DISTRUSTED).all() and (made.status[made.time < 8.0] != DISTRUSTED).all()
+    place = drive.reported.place + (since > 15.0)[:, None] * np.array([2.0, 0.0, 0.0])
+    torn = adjust_correction(drive.windows, type(drive.reported)(since, place, drive.reported.angles))
+    assert "the trajectory jumps here" in set(torn.reason[np.abs(torn.time - 15.0) < 1.0])

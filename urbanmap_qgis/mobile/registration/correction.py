@@ -15,7 +15,7 @@ import numpy as np
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
-from ..trajectory import Trajectory
+from ..trajectory import Trajectory, gaps, jumps
 from .block_chain import solve_chain
 from .drift_model import DriftModel, drift_clock, torn_steps, waited_steps
 from .evidence import Evidence, evidence_of
@@ -41,6 +41,7 @@ _LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is he
 _REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 _LEAST_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
 _LEAST_TOLD = 0.6  # the same for the standard deviations: how quiet a short survey looks is partly luck
+_SEARCH_MARGIN, _SEARCH_SHARE = 0.4, 0.02  # m from the largest error looked for; share of patches that may be there
 _FEWEST_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
 _UNSAID = 0.02  # weight that stands for evidence that is not believed at all
@@ -59,6 +60,7 @@ class CorrectionSettings:
     region : how many times as much as usual the pieces around may pull in the mean.
     gross : standard deviations from which a block's contradiction is gross.
     least_margin : log-likelihood by which a place must beat all others.
+    search : m, largest error east or north that the windows looked for: a correction as large is no find.
     around : m of path to either side whose markings must fix the place of a registered patch.
     registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
     trusted_sigma : m in plan, a patch that is to be trusted has at most.
@@ -78,6 +80,7 @@ class CorrectionSettings:
     region: float = 3.0
     gross: float = 5.0
     least_margin: float = 3.0
+    search: float = np.inf
     around: float = 15.0
     registered_sigma: float = 0.10
     trusted_sigma: float = 0.30
@@ -181,7 +184,8 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         chain, fit = _onto_points(points, chain, fit, settings.model(), at_nodes, settings, progress.part(0.5, 1.0))
     model = settings.model().scaled(fit.drift_factor)
     told = chain.solve(model, fit.weight / max(fit.noise_factor, _LEAST_TOLD))[1]
-    return _result(windows, chain, replace(fit, covariance=told), at_patches, doubtful, settings)
+    made = _result(windows, chain, replace(fit, covariance=told), at_patches, doubtful, settings)
+    return _distrusted(made, trajectory, settings)
 
 
 def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: DriftModel, allowed: np.ndarray,
@@ -461,6 +465,21 @@ def _judge(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.
     if not (np.isfinite(own) & ~doubtful).any():
         status[:] = DISTRUSTED
     return status, reason
+
+
+def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSettings) -> Correction:
+    """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
+    status, reason = made.status.copy(), made.reason.copy()
+    for spans, reach, why in ((gaps(trajectory), 2 * settings.node_length, "the trajectory has a gap here"),
+                              (jumps(trajectory), settings.around, "the trajectory jumps here")):
+        for start, end in spans:
+            ends = np.interp([start, end], made.time, made.way) + np.array([-reach, reach])
+            broken = (made.way >= ends[0]) & (made.way <= ends[1])
+            status[broken], reason[broken] = DISTRUSTED, why
+    reached = (np.abs(made.value[:, :2]) > settings.search - _SEARCH_MARGIN).any(axis=1)
+    if reached.mean() > _SEARCH_SHARE:
+        status[:], reason[:] = DISTRUSTED, "the correction reaches the largest error looked for"
+    return replace(made, status=status, reason=reason)
 
 
 def _own_sigma(evidence: Evidence, weight: np.ndarray, clock: np.ndarray, reach: float) -> np.ndarray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -122,7 +122,8 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     points = None
     if run.windows.shared_windows and run.windows.refinement:
         points = PointEvidence.of(markings, trajectory, clock, run.correction.node_length, reference, run.windows).about
-    correction = adjust_correction(windows, trajectory, run.correction, points, progress.part(0.8, 1.0))
+    settings = replace(run.correction, search=run.windows.search) if run.windows.start else run.correction
+    correction = adjust_correction(windows, trajectory, settings, points, progress.part(0.8, 1.0))
     made = RegisteredSurvey(correct_trajectory(trajectory, correction), trajectory, markings, windows, correction)
     _tell(made, progress)
     return made
