@@ -23,6 +23,7 @@ from scipy.spatial import Delaunay
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from scripts.bench_street import street_tables  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models, roof_cells, wall_rectangles  # noqa: E402
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints  # noqa: E402
@@ -221,6 +222,7 @@ def main() -> int:
         cells_table(reference)
     else:
         print("\nThe real data are not beside the checkout: models are not scored.")
+    street_tables(DATA.parent / "city", reference, print_table)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(f"\nPeak memory of this process: {peak:.0f} MB")
     return 0
