@@ -182,6 +182,8 @@ def test_bad_input_is_told():
         merge_models([1], [block], [])
     with pytest.raises(InsufficientDataError, match="same place"):
         merge_models([1], [block], [wall((2000, 0), (2020, 0))])
+    with pytest.raises(InputError, match="Building 1 has no heights"):
+        merge_models([1], [shapely.MultiPolygon([box(0, 0, 5, 5)])], [wall((0, -0.4), (20, -0.4))])
     with pytest.raises(InputError, match="same building_id"):
         merge_models([1, 1], [block, block], [wall((0, 0), (20, 0))])
     with pytest.raises(InputError):

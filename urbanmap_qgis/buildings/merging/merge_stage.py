@@ -118,7 +118,7 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
 
     Raises
     ------
-    InputError : two buildings have the same number.
+    InputError : two buildings have the same number, or one has no heights.
     InsufficientDataError : there is no wall, or no wall lies near any model.
     """
     if len(set(ids)) < len(ids):
@@ -126,6 +126,9 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
     if not walls:
         raise InsufficientDataError("There are no measured walls: run “Walls from a mobile survey” first and check "
                                     "that it found any.")
+    flat = [number for number, model in zip(ids, models) if model is not None and not model.has_z]
+    if flat:
+        raise InputError(f"Building {flat[0]} has no heights: give building models (MultiPolygonZ), not outlines.")
     index = WallIndex(walls)
     boxes = [shapely.box(*model.bounds) for model in models if model is not None and not model.is_empty]
     if boxes and not len(index.tree.query(boxes, predicate="dwithin", distance=settings.max_offset)[0]):
