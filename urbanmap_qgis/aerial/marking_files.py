@@ -28,7 +28,7 @@ from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from .marking_filter import coarse_step
-from .marking_polygons import MarkingPolygons, PolygonPieces, merge_pieces, pieces_of_tile
+from .marking_polygons import CACHE, MarkingPolygons, PolygonPieces, merge_pieces, pieces_of_tile
 from .road_markings import Levels, Markings, MarkingSettings, find_markings, levels_of, paint_brightness, reach_pixels
 from .shared_sources import Shared, shared
 
@@ -39,7 +39,6 @@ COARSEST = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
 
 _TILE = 2048
-_CACHE = 128 * 2**20  # bytes that GDAL may keep of files: each block is read once or twice, by neighbouring tiles
 _SAMPLES = 16
 _SAMPLE_SIDE = 128
 
@@ -181,7 +180,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     InputError : the orthophoto or the mask cannot be used. OutputError : the mask cannot be written.
     """
     settings, places = settings or MarkingSettings(), places or Places()
-    with own_gdal(_CACHE), ExitStack() as stack:
+    with own_gdal(CACHE), ExitStack() as stack:
         opener = partial(_Scene, path, places, metres_per_unit)
         scene = opener(stack)
         if not scene.mask_covers():
@@ -231,7 +230,7 @@ def _tile_found(given: _Scene | Shared, levels: Levels | None, settings: Marking
     if levels is None:
         nothing = np.zeros((rows.stop - rows.start, columns.stop - columns.start), bool)
         return _TileFound(rows, columns, nothing, None, 0)
-    with own_gdal(_CACHE):
+    with own_gdal(CACHE):
         scene = given.get() if isinstance(given, Shared) else given
         markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
     own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,

@@ -18,11 +18,14 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from skimage.measure import find_contours
 
-from ..io.raster import RasterSampler
+from ..io.raster import RasterSampler, own_gdal
 from .road_markings import Markings
 from .stored_polygons import StoredPolygons, StoredRows, batches
 
 WHITE, YELLOW = "white", "yellow"
+
+CACHE = 128 * 2**20
+"""Bytes that GDAL may keep of files while it reads them tile by tile; its own choice is 5 % of the memory."""
 
 _OUTSIDE = np.float32(-1e9)
 _DECIMALS = 5
@@ -266,6 +269,7 @@ def with_heights(polygons: Sequence, ground: RasterSampler) -> tuple[Sequence, i
             without += len(np.unique(owner[np.isnan(heights)]))
             yield shapely.set_coordinates(shapely.force_3d(batch), np.column_stack([points, heights]))
 
-    made = (polygons.like(raised()) if isinstance(polygons, StoredPolygons)
-            else np.concatenate([np.empty(0, dtype=object), *raised()]))
+    with own_gdal(CACHE):
+        made = (polygons.like(raised()) if isinstance(polygons, StoredPolygons)
+                else np.concatenate([np.empty(0, dtype=object), *raised()]))
     return made, without

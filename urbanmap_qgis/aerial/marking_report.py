@@ -18,6 +18,7 @@ from rasterio.transform import Affine
 from ..io.raster import own_gdal
 from ..io.report import Report
 from .marking_files import FoundMarkings, colour_bands
+from .marking_polygons import CACHE
 from .stored_polygons import batches
 
 _PICTURE_SIDE = 1400
@@ -66,7 +67,7 @@ def shares_of_views(path: str | os.PathLike) -> list[float]:
     rasterio's error where it is no raster.
     """
     counts = np.zeros(4, np.int64)
-    with own_gdal(), rasterio.open(path) as source:
+    with own_gdal(CACHE), rasterio.open(path) as source:
         for _, window in source.block_windows(1):
             values = np.minimum(source.read(1, window=window), 3)
             counts += np.bincount(values.ravel().astype(np.int64), minlength=4)
@@ -162,7 +163,8 @@ def _agreement(report: Report, evidence: Evidence) -> None:
 def _pictures(report: Report, orthophoto: Path, found: FoundMarkings) -> None:
     """The whole image, shrunk, and the part with most markings at full size, with their outlines."""
     report.section("Pictures")
-    with own_gdal(), rasterio.open(orthophoto) as source, tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
+    with (own_gdal(CACHE), rasterio.open(orthophoto) as source,
+          tempfile.TemporaryDirectory(prefix="urbanmap-") as folder):
         shrink = max(source.width, source.height) / _PICTURE_SIDE
         parts = [((0, 0, source.width, source.height), max(shrink, 1.0), "Markings (green) over the orthophoto")]
         if len(found.polygons):
