@@ -1,0 +1,41 @@
+"""Features of a layer come in batches, from arrays as from files."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+
+@pytest.mark.parametrize("stored", [False, True])
+def test_batches_are_whole_and_in_order(plugin, tmp_path, stored):
+    from qgis.core import NULL
+
+    module = plugin("algorithms.layers")
+    count = 2 * module.BATCH + 7
+    polygons = shapely.box(np.arange(count), 0, np.arange(count) + 1.0, 1)
+    geometries = polygons
+    if not stored:
+        polygons[5] = None
+    else:
+        geometries = plugin("urbanmap_qgis.aerial.stored_polygons").StoredPolygons(tmp_path)
+        geometries.add(polygons)
+    number = np.arange(count, dtype=float)
+    number[3] = np.nan
+    columns = {"number": number, "name": [f"n{row}" for row in range(count)]}
+    fields = module.make_fields(("number", "real"), ("name", "text"))
+    batches = list(module.features_of(fields, columns, geometries))
+    assert [len(batch) for batch in batches] == [module.BATCH, module.BATCH, 7]
+    features = [feature for batch in batches for feature in batch]
+    assert [feature["name"] for feature in features] == columns["name"]
+    assert features[3]["number"] == NULL
+    assert [feature["number"] for feature in features[4:]] == list(range(4, count))
+    assert features[5].hasGeometry() == stored
+    assert all(features[row].geometry().boundingBox().xMinimum() == row for row in (0, 999, 1000, count - 1))
+
+
+def test_columns_of_different_length_are_refused(plugin):
+    module = plugin("algorithms.layers")
+    fields = module.make_fields(("number", "int"),)
+    with pytest.raises(ValueError, match="differ in length"):
+        list(module.features_of(fields, {"number": [1, 2]}, [shapely.box(0, 0, 1, 1)]))
