@@ -171,9 +171,10 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
                              executor: Executor | None = None) -> FoundMarkings:
     """Find the road markings of an orthophoto; write a mask (uint8, 255 = marking) on the orthophoto's pixels.
 
-    Only a tile and its surroundings are in memory for each worker, and the polygons. The result does not depend on
-    `tile`, the side of a tile in pixels, nor on the executor, threads or processes. `metres_per_unit` : of the
-    orthophoto's CRS.
+    Only a tile and its surroundings are in memory for each worker; outlines wait in a file beside `output` that
+    vanishes with the result. The mask does not depend on `tile`, the side of a tile in pixels; polygons only where
+    pieces hang together by a corner on a seam. Nothing depends on the executor, threads or processes.
+    `metres_per_unit` : of the orthophoto's CRS.
 
     Raises
     ------
