@@ -11,15 +11,15 @@ from urbanmap_qgis.aerial.camera import rays as frame_rays
 from urbanmap_qgis.aerial.frames import Frame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid_faces import solids_of
-from urbanmap_qgis.mobile.calibration import Camera
-from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays
-from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.imagery.atlas import LARGEST, coarsest_step, drawn, pack
 from urbanmap_qgis.imagery.facade_texture import HIDDEN, NOT_FACED, TextureSettings, evening_gains
 from urbanmap_qgis.imagery.facades import facades_of, on_facade, texel_grid
 from urbanmap_qgis.imagery.obstacles import Voxels, obstacles_within, voxels_of
 from urbanmap_qgis.imagery.texture_stage import Building, buildings_of, summary, texture_buildings
 from urbanmap_qgis.imagery.views import FrameSource, strip_source
+from urbanmap_qgis.mobile.calibration import Camera
+from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays
+from urbanmap_qgis.mobile.trajectory import Trajectory
 
 WIDTH, HEIGHT = 16.0, 9.0
 CORNER = np.array([-7000.0, -34000.0, 10.0])

@@ -123,7 +123,8 @@ def test_refusals(survey, make_cloud, tmp_path):
     with pytest.raises(InputError, match="truncated"):
         classify_ground_files([broken], tmp_path / "g.laz")
     with pytest.raises(InputError, match="too large for one cloth"):
-        far = tuple(np.append(column, value) for column, value in zip(street(), (X0 + 1.5e6, Y0 + 1.5e6, 10.0, 1010.0, True)))
+        away = (X0 + 1.5e6, Y0 + 1.5e6, 10.0, 1010.0, True)
+        far = tuple(np.append(column, value) for column, value in zip(street(), away))
         path, _ = survey("far.laz", parts=far)
         classify_ground_files([path], tmp_path / "g.laz", ClothSettings(resolution=0.1))
     assert not (tmp_path / "g.laz").exists()

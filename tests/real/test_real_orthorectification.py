@@ -11,7 +11,14 @@ import pytest
 from urbanmap_qgis.aerial.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.frames import find_frames
 from urbanmap_qgis.aerial.mosaic import Choice, Output
-from urbanmap_qgis.aerial.orthorectification import FrameOnGround, FramePixels, OrthoSettings, Place, Terrain, orthorectify
+from urbanmap_qgis.aerial.orthorectification import (
+    FrameOnGround,
+    FramePixels,
+    OrthoSettings,
+    Place,
+    Terrain,
+    orthorectify,
+)
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import RasterSampler, read_raster, write_raster
 
