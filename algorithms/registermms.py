@@ -143,7 +143,7 @@ class RegisterMms(UrbanMapAlgorithm):
     def _figures(self, made):
         import numpy as np
 
-        from ..urbanmap_qgis.mobile.registration.correction import BRIDGED, DISTRUSTED, REGISTERED
+        from ..urbanmap_qgis.mobile.registration.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 
         length = np.hypot(made.correction.value[:, 0], made.correction.value[:, 1])
         sigma = made.correction.plan_sigma()

@@ -12,15 +12,9 @@ import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.mobile.registration.block_chain import solve_chain
-from urbanmap_qgis.mobile.registration.correction import (
-    BRIDGED,
-    DISTRUSTED,
-    REGISTERED,
-    CorrectionSettings,
-    adjust_correction,
-    correct_trajectory,
-)
+from urbanmap_qgis.mobile.registration.correction import CorrectionSettings, adjust_correction, correct_trajectory
 from urbanmap_qgis.mobile.registration.drift_model import DriftModel, drift_clock
+from urbanmap_qgis.mobile.registration.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.results import NO_MARKINGS
 
 spec = importlib.util.spec_from_file_location("simulated_windows", Path(__file__).with_name("simulated_windows.py"))

@@ -19,12 +19,8 @@ from ..trajectory import Trajectory, gaps, jumps
 from .block_chain import solve_chain
 from .drift_model import DriftModel, drift_clock, torn_steps, waited_steps
 from .evidence import Evidence, evidence_of
+from .patch_status import DISTRUSTED, judge, own_sigma, plan_sigma
 from .results import WindowResults
-
-REGISTERED, BRIDGED, DISTRUSTED = range(3)
-STATUS_NAMES = ("registered", "bridged", "not to be trusted")
-"""registered: found from markings around the patch. bridged: between or beyond registered patches, by the model of the
-drift. not to be trusted: too far from them, or contradictory or ambiguous markings."""
 
 Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], Evidence]
 """Evidence about a course (corrections (m, 6) at clock readings (m,)), the reference softened by so many metres."""
@@ -38,7 +34,6 @@ _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a sur
 _SETTLED = 0.02
 _REGION = 5  # pieces to either side that are a piece's region
 _LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
-_REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 _LEAST_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
 _LEAST_TOLD = 0.6  # the same for the standard deviations: how quiet a short survey looks is partly luck
 _SEARCH_MARGIN, _SEARCH_SHARE = 0.4, 0.02  # m from the largest error looked for; share of patches that may be there
@@ -135,7 +130,7 @@ class Correction:
 
     def plan_sigma(self) -> np.ndarray:
         """(n,) standard deviation in the worst direction in plan, m."""
-        return _plan_sigma(self.covariance)
+        return plan_sigma(self.covariance)
 
 
 def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
@@ -438,33 +433,12 @@ def _result(windows: WindowResults, chain: _Chain, fit: _Fit, at_patches: np.nda
     piece = np.searchsorted(0.5 * (evidence.clock[1:] + evidence.clock[:-1]), at_patches)
     weight = np.where(evidence.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
-    own = _own_sigma(evidence, fit.weight / fit.noise_factor, at_patches, settings.around)
-    status, reason = _judge(own, weight, _plan_sigma(covariance), doubtful, settings)
+    own = own_sigma(evidence, fit.weight / fit.noise_factor, at_patches, settings.around)
+    status, reason = judge(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
+                           settings.trusted_sigma)
     return Correction(windows.time, windows.way, value, covariance, status, reason, weight, residual,
                       evidence.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
                       evidence.active, settings.standing)
-
-
-def _judge(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
-           settings: CorrectionSettings) -> tuple[np.ndarray, np.ndarray]:
-    """Status (n,) and its reason (n,) of each patch.
-
-    `own` (n,) is the standard deviation in plan that the markings around the patch give alone, m.
-    """
-    n = len(own)
-    reason = np.full(n, "", dtype=object)
-    status = np.where((own <= settings.registered_sigma) & (sigma <= settings.registered_sigma), REGISTERED,
-                      BRIDGED).astype(np.int8)
-    reason[sigma > settings.registered_sigma] = "the markings do not fix the place well"
-    reason[own > settings.registered_sigma] = "the markings around do not fix the place in all directions"
-    reason[~np.isfinite(own)] = "no markings registered around the patch"
-    rejected = weight <= _REJECTED
-    status[rejected], reason[rejected] = BRIDGED, "the markings here contradict those around"
-    status[doubtful], reason[doubtful] = BRIDGED, "another place of the markings fits as well"
-    status[sigma > settings.trusted_sigma] = DISTRUSTED
-    if not (np.isfinite(own) & ~doubtful).any():
-        status[:] = DISTRUSTED
-    return status, reason
 
 
 def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSettings) -> Correction:
@@ -480,24 +454,6 @@ def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSe
     if reached.mean() > _SEARCH_SHARE:
         status[:], reason[:] = DISTRUSTED, "the correction reaches the largest error looked for"
     return replace(made, status=status, reason=reason)
-
-
-def _own_sigma(evidence: Evidence, weight: np.ndarray, clock: np.ndarray, reach: float) -> np.ndarray:
-    """(n,) m: standard deviation in the worst direction in plan by the evidence within `reach` of clock readings (n,).
-
-    Infinite where there is none.
-    """
-    running = np.concatenate([np.zeros((1, 2, 2)),
-                              np.cumsum(evidence.information[:, :2, :2] * weight[:, None, None], axis=0)])
-    low, high = np.searchsorted(evidence.clock, clock - reach), np.searchsorted(evidence.clock, clock + reach)
-    least = np.linalg.eigvalsh(running[high] - running[low])[:, 0]
-    return np.where(least > 1e-3, 1.0 / np.sqrt(np.maximum(least, 1e-3)), np.inf)
-
-
-def _plan_sigma(covariance: np.ndarray) -> np.ndarray:
-    """(n,) root of the larger eigenvalue of the covariances in plan."""
-    a, b, c = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
-    return np.sqrt(0.5 * (a + c) + np.sqrt(0.25 * (a - c) ** 2 + b**2))
 
 
 def _smooth_between(nodes: np.ndarray, state: np.ndarray, clock: np.ndarray) -> np.ndarray:

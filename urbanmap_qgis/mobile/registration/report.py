@@ -15,7 +15,7 @@ from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, profile
 from ...io.svg_profile import Stretch as Shade
 from ..movement import movement_between
-from .correction import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
+from .patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .reference import Reference
 from .stage import RegisteredSurvey, stretches
 

@@ -16,17 +16,9 @@ from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
 from ..trajectory import Trajectory
-from .correction import (
-    BRIDGED,
-    DISTRUSTED,
-    REGISTERED,
-    STATUS_NAMES,
-    Correction,
-    CorrectionSettings,
-    adjust_correction,
-    correct_trajectory,
-)
+from .correction import Correction, CorrectionSettings, adjust_correction, correct_trajectory
 from .drift_model import drift_clock
+from .patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .point_evidence import PointEvidence
 from .reference import Reference
 from .register import register_windows

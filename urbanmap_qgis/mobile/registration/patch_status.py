@@ -1,0 +1,58 @@
+"""How each patch's correction was found, and whether it is to be trusted."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .evidence import Evidence
+
+REGISTERED, BRIDGED, DISTRUSTED = range(3)
+STATUS_NAMES = ("registered", "bridged", "not to be trusted")
+"""registered: found from markings around the patch. bridged: between or beyond registered patches, by the model of the
+drift. not to be trusted: too far from them, or contradictory or ambiguous markings."""
+
+_REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
+
+
+def judge(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray, registered: float,
+          trusted: float) -> tuple[np.ndarray, np.ndarray]:
+    """Status (n,) and its reason (n,) of each patch.
+
+    Parameters
+    ----------
+    own : (n,) standard deviation in plan that the markings around the patch give alone, m.
+    weight : (n,) of the patch's own evidence, 0 to 1.  sigma : (n,) of the correction in plan, m.
+    doubtful : (n,) mask of patches for which another place fits as well.
+    registered, trusted : sigma in plan that a registered patch, and one that is to be trusted, has at most, m.
+    """
+    n = len(own)
+    reason = np.full(n, "", dtype=object)
+    status = np.where((own <= registered) & (sigma <= registered), REGISTERED, BRIDGED).astype(np.int8)
+    reason[sigma > registered] = "the markings do not fix the place well"
+    reason[own > registered] = "the markings around do not fix the place in all directions"
+    reason[~np.isfinite(own)] = "no markings registered around the patch"
+    rejected = weight <= _REJECTED
+    status[rejected], reason[rejected] = BRIDGED, "the markings here contradict those around"
+    status[doubtful], reason[doubtful] = BRIDGED, "another place of the markings fits as well"
+    status[sigma > trusted] = DISTRUSTED
+    if not (np.isfinite(own) & ~doubtful).any():
+        status[:] = DISTRUSTED
+    return status, reason
+
+
+def own_sigma(evidence: Evidence, weight: np.ndarray, clock: np.ndarray, reach: float) -> np.ndarray:
+    """(n,) m: standard deviation in the worst direction in plan by the evidence within `reach` of clock readings (n,).
+
+    Infinite where there is none.
+    """
+    running = np.concatenate([np.zeros((1, 2, 2)),
+                              np.cumsum(evidence.information[:, :2, :2] * weight[:, None, None], axis=0)])
+    low, high = np.searchsorted(evidence.clock, clock - reach), np.searchsorted(evidence.clock, clock + reach)
+    least = np.linalg.eigvalsh(running[high] - running[low])[:, 0]
+    return np.where(least > 1e-3, 1.0 / np.sqrt(np.maximum(least, 1e-3)), np.inf)
+
+
+def plan_sigma(covariance: np.ndarray) -> np.ndarray:
+    """(n,) root of the larger eigenvalue of the covariances in plan."""
+    a, b, c = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
+    return np.sqrt(0.5 * (a + c) + np.sqrt(0.25 * (a - c) ** 2 + b**2))
