@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from functools import partial
-from pathlib import Path
 
 import cv2
 import numpy as np
@@ -231,16 +230,6 @@ def _record(building: Building, number: int, facade: Facade, texture: FacadeText
     return FacadeRecord(building.id, number, shapely.Polygon(rings[0], rings[1:]), float(facade.outline.area), azimuth,
                         texture.share, 1.0 / texture.detail if texture.detail > 0 else np.nan,
                         ", ".join(sources[image].name for image in texture.images), status, texture.reason)
-
-
-def write_images(folder: Path, images: dict[str, bytes]) -> dict[str, Path]:
-    """Write image files (names relative to the folder) and return their paths by name."""
-    paths = {}
-    for name, data in images.items():
-        paths[name] = folder / name
-        paths[name].parent.mkdir(parents=True, exist_ok=True)
-        paths[name].write_bytes(data)
-    return paths
 
 
 def summary(records: Sequence[FacadeRecord]) -> dict[str, float]:

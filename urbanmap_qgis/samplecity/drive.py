@@ -96,14 +96,6 @@ def corner_path(first: Lane, second: Lane, reach: float) -> Path:
                 turned / length * (1 - np.cos(2 * np.pi * share)), straight + length / 2)
 
 
-def straight_path(lane: Lane, start: float, end: float) -> Path:
-    """Along a lane from `start` to `end` m from its start."""
-    s = np.arange(0.0, end - start + _STEP / 2, _STEP)
-    east, north = _direction(lane)
-    return Path(s, lane.start[0] + east * (start + s), lane.start[1] + north * (start + s),
-                np.full(len(s), lane.heading), np.zeros(len(s)), np.inf)
-
-
 def with_wander(path: Path, metres: float, phase: float) -> Path:
     """The path with a driver who does not hold the lane's middle exactly."""
     wave = 2 * np.pi / 43.0

@@ -23,7 +23,7 @@ from scipy.sparse.csgraph import connected_components
 
 from ..errors import InputError, InsufficientDataError
 from ..geometry.grid import Grid
-from ..geometry.sampling import Bilinear, sample
+from ..geometry.sampling import Bilinear
 from ..progress import SILENT, Progress
 from .delaunay import extreme_in_cells
 from .outliers import isolated, lonely_limit, plausible
@@ -154,23 +154,6 @@ def cell_numbers(x: np.ndarray, y: np.ndarray, grid: Grid) -> np.ndarray:
     row *= np.int32(grid.columns)
     row += column
     return row
-
-
-def near_cloth(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, heights: np.ndarray,
-               threshold: float) -> np.ndarray:
-    """Points within `threshold` metres of the cloth in height, (n,) bool."""
-    ground = np.zeros(len(z), dtype=bool)
-    x_min, y_min, x_max, y_max = grid.bounds
-    with np.errstate(invalid="ignore"):
-        inside = (x >= x_min) & (x <= x_max) & (y >= y_min) & (y <= y_max) & np.isfinite(z)
-    points = np.arange(len(z)) if inside.all() else np.flatnonzero(inside)
-    if len(points) < len(z):
-        x, y, z = x[points], y[points], z[points]
-    # The cloth is taut: what is far from it at the nearest node need not be interpolated.
-    near = np.flatnonzero(np.abs(z - heights.ravel()[cell_numbers(x, y, grid)]) < threshold + 2 * grid.cell)
-    height = sample(grid, heights, x[near], y[near])
-    ground[points[near]] = np.abs(z[near] - height) <= threshold
-    return ground
 
 
 @dataclass(frozen=True)

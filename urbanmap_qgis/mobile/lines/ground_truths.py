@@ -16,9 +16,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-LEAST_BASELINE = 0.5
-"""m: pairs that lie nearer together, as seen from the vehicle, tell no heading."""
-
 
 @dataclass(frozen=True)
 class Drift:
