@@ -18,7 +18,7 @@ setup:
 	@scripts/setup.sh
 
 demo: setup
-	scripts/demo.sh
+	scripts/demo/demo.sh
 
 # Parts in processes of their own: the core must work without QGIS. Exit code 5: a part has no tests.
 test: setup

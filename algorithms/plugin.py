@@ -7,8 +7,8 @@ from pathlib import Path
 from qgis.core import QgsApplication
 from qgis.PyQt.QtCore import QCoreApplication, QLocale, QSettings, QTranslator
 
-from .dependencies import activate_profile_packages
-from .parameters import tr
+from .framework.dependencies import activate_profile_packages
+from .framework.parameters import tr
 from .provider import UrbanMapProvider
 
 TRANSLATIONS = Path(__file__).resolve().parent.parent / "resources" / "translations"
@@ -44,7 +44,7 @@ class UrbanMapPlugin:
 
     def install_packages(self):
         """Show the window that installs missing packages."""
-        from .install import InstallDialog
+        from .framework.install import InstallDialog
 
         self.dialog = InstallDialog(self.iface.mainWindow())
         self.dialog.show()

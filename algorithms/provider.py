@@ -3,52 +3,19 @@
 from __future__ import annotations
 
 import importlib
+import pkgutil
 import traceback
+from collections.abc import Iterator
 from pathlib import Path
 
 from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingModelAlgorithm, QgsProcessingProvider
 from qgis.PyQt.QtGui import QIcon
 
-from .base import GROUPS
-from .parameters import tr
+from .framework.base import GROUPS, UrbanMapAlgorithm
+from .framework.parameters import tr
 
 ROOT = Path(__file__).resolve().parent.parent
 MODELS = ROOT / "resources" / "models"
-
-# Module and class of every algorithm. A module that cannot be imported is named in the log; the others go on.
-ALGORITHMS = (
-    ("samplecity", "SampleCity"),
-    ("surfacefromals", "SurfaceFromAls"),
-    ("orthorectifyframes", "OrthorectifyFrames"),
-    ("filtervehicles", "FilterVehicles"),
-    ("occlusionmap", "OcclusionMap"),
-    ("roadmarkingsfromorthophoto", "RoadMarkingsFromOrthophoto"),
-    ("aerialmarkings", "AerialMarkings"),
-    ("registermms", "RegisterMms"),
-    ("applytrajectory", "ApplyTrajectory"),
-    ("georeferencemms", "GeoreferenceMms"),
-    ("landmarkupdate", "LandmarkUpdate"),
-    ("checkaccuracy", "CheckAccuracy"),
-    ("groundfrommms", "GroundFromMms"),
-    ("roadmarkingsfrommms", "RoadMarkingsFromMms"),
-    ("facadetextures", "FacadeTextures"),
-    ("objectsfromimages", "ObjectsFromImages"),
-    ("georeferencescans", "GeoreferenceScans"),
-    ("rectifytrajectory", "RectifyTrajectory"),
-    ("tiepointproposals", "TiePointProposals"),
-    ("loadgsibuildings", "LoadGsiBuildings"),
-    ("segmentbuildings", "SegmentBuildings"),
-    ("segmentroofs", "SegmentRoofs"),
-    ("roofpolygons", "RoofPolygons"),
-    ("buildingmodels", "BuildingModels"),
-    ("wallsfrommms", "WallsFromMms"),
-    ("mergebuildingmodels", "MergeBuildingModels"),
-    ("mesh25d", "Mesh25D"),
-    ("buildingsfromals", "BuildingsFromAls"),
-    ("satellitevisibility", "SatelliteVisibility"),
-    ("gnssreflections", "GnssReflections"),
-    ("adjustwalls", "AdjustWalls"),
-)
 
 # What importing a module with a mistake in it raises.
 BROKEN_MODULE = (ImportError, SyntaxError, NameError, AttributeError, TypeError, ValueError, OSError)
@@ -87,13 +54,12 @@ class UrbanMapProvider(QgsProcessingProvider):
         return True
 
     def loadAlgorithms(self):
-        for module, class_name in ALGORITHMS:
+        for module in algorithm_modules():
             try:
-                algorithm = getattr(importlib.import_module(f".{module}", __package__), class_name)()
+                for algorithm in algorithms_of(importlib.import_module(module, __package__)):
+                    self.addAlgorithm(algorithm)
             except BROKEN_MODULE:
-                self._warn(tr("The algorithm {0} cannot be loaded:").format(module), traceback.format_exc())
-                continue
-            self.addAlgorithm(algorithm)
+                self._warn(tr("The module {0} cannot be loaded:").format(module), traceback.format_exc())
         for path in sorted(MODELS.glob("*.model3")):
             model = QgsProcessingModelAlgorithm()
             if model.fromFile(str(path)):
@@ -105,6 +71,20 @@ class UrbanMapProvider(QgsProcessingProvider):
     @staticmethod
     def _warn(sentence: str, detail: str = "") -> None:
         QgsMessageLog.logMessage(f"{sentence}\n{detail}".strip(), "UrbanMap", Qgis.MessageLevel.Warning)
+
+
+def algorithm_modules() -> list[str]:
+    """Relative names of the modules in the groups' folders (".buildings.segmentroofs"), in the order of the groups."""
+    folder = Path(__file__).resolve().parent
+    return [f".{group}.{module.name}" for group in GROUPS for module in pkgutil.iter_modules([str(folder / group)])]
+
+
+def algorithms_of(module) -> Iterator[UrbanMapAlgorithm]:
+    """An instance of each algorithm that a module defines; none for a module of what a group shares."""
+    for kind in vars(module).values():
+        if (isinstance(kind, type) and issubclass(kind, UrbanMapAlgorithm) and kind.ID
+                and kind.__module__ == module.__name__):
+            yield kind()
 
 
 def plugin_version() -> str:

@@ -17,15 +17,15 @@ from pathlib import Path
 
 import numpy as np
 
-from scripts.demo_checks import read_layer
+from scripts.demo.checks import read_layer
 from urbanmap_qgis.io.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
-from urbanmap_qgis.mobile.registration.reference import Reference
+from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
 from urbanmap_qgis.mobile.registration.register import register_windows
-from urbanmap_qgis.mobile.registration.results import MarkingPoints, RegistrationSettings
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, driven_way, interpolate
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 

@@ -29,10 +29,10 @@ from urbanmap_qgis.mobile.control import ControlPoints, accuracy, in_survey_time
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
 from urbanmap_qgis.mobile.movement import movement_between
-from urbanmap_qgis.mobile.registration.reference import Reference
+from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings, WindowResults
 from urbanmap_qgis.mobile.registration.register import register_windows
-from urbanmap_qgis.mobile.registration.results import MarkingPoints, RegistrationSettings, WindowResults
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, driven_way
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 

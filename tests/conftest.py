@@ -31,7 +31,7 @@ def real_data() -> Path:
 def small_city() -> Path:
     """Folder of a sample city of 100 m, made once for all parts of the tests and kept until its code changes."""
     write = importlib.import_module("urbanmap_qgis.samplecity.write")
-    source = sorted(Path(write.__file__).parent.glob("*.py"))
+    source = sorted(Path(write.__file__).parent.rglob("*.py"))
     key = hashlib.sha256(b"".join(path.read_bytes() for path in source)).hexdigest()[:12]
     folder = ROOT / "build" / "test_cities" / key
     if not folder.is_dir():

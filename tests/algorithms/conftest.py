@@ -58,7 +58,7 @@ def qgis_app(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def plugin(qgis_app):
-    """The modules of the plugin: `plugin("algorithms.base")`."""
+    """The modules of the plugin: `plugin("algorithms.framework.base")`."""
     return lambda name: importlib.import_module(f"{PLUGIN}.{name}")
 
 

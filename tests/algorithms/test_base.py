@@ -14,8 +14,8 @@ BOW_TIE = "POLYGON((0 0, 10 10, 10 0, 0 10, 0 0))"
 @pytest.fixture
 def example(plugin):
     """An algorithm that copies polygons and does on demand what can go wrong."""
-    base = plugin("algorithms.base")
-    layers = plugin("algorithms.layers")
+    base = plugin("algorithms.framework.base")
+    layers = plugin("algorithms.framework.layers")
 
     class Example(base.UrbanMapAlgorithm):
         ID = "example"
@@ -149,7 +149,7 @@ def test_failure_in_the_middle_of_writing_keeps_the_earlier_result(
     layer = polygon_layer([SQUARE] * 5)
     run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)})
     before = path.read_bytes()
-    layers = plugin("algorithms.layers")
+    layers = plugin("algorithms.framework.layers")
     monkeypatch.setattr(layers, "BATCH", 2)
     whole = layers.features_of
 
@@ -177,8 +177,8 @@ def test_style_is_saved_in_the_geopackage_and_given_to_the_loaded_layer(
         QgsVectorLayer,
     )
 
-    base = plugin("algorithms.base")
-    layers = plugin("algorithms.layers")
+    base = plugin("algorithms.framework.base")
+    layers = plugin("algorithms.framework.layers")
     monkeypatch.setattr(layers, "STYLES", tmp_path)
     styled = polygon_layer([SQUARE])
     styled.setRenderer(QgsSingleSymbolRenderer(QgsFillSymbol.createSimple({"color": "#123456"})))
@@ -326,7 +326,7 @@ def test_optional_output_can_be_offered_in_the_toolbox(example, qgis_app):
 def test_same_crs_ignores_the_height_system(plugin, qgis_app):
     from qgis.core import QgsCoordinateReferenceSystem
 
-    crs = plugin("algorithms.crs")
+    crs = plugin("algorithms.framework.crs")
     errors = plugin("urbanmap_qgis.errors")
     plane, compound, other = (QgsCoordinateReferenceSystem(code) for code in ("EPSG:28992", "EPSG:7415", "EPSG:31370"))
     crs.same_crs("Points", crs.wkt_of(compound), "Outlines", plane)
@@ -343,7 +343,7 @@ def test_two_datums_of_one_zone_differ(plugin, qgis_app):
     """JGD2000 and JGD2011 have the same projection and lie metres apart in the north-east of Japan."""
     from qgis.core import QgsCoordinateReferenceSystem
 
-    crs = plugin("algorithms.crs")
+    crs = plugin("algorithms.framework.crs")
     errors = plugin("urbanmap_qgis.errors")
     with pytest.raises(errors.InputError):
         crs.same_crs("A", QgsCoordinateReferenceSystem("EPSG:2451"), "B", QgsCoordinateReferenceSystem("EPSG:6677"))

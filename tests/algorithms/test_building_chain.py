@@ -252,7 +252,7 @@ def test_two_workers_change_nothing(town, tmp_path, monkeypatch, plugin):
     monkeypatch.setattr(plugin("urbanmap_qgis.io.point_buckets").PointBuckets.__init__, "__defaults__", (0,))
     monkeypatch.setattr(plugin("urbanmap_qgis.io.pointcloud").iter_chunks, "__defaults__", (
         *plugin("urbanmap_qgis.io.pointcloud").iter_chunks.__defaults__[:-1], 20_000))
-    workers = plugin("algorithms.workers")
+    workers = plugin("algorithms.framework.workers")
     monkeypatch.setattr(workers, "_processes", workers._in_window)
     again = run_chain(tmp_path, town.files, town.outlines, WORKERS=2)
     assert solids_of(again["OUTPUT_CITYJSON"]) == solids_of(town.results["OUTPUT_CITYJSON"])

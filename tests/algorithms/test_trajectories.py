@@ -13,7 +13,7 @@ NAMES = ("time", "x", "y", "z", "roll", "pitch", "heading")
 @pytest.fixture
 def shift(plugin):
     """An algorithm that moves a trajectory a metre to the east."""
-    base = plugin("algorithms.base")
+    base = plugin("algorithms.framework.base")
 
     class Shift(base.UrbanMapAlgorithm):
         ID = "shift"

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import shapely
 
-from scripts import demo_checks
-from scripts.demo_stages import stages
+from scripts.demo import checks as demo_checks
+from scripts.demo.stages import stages
 
 # Stage: what may be (figure begins with, lowest, greatest). Each bound is some times what is reached.
 SANE = {

@@ -7,12 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
-from urbanmap_qgis.mobile.registration.results import (
-    MODES,
-    NO_MARKINGS,
-    REGISTERED,
-    WindowResults,
-)
+from urbanmap_qgis.mobile.registration.records import MODES, NO_MARKINGS, REGISTERED, WindowResults
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 PATCH = 0.5

@@ -8,8 +8,14 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.gnss.antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals, tukey
-from urbanmap_qgis.gnss.signals import Epochs, Signals, join
+from urbanmap_qgis.gnss.signals.antenna_height import (
+    estimate_height,
+    grouped_median,
+    strong_scatter,
+    strong_signals,
+    tukey,
+)
+from urbanmap_qgis.gnss.signals.tables import Epochs, Signals, join
 
 OFFSET = {"G": 0.0, "E": 1.5, "C": -7.0}
 

@@ -11,11 +11,15 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.registration.block_chain import solve_chain
-from urbanmap_qgis.mobile.registration.correction import CorrectionSettings, adjust_correction, correct_trajectory
-from urbanmap_qgis.mobile.registration.drift_model import DriftModel, drift_clock
-from urbanmap_qgis.mobile.registration.patch_status import BRIDGED, DISTRUSTED, REGISTERED
-from urbanmap_qgis.mobile.registration.results import NO_MARKINGS
+from urbanmap_qgis.mobile.registration.correction.drift_model import DriftModel, drift_clock
+from urbanmap_qgis.mobile.registration.correction.estimate import (
+    CorrectionSettings,
+    adjust_correction,
+    correct_trajectory,
+)
+from urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
+from urbanmap_qgis.mobile.registration.matching.block_chain import solve_chain
+from urbanmap_qgis.mobile.registration.records import NO_MARKINGS
 
 spec = importlib.util.spec_from_file_location("simulated_windows", Path(__file__).with_name("simulated_windows.py"))
 simulated = importlib.util.module_from_spec(spec)

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.ephemeris import (
+from urbanmap_qgis.gnss.orbits.ephemeris import (
     NO_EPHEMERIS,
     OK,
     UNHEALTHY,
@@ -19,7 +19,7 @@ from urbanmap_qgis.gnss.ephemeris import (
     signal_paths,
     sky_at,
 )
-from urbanmap_qgis.gnss.rinex_navigation import GlonassRecords, KeplerRecords, read_navigation_files
+from urbanmap_qgis.gnss.rinex.navigation import GlonassRecords, KeplerRecords, read_navigation_files
 
 C = 299792458.0
 TURN = 7.2921151467e-5

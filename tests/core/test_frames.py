@@ -7,7 +7,7 @@ import pyproj
 import pytest
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.frames import MapFrame, directions, elevation_azimuth
+from urbanmap_qgis.gnss.orbits.earth_fixed import MapFrame, directions, elevation_azimuth
 
 CASES = [("EPSG:6677", -6950.0, -34100.0), ("EPSG:32650", 209212.8, 2468743.1), ("EPSG:25833", 391000.0, 5819000.0),
          ("EPSG:2193", 1750000.0, 5427000.0), ("EPSG:31983", 333000.0, 7394000.0)]

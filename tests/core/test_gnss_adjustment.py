@@ -8,17 +8,17 @@ import shapely
 
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
-from urbanmap_qgis.gnss import moved_buildings
-from urbanmap_qgis.gnss.moved_buildings import PlanNet, applied_offsets, moved_walls, settle
-from urbanmap_qgis.gnss.passes import joined
-from urbanmap_qgis.gnss.reflections import LOS, NLOS, REFLECTED, TraceSettings, trace
-from urbanmap_qgis.gnss.residuals import trace_residuals
-from urbanmap_qgis.gnss.shared_clock import pass_clocks
-from urbanmap_qgis.gnss.signals import Epochs, Signals
-from urbanmap_qgis.gnss.wall_adjustment import ADJUSTED, NOT_OBSERVABLE, AdjustmentSettings, adjust_walls
-from urbanmap_qgis.gnss.wall_posterior import ErrorModel, estimate_offsets
-from urbanmap_qgis.gnss.wall_votes import Votes
-from urbanmap_qgis.gnss.walls import building_walls, wall_table
+from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED, TraceSettings, trace
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls, wall_table
+from urbanmap_qgis.gnss.signals.passes import joined
+from urbanmap_qgis.gnss.signals.tables import Epochs, Signals
+from urbanmap_qgis.gnss.walls import moved_buildings
+from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, NOT_OBSERVABLE, AdjustmentSettings, adjust_walls
+from urbanmap_qgis.gnss.walls.moved_buildings import PlanNet, applied_offsets, moved_walls, settle
+from urbanmap_qgis.gnss.walls.offset_observations import Votes
+from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, estimate_offsets
+from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
+from urbanmap_qgis.gnss.walls.residuals import trace_residuals
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 # Two rows of blocks, 24 m high, along a street that runs north and is 20 m wide; open ground in the south.
@@ -47,7 +47,7 @@ def signals_of(place, time, azimuth, elevation, residual=0.0, cn0=None, source=0
 
 
 def joined_signals(parts):
-    from urbanmap_qgis.gnss.signals import join
+    from urbanmap_qgis.gnss.signals.tables import join
 
     return join(parts)
 

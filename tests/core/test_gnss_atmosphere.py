@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.gnss.atmosphere import ionosphere, klobuchar, klobuchar_beidou, nearest_model, troposphere
-from urbanmap_qgis.gnss.rinex_navigation import Ionosphere
+from urbanmap_qgis.gnss.rinex.navigation import Ionosphere
+from urbanmap_qgis.gnss.signals.atmosphere import ionosphere, klobuchar, klobuchar_beidou, nearest_model, troposphere
 
 ALPHA = (1.1176e-08, 2.2352e-08, -5.9605e-08, -1.1921e-07)
 BETA = (9.6256e+04, 1.3107e+05, -6.5536e+04, -5.8982e+05)

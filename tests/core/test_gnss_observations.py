@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
-from urbanmap_qgis.gnss.antenna_height import estimate_height
-from urbanmap_qgis.gnss.ephemeris import Navigation, read_navigation, satellite_states
-from urbanmap_qgis.gnss.observations import load_observations, trajectory_shift
-from urbanmap_qgis.gnss.passes import joined
-from urbanmap_qgis.gnss.residuals import corrected_residuals
-from urbanmap_qgis.gnss.shared_clock import pass_clocks
-from urbanmap_qgis.gnss.signals import Signals, SignalSettings
+from urbanmap_qgis.gnss.orbits.ephemeris import Navigation, read_navigation, satellite_states
+from urbanmap_qgis.gnss.signals.antenna_height import estimate_height
+from urbanmap_qgis.gnss.signals.observations import load_observations, trajectory_shift
+from urbanmap_qgis.gnss.signals.passes import joined
+from urbanmap_qgis.gnss.signals.tables import Signals, SignalSettings
+from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
+from urbanmap_qgis.gnss.walls.residuals import corrected_residuals
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 

@@ -5,7 +5,7 @@ import pytest
 from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.passes import load_passes
+from urbanmap_qgis.gnss.signals.passes import load_passes
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 

@@ -5,8 +5,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import Cancelled
-from urbanmap_qgis.gnss.rays import Obstacles, bounces, turned, unhindered
-from urbanmap_qgis.gnss.walls import building_walls
+from urbanmap_qgis.gnss.rays.tracing import Obstacles, bounces, turned, unhindered
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.progress import Progress
 
 

@@ -7,7 +7,7 @@ from datetime import datetime
 import numpy as np
 import pytest
 
-from urbanmap_qgis.gnss.gnss_time import (
+from urbanmap_qgis.gnss.rinex.gnss_time import (
     WEEK,
     calendar_seconds,
     calendar_text,

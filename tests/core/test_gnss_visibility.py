@@ -7,11 +7,10 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
-from urbanmap_qgis.gnss.ephemeris import read_navigation, sky_at
-from urbanmap_qgis.gnss.frames import MapFrame, directions, elevation_azimuth
-from urbanmap_qgis.gnss.gnss_time import calendar_text
-from urbanmap_qgis.gnss.rays import Obstacles
-from urbanmap_qgis.gnss.visibility import (
+from urbanmap_qgis.gnss.orbits.earth_fixed import MapFrame, directions, elevation_azimuth
+from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation, sky_at
+from urbanmap_qgis.gnss.rays.tracing import Obstacles
+from urbanmap_qgis.gnss.rays.visibility import (
     SkySettings,
     area_grid,
     gps_time_of,
@@ -21,7 +20,8 @@ from urbanmap_qgis.gnss.visibility import (
     visibility_over,
     visible_satellites,
 )
-from urbanmap_qgis.gnss.walls import building_walls
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.gnss.rinex.gnss_time import calendar_text
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 
@@ -145,7 +145,7 @@ def test_the_cut_into_pieces_does_not_matter(navigation, monkeypatch):
     grid = area_grid((EAST - 30, NORTH - 30, EAST + 30, NORTH + 30), 5.0)
     arguments = (Obstacles.of(street()), navigation, grid, np.full(grid.shape, 2.0), TIME, CRS, SkySettings())
     _, _, whole = visibility_over(*arguments)
-    monkeypatch.setattr("urbanmap_qgis.gnss.visibility._RAYS", 100)
+    monkeypatch.setattr("urbanmap_qgis.gnss.rays.visibility._RAYS", 100)
     _, _, pieces = visibility_over(*arguments)
     assert np.array_equal(whole.satellites, pieces.satellites)
     assert whole.pdop == pytest.approx(pieces.pdop, rel=1e-9, nan_ok=True)

@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.walls import building_walls, cityjson_shapes, is_solid, moved, wall_table
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls, cityjson_shapes, is_solid, moved, wall_table
 
 
 def box_solid(x0, y0, x1, y1, low, top, inwards=False):

@@ -5,11 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from urbanmap_qgis.buildings.roofs.height_histogram import (
-    height_histogram,
-    height_peaks,
-    minimum_points,
-)
+from urbanmap_qgis.buildings.roofs.height_histogram import height_histogram, height_peaks, minimum_points
 from urbanmap_qgis.errors import InputError
 
 

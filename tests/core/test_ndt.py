@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from urbanmap_qgis.mobile.registration.ndt_map import build_ndt
-from urbanmap_qgis.mobile.registration.ndt_match import (
+from urbanmap_qgis.mobile.registration.matching.ndt_map import build_ndt
+from urbanmap_qgis.mobile.registration.matching.ndt_match import (
     Mixture,
     Pose,
     match_points,

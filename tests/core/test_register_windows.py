@@ -13,9 +13,7 @@ from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.mobile.registration import register as register_module
-from urbanmap_qgis.mobile.registration.reference import Reference
-from urbanmap_qgis.mobile.registration.register import register_windows
-from urbanmap_qgis.mobile.registration.results import (
+from urbanmap_qgis.mobile.registration.records import (
     AMBIGUOUS,
     NO_MARKINGS,
     REGISTERED,
@@ -23,6 +21,8 @@ from urbanmap_qgis.mobile.registration.results import (
     RegistrationSettings,
     WindowResults,
 )
+from urbanmap_qgis.mobile.registration.register import register_windows
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points
 
 ORIGIN = np.array([-7000.0, -34000.0])

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 
 from urbanmap_qgis.geometry.grid import Grid
-from urbanmap_qgis.mobile.registration.correlation_start import (
+from urbanmap_qgis.mobile.registration.start.correlation_start import (
     CELL,
     ScoreImage,
     best_way,
@@ -15,7 +15,7 @@ from urbanmap_qgis.mobile.registration.correlation_start import (
     shift_scores,
     spreads,
 )
-from urbanmap_qgis.mobile.registration.reference import Coverage
+from urbanmap_qgis.mobile.registration.start.reference import Coverage
 
 
 def test_scores_of_shifts_are_the_sums_of_what_points_fall_on():

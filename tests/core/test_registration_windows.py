@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.registration.patch_points import thin_points
-from urbanmap_qgis.mobile.registration.patches import cut_patches
-from urbanmap_qgis.mobile.registration.results import MarkingPoints, RegistrationSettings
-from urbanmap_qgis.mobile.registration.windows import choose_windows
+from urbanmap_qgis.mobile.registration.matching.windows import choose_windows
+from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
+from urbanmap_qgis.mobile.registration.start.patch_points import thin_points
+from urbanmap_qgis.mobile.registration.start.patches import cut_patches
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 

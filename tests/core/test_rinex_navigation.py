@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.rinex_navigation import read_navigation_files
+from urbanmap_qgis.gnss.rinex.navigation import read_navigation_files
 
 WEEK = 2033
 SUNDAY = WEEK * 604800.0

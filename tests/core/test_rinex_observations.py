@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
-from urbanmap_qgis.gnss.rinex_observations import read_observations
+from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 from urbanmap_qgis.progress import Progress
 
 DAY = 14231 * 86400.0

@@ -13,15 +13,15 @@ import shapely
 
 from urbanmap_qgis.errors import Cancelled
 from urbanmap_qgis.progress import SILENT, Progress
-from urbanmap_qgis.samplecity.aerial import make_stage, write_aerial
-from urbanmap_qgis.samplecity.aerial_render import BUILDING, VEGETATION, VEHICLE, render_frame
-from urbanmap_qgis.samplecity.camera import Camera, Exposure, ray_matrix
-from urbanmap_qgis.samplecity.depth_image import DepthImage
-from urbanmap_qgis.samplecity.flight import plan_flight
-from urbanmap_qgis.samplecity.model import AERIAL, Building, FaceKind, Marking, RoofPart
-from urbanmap_qgis.samplecity.orthophoto import Orthophoto
-from urbanmap_qgis.samplecity.scene import make_scene
-from urbanmap_qgis.samplecity.sunlight import Sun
+from urbanmap_qgis.samplecity.aerial.camera import Camera, Exposure, ray_matrix
+from urbanmap_qgis.samplecity.aerial.depth_image import DepthImage
+from urbanmap_qgis.samplecity.aerial.flight import plan_flight
+from urbanmap_qgis.samplecity.aerial.orthophoto import Orthophoto
+from urbanmap_qgis.samplecity.aerial.render import BUILDING, VEGETATION, VEHICLE, render_frame
+from urbanmap_qgis.samplecity.aerial.stage import make_stage, write_aerial
+from urbanmap_qgis.samplecity.aerial.sunlight import Sun
+from urbanmap_qgis.samplecity.scene.model import AERIAL, Building, FaceKind, Marking, RoofPart
+from urbanmap_qgis.samplecity.scene.world import make_scene
 
 pytestmark = pytest.mark.filterwarnings("ignore::rasterio.errors.NotGeoreferencedWarning")
 

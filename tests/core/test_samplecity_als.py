@@ -7,8 +7,8 @@ import shapely
 
 from urbanmap_qgis.errors import Cancelled
 from urbanmap_qgis.progress import Progress
-from urbanmap_qgis.samplecity import als
-from urbanmap_qgis.samplecity.scene import make_scene
+from urbanmap_qgis.samplecity.laser import als
+from urbanmap_qgis.samplecity.scene.world import make_scene
 
 
 @pytest.fixture(scope="module")

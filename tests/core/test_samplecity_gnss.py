@@ -16,16 +16,16 @@ import shapely
 
 from urbanmap_qgis.errors import Cancelled
 from urbanmap_qgis.progress import SILENT, Progress
-from urbanmap_qgis.samplecity.displaced_walls import deliver
-from urbanmap_qgis.samplecity.gnss import write_gnss
-from urbanmap_qgis.samplecity.gnss_atmosphere import klobuchar, saastamoinen
-from urbanmap_qgis.samplecity.gnss_frame import GEOID_SEPARATION, Frame
-from urbanmap_qgis.samplecity.gnss_passes import DAY_START, WEEK
-from urbanmap_qgis.samplecity.gnss_rays import WAVE_LENGTH, edge_excess, edge_loss, way_through_crowns
-from urbanmap_qgis.samplecity.model import GROUND, Crowns, FaceKind
-from urbanmap_qgis.samplecity.orbits import Orbits, eccentric_anomaly, make_constellation, satellite_states
-from urbanmap_qgis.samplecity.rinex_write import calendar
-from urbanmap_qgis.samplecity.scene import CRS, make_scene
+from urbanmap_qgis.samplecity.gnss.atmosphere import klobuchar, saastamoinen
+from urbanmap_qgis.samplecity.gnss.displaced_walls import deliver
+from urbanmap_qgis.samplecity.gnss.earth_fixed import GEOID_SEPARATION, Frame
+from urbanmap_qgis.samplecity.gnss.orbits import Orbits, eccentric_anomaly, make_constellation, satellite_states
+from urbanmap_qgis.samplecity.gnss.passes import DAY_START, WEEK
+from urbanmap_qgis.samplecity.gnss.rays import WAVE_LENGTH, edge_excess, edge_loss, way_through_crowns
+from urbanmap_qgis.samplecity.gnss.rinex_write import calendar
+from urbanmap_qgis.samplecity.gnss.stage import write_gnss
+from urbanmap_qgis.samplecity.scene.model import GROUND, Crowns, FaceKind
+from urbanmap_qgis.samplecity.scene.world import CRS, make_scene
 
 C = 299792458.0
 SEED = 5

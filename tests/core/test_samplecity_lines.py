@@ -10,11 +10,11 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.progress import SILENT
-from urbanmap_qgis.samplecity import lines
-from urbanmap_qgis.samplecity.drive import drive
-from urbanmap_qgis.samplecity.model import FaceKind, Material
-from urbanmap_qgis.samplecity.scene import make_scene
-from urbanmap_qgis.samplecity.trajectory import Trajectory
+from urbanmap_qgis.samplecity.drive import lines
+from urbanmap_qgis.samplecity.drive.motion import drive
+from urbanmap_qgis.samplecity.drive.trajectory import Trajectory
+from urbanmap_qgis.samplecity.scene.model import FaceKind, Material
+from urbanmap_qgis.samplecity.scene.world import make_scene
 
 TO_EAST_NORTH_UP = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])
 

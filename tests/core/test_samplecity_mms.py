@@ -11,14 +11,14 @@ from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.errors import Cancelled
 from urbanmap_qgis.progress import SILENT, Progress
-from urbanmap_qgis.samplecity import mms
-from urbanmap_qgis.samplecity.drive import survey_drive
-from urbanmap_qgis.samplecity.model import REFLECTANCE, FaceKind, Material
-from urbanmap_qgis.samplecity.navigation_error import reported_trajectory
-from urbanmap_qgis.samplecity.raycast import RayCaster
-from urbanmap_qgis.samplecity.scanner import scan, spot_reflectance
-from urbanmap_qgis.samplecity.scene import make_scene
-from urbanmap_qgis.samplecity.trajectory import Trajectory, body_to_world
+from urbanmap_qgis.samplecity.drive import mms
+from urbanmap_qgis.samplecity.drive.motion import survey_drive
+from urbanmap_qgis.samplecity.drive.navigation_error import reported_trajectory
+from urbanmap_qgis.samplecity.drive.scanner import scan, spot_reflectance
+from urbanmap_qgis.samplecity.drive.trajectory import Trajectory, body_to_world
+from urbanmap_qgis.samplecity.laser.raycast import RayCaster
+from urbanmap_qgis.samplecity.scene.model import REFLECTANCE, FaceKind, Material
+from urbanmap_qgis.samplecity.scene.world import make_scene
 
 START = 361400.0
 TO_EAST_NORTH_UP = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])

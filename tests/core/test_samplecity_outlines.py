@@ -7,9 +7,9 @@ import pytest
 import shapely
 
 from urbanmap_qgis.io.gsi import read_gsi_buildings, reproject
-from urbanmap_qgis.samplecity import outlines
-from urbanmap_qgis.samplecity.geopackage import Layer, write_geopackage
-from urbanmap_qgis.samplecity.scene import make_scene
+from urbanmap_qgis.samplecity.scene.world import make_scene
+from urbanmap_qgis.samplecity.truth import outlines
+from urbanmap_qgis.samplecity.truth.geopackage import Layer, write_geopackage
 
 
 @pytest.fixture(scope="module")

@@ -5,11 +5,11 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from urbanmap_qgis.samplecity.faces import box_faces
-from urbanmap_qgis.samplecity.model import GROUND, Material
-from urbanmap_qgis.samplecity.raycast import Hit, RayCaster
-from urbanmap_qgis.samplecity.scene import make_scene
-from urbanmap_qgis.samplecity.surfaces import hit_material
+from urbanmap_qgis.samplecity.laser.raycast import Hit, RayCaster
+from urbanmap_qgis.samplecity.laser.surfaces import hit_material
+from urbanmap_qgis.samplecity.scene.faces import box_faces
+from urbanmap_qgis.samplecity.scene.model import GROUND, Material
+from urbanmap_qgis.samplecity.scene.world import make_scene
 
 RANGE = 120.0
 
@@ -128,7 +128,7 @@ def test_result_does_not_depend_on_the_cut_or_the_executor(caster, rays, monkeyp
     origin, direction, time = rays
     leaf = np.random.default_rng(1).exponential(size=len(time))
     whole = caster.cast(origin, direction, time, RANGE, leaf)
-    monkeypatch.setattr("urbanmap_qgis.samplecity.raycast.CHUNK", 100)
+    monkeypatch.setattr("urbanmap_qgis.samplecity.laser.raycast.CHUNK", 100)
     with ThreadPoolExecutor(2) as executor:
         pieces = caster.cast(origin, direction, time, RANGE, leaf, executor)
     for name in ("distance", "source", "index", "normal", "cosine"):

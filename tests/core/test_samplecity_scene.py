@@ -5,9 +5,9 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.samplecity.ground import KERB_HEIGHT, Surface
-from urbanmap_qgis.samplecity.model import AERIAL, GROUND, FaceKind, Material
-from urbanmap_qgis.samplecity.scene import SCENES, make_scene
+from urbanmap_qgis.samplecity.scene.ground import KERB_HEIGHT, Surface
+from urbanmap_qgis.samplecity.scene.model import AERIAL, GROUND, FaceKind, Material
+from urbanmap_qgis.samplecity.scene.world import SCENES, make_scene
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ import shapely
 from urbanmap_qgis.errors import Cancelled, InputError, OutputError
 from urbanmap_qgis.progress import Progress
 from urbanmap_qgis.samplecity import write
-from urbanmap_qgis.samplecity.scene import make_scene
+from urbanmap_qgis.samplecity.scene.world import make_scene
 
 QUICK = ("als", "footprints")
 

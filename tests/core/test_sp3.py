@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.ephemeris import OK, read_navigation, satellite_states
-from urbanmap_qgis.gnss.sp3 import interpolate_orbits, is_sp3, read_sp3
+from urbanmap_qgis.gnss.orbits.ephemeris import OK, read_navigation, satellite_states
+from urbanmap_qgis.gnss.orbits.sp3 import interpolate_orbits, is_sp3, read_sp3
 
 FIRST = datetime(2018, 12, 23)
 START = 2033 * 604800.0

@@ -8,12 +8,12 @@ from pyproj import CRS
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
-from urbanmap_qgis.mobile.registration.course import Course, course_covariance, course_step
-from urbanmap_qgis.mobile.registration.ndt_match import Pose
-from urbanmap_qgis.mobile.registration.patch_points import PatchPoints
-from urbanmap_qgis.mobile.registration.patch_sums import PLANE, SPACE, PatchSums, point_gradients, sum_points
-from urbanmap_qgis.mobile.registration.reference import Coverage, Reference
-from urbanmap_qgis.mobile.registration.subpixel import MarkingField, field_terms
+from urbanmap_qgis.mobile.registration.matching.course import Course, course_covariance, course_step
+from urbanmap_qgis.mobile.registration.matching.ndt_match import Pose
+from urbanmap_qgis.mobile.registration.matching.patch_sums import PLANE, SPACE, PatchSums, point_gradients, sum_points
+from urbanmap_qgis.mobile.registration.matching.subpixel import MarkingField, field_terms
+from urbanmap_qgis.mobile.registration.start.patch_points import PatchPoints
+from urbanmap_qgis.mobile.registration.start.reference import Coverage, Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, angles_of, move_points, rotations
 
 BACKGROUND = 0.1
@@ -132,7 +132,7 @@ def test_course_step_and_covariance_equal_the_dense_solution(active):
     step = course_step(course, sums, active)
     covariance = course_covariance(course, sums.information, active)
     # The same system at once, from the random walk's definition.
-    from urbanmap_qgis.mobile.registration import course as module
+    from urbanmap_qgis.mobile.registration.matching import course as module
 
     pick, size = list(active), len(active)
     dense = np.zeros((count * size, count * size))

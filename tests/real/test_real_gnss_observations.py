@@ -9,15 +9,15 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.antenna_height import estimate_height, strong_signals
-from urbanmap_qgis.gnss.ephemeris import read_navigation, turned_with_earth
-from urbanmap_qgis.gnss.observations import expected_sigma, load_observations
-from urbanmap_qgis.gnss.rays import Obstacles
-from urbanmap_qgis.gnss.residuals import corrected_residuals
-from urbanmap_qgis.gnss.rinex_observations import read_observations
-from urbanmap_qgis.gnss.shared_clock import pass_clocks
-from urbanmap_qgis.gnss.signals import Epochs, Signals
-from urbanmap_qgis.gnss.walls import building_walls
+from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation, turned_with_earth
+from urbanmap_qgis.gnss.rays.tracing import Obstacles
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.gnss.rinex.observation_file import read_observations
+from urbanmap_qgis.gnss.signals.antenna_height import estimate_height, strong_signals
+from urbanmap_qgis.gnss.signals.observations import expected_sigma, load_observations
+from urbanmap_qgis.gnss.signals.tables import Epochs, Signals
+from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
+from urbanmap_qgis.gnss.walls.residuals import corrected_residuals
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 CRS = "EPSG:32650"

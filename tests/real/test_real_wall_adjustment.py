@@ -16,13 +16,13 @@ import pyproj
 import pytest
 import shapely
 
-from urbanmap_qgis.gnss.observations import load_observations
-from urbanmap_qgis.gnss.ray_lines import ray_figures
-from urbanmap_qgis.gnss.reflections import LOS, NLOS, REFLECTED
-from urbanmap_qgis.gnss.residuals import trace_residuals
-from urbanmap_qgis.gnss.signals import join
-from urbanmap_qgis.gnss.wall_adjustment import ADJUSTED, adjust_walls
-from urbanmap_qgis.gnss.walls import building_walls
+from urbanmap_qgis.gnss.rays.ray_lines import ray_figures
+from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.gnss.signals.observations import load_observations
+from urbanmap_qgis.gnss.signals.tables import join
+from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, adjust_walls
+from urbanmap_qgis.gnss.walls.residuals import trace_residuals
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 PASSES = 14

@@ -16,16 +16,16 @@ import numpy as np
 
 from ..errors import OutputError
 from ..progress import SILENT, Progress
-from .aerial import write_aerial
-from .als import write_als
-from .gnss import write_gnss
-from .lines import write_lines
-from .mms import write_mms
-from .outlines import write_outlines
+from .aerial.stage import write_aerial
+from .drive.lines import write_lines
+from .drive.mms import write_mms
+from .gnss.stage import write_gnss
+from .laser.als import write_als
 from .place import check_place
 from .post import Letters, Post
-from .scene import CRS, Scene, make_scene
-from .truth import write_truth
+from .scene.world import CRS, Scene, make_scene
+from .truth.outlines import write_outlines
+from .truth.stage import write_truth
 
 Write = Callable[[Scene, Path, np.random.SeedSequence, Progress], dict]
 

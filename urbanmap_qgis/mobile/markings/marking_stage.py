@@ -19,7 +19,7 @@ from ...progress import SILENT, Progress
 from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
 from ...terrain.surface import ground_source
 from ..calibration import Calibration
-from ..registration.results import MarkingPoints
+from ..registration.records import MarkingPoints
 from ..trajectory import Trajectory
 from .intensity_calibration import IntensityCurve, RangeHistogram, calibrated, fit_curve
 from .marking_points import MarkingPointSettings, Noise, marking_points, roughness

@@ -17,15 +17,15 @@ from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory
-from .correlation_start import CELL, EVIDENCE_AREA, best_way, centred, score_image, shift_scores
-from .patch_points import PatchPoints, thin_points
-from .patches import Patches, cut_patches
-from .reference import Reference
-from .results import MarkingPoints, RegistrationSettings, WindowResults
-from .rows import Start, assemble
-from .single_windows import register_single
-from .stretch import Stretch, adjust_stretch
-from .windows import Windows, choose_windows
+from .matching.rows import Start, assemble
+from .matching.single_windows import register_single
+from .matching.stretch import Stretch, adjust_stretch
+from .matching.windows import Windows, choose_windows
+from .records import MarkingPoints, RegistrationSettings, WindowResults
+from .start.correlation_start import CELL, EVIDENCE_AREA, best_way, centred, score_image, shift_scores
+from .start.patch_points import PatchPoints, thin_points
+from .start.patches import Patches, cut_patches
+from .start.reference import Reference
 
 BLOCK = 5
 """Patches of a block, whose scores of shifts are found together."""

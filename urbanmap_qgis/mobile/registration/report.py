@@ -15,9 +15,9 @@ from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, profile
 from ...io.svg_profile import Stretch as Shade
 from ..movement import movement_between
-from .patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
-from .reference import Reference
+from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .stage import RegisteredSurvey, stretches
+from .start.reference import Reference
 
 _SIDE = 24.0  # m of road that a picture shows
 _PIXEL = 0.04  # m

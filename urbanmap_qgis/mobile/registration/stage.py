@@ -16,13 +16,13 @@ from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
 from ..trajectory import Trajectory
-from .correction import Correction, CorrectionSettings, adjust_correction, correct_trajectory
-from .drift_model import drift_clock
-from .patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
-from .point_evidence import PointEvidence
-from .reference import Reference
+from .correction.drift_model import drift_clock
+from .correction.estimate import Correction, CorrectionSettings, adjust_correction, correct_trajectory
+from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
+from .correction.point_evidence import PointEvidence
+from .records import MarkingPoints, RegistrationSettings, WindowResults
 from .register import register_windows
-from .results import MarkingPoints, RegistrationSettings, WindowResults
+from .start.reference import Reference
 
 _SHORTEST = 1.0  # m: shorter stretches are joined to what is around them when they are told
 

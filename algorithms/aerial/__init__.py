@@ -1,0 +1,1 @@
+"""The aerial reference: surface, occlusion, orthophotos, road markings."""

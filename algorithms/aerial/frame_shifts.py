@@ -1,0 +1,37 @@
+"""The layer of shifts between overlapping frames, which several algorithms write."""
+
+from __future__ import annotations
+
+from ..framework.layers import make_fields
+
+FIELDS = (("first", "text"), ("second", "text"), ("east", "real"), ("north", "real"), ("length", "real"),
+          ("sigma", "real"), ("pair_east", "real"), ("pair_north", "real"), ("pair_length", "real"),
+          ("pair_sigma", "real"), ("patches", "int"), ("status", "text"))
+
+
+class FrameShiftsOutput:
+    """For algorithms that compare overlapping frames: declares and writes OUTPUT_SHIFTS."""
+
+    def add_shifts_output(self):
+        """Declare the layer and the number of the largest shift."""
+        self.add_layer_output(
+            "OUTPUT_SHIFTS", "Shifts between images", "Points on road markings that two overlapping images show, with "
+            "the shift of the second against the first in metres (east, north; sigma of one place), and the median of "
+            "the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.", optional=True)
+        self.add_number_output("LARGEST_SHIFT", "Largest shift", "Largest distance between the same road markings in "
+                               "two overlapping images, median over their places; no value where none are seen.", "m")
+
+    def write_shifts(self, parameters, context, shifts, pixel, crs, progress) -> dict:
+        """Write the layer where it is wanted; the results to hand out."""
+        results = {"LARGEST_SHIFT": max(shift.length for shift in shifts)} if shifts else {}
+        if parameters.get("OUTPUT_SHIFTS"):
+            import shapely
+
+            from ...urbanmap_qgis.aerial.frame_shifts import shift_columns
+
+            columns = shift_columns(shifts, pixel)
+            points = shapely.points(columns.pop("x"), columns.pop("y"))
+            results["OUTPUT_SHIFTS"] = self.write_layer(
+                parameters, "OUTPUT_SHIFTS", context, make_fields(*FIELDS), columns, crs, points, "Point",
+                style="frame_shifts", progress=progress)
+        return results

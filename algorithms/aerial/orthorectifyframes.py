@@ -1,0 +1,133 @@
+"""urbanmap:orthorectifyframes."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.parameters import tr
+from ..framework.workers import workers
+from .frame_shifts import FrameShiftsOutput
+
+METHODS = ("vote", "darkest")
+ANGLE_ORDERS = ("papers", "usual")
+ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
+
+
+class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
+    ID = "orthorectifyframes"
+    NAME = "Orthorectify frames"
+    SOURCE = "Javanmardi 2018, 3.2.1"
+    KEYWORDS = ("orthophoto", "orthorectification", "true ortho", "mosaic", "aerial", "frames", "vehicles")
+    REQUIRES = ("numpy", "scipy", "shapely", "rasterio", "cv2")
+    HELP = (
+        "Lays aerial frames on the ground as one mosaic. Ground that a building, tree or bridge hides from one frame "
+        "is taken from another that sees it; buildings themselves and ground that no frame sees hold no data (0).\n"
+        "Differences in exposure between frames are evened out first. With the vehicle filter moving vehicles go, "
+        "because another frame shows the road where they stood; vehicles that stand still in all frames stay.\n"
+        "Frames, ground and surface must be in one projected coordinate system in metres."
+    )
+
+    def declare(self):
+        self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            "FRAMES", tr("Frames"), QgsProcessing.SourceType.TypeFile), "8 or 16 bit TIFF or JPEG images as the camera "
+            "took them, each named in the exterior orientation.")
+        self.add_file("CAMERA", "Camera", "JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, "
+                      "image_height, principal_point_mm, distortion.", "Camera (*.json)")
+        self.add_file("EXTERIOR", "Exterior orientation", "CSV file image,x,y,z,omega,phi,kappa (metres, degrees).",
+                      "Exterior orientation (*.csv *.txt)")
+        self.add_raster("GROUND", "Ground", "Heights of the bare ground in metres; the mosaic has its coordinate "
+                        "system.")
+        self.add_raster("DSM", "Surface", "Heights of the surface (DSM) in metres, with which hidden ground is told.",
+                        optional=True)
+        self.add_polygons("FOOTPRINTS", "Building outlines", "Ground inside them is masked too.", optional=True)
+        self.add_field("HEIGHT_FIELD", "Field with the buildings' height", "Field of the outlines with the height "
+                       "above the ground in metres. Such buildings also hide what lies behind them, where the surface "
+                       "lacks them; without it only what the surface shows hides anything.", "FOOTPRINTS",
+                       advanced=True)
+        self.add_distance("RESOLUTION", "Resolution", "Side of a pixel in metres; 0 for that of the frames.", 0.0, 0.0,
+                          100.0)
+        self.add_boolean("FILTER_VEHICLES", "Filter vehicles", "Take each pixel so that moving vehicles go; otherwise "
+                         "from the frame that looks down most steeply.", True)
+        self.add_choice("METHOD", "Vehicle filter", "Vote: what most frames agree on, which also keeps dark vehicles "
+                        "from winning over paint. Darkest: the frame with the lowest sum of channels, as the "
+                        "dissertation.", METHODS, "vote", advanced=True)
+        self.add_boolean("EVEN_EXPOSURE", "Even exposure", "Bring all frames to one brightness and contrast before "
+                         "they are compared.", True, advanced=True)
+        self.add_distance("HEIGHT_THRESHOLD", "Height threshold", "What stands higher than this above the ground, in "
+                          "metres, hides ground; vehicles should not.", 5.0, 0.0, 100.0, advanced=True)
+        self.add_choice("ANGLE_ORDER", "Order of the angles", "Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi "
+                        "R_omega, as most bundle adjustments write.", ANGLE_ORDERS, "papers", advanced=True)
+        self.add_choice("ANGLE_UNIT", "Unit of the angles", "Automatic: degrees, and an error where they look "
+                        "otherwise.", ANGLE_UNITS, "automatic", advanced=True)
+        self.add_workers()
+        self.add_raster_output("OUTPUT", "Orthophoto", "Mosaic of the frames; 0 where there is no data.")
+        self.add_raster_output("OUTPUT_COUNT", "Frames that see the ground", "How many frames see each pixel.",
+                               optional=True)
+        self.add_number_output("SHARE_SEEN", "Share seen", "Share of the ground in the frames, outside buildings, that "
+                               "has an image, 0 to 1.")
+        self.add_number_output("HOLE_AREA", "Area of holes", "Ground in the frames, outside buildings, that no frame "
+                               "sees.", "m2")
+        self.add_number_output("FRAMES_USED", "Frames used", "Frames that gave pixels.")
+        self.add_shifts_output()
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.aerial.camera import read_camera, read_exterior
+        from ...urbanmap_qgis.aerial.frames import find_frames
+        from ...urbanmap_qgis.aerial.mosaic import Choice, Output
+        from ...urbanmap_qgis.aerial.orthorectification import OrthoSettings, Place, orthorectify
+        from ...urbanmap_qgis.io.raster import RasterSampler
+
+        progress = self.progress(feedback)
+        camera = read_camera(self.input_path(parameters, "CAMERA", context))
+        poses = read_exterior(self.input_path(parameters, "EXTERIOR", context),
+                              self.parameterAsString(parameters, "ANGLE_UNIT", context),
+                              self.parameterAsString(parameters, "ANGLE_ORDER", context))
+        frames = find_frames(self.parameterAsFileList(parameters, "FRAMES", context), poses)
+        ground = self.raster_path(parameters, "GROUND", context)
+        surface = self.raster_path(parameters, "DSM", context)
+        with RasterSampler(ground) as raster:
+            crs = raster.crs_wkt
+        self.require_projected("GROUND", crs)
+        if surface:
+            with RasterSampler(surface) as raster:
+                self.same_crs("GROUND", crs, "DSM", raster.crs_wkt)
+        outlines = self.read_polygons(parameters, "FOOTPRINTS", context, progress.part(0.0, 0.02))
+        if outlines:
+            self.same_crs("GROUND", crs, "FOOTPRINTS", outlines.crs)
+        method = "nadir"
+        if self.parameterAsBool(parameters, "FILTER_VEHICLES", context):
+            method = self.parameterAsString(parameters, "METHOD", context)
+        settings = OrthoSettings(self.parameterAsDouble(parameters, "RESOLUTION", context),
+                                 Choice(method, self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)),
+                                 self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context))
+        output = self.output_layer_path(parameters, "OUTPUT", context)
+        count = self.output_layer_path(parameters, "OUTPUT_COUNT", context)
+        place = Place(ground, surface, *self._buildings(parameters, context, outlines))
+        shifts = []
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = orthorectify(frames, camera, place, Output(output, count), settings, progress.part(0.02, 0.98),
+                                shifts=shifts, executor=executor)
+        progress.message(tr("{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.")
+                         .format(made.used, 100 * made.share_seen, made.hidden_area))
+        results = {"OUTPUT": str(output), "SHARE_SEEN": made.share_seen, "HOLE_AREA": made.hidden_area,
+                   "FRAMES_USED": made.used}
+        if count:
+            results["OUTPUT_COUNT"] = str(count)
+        return results | self.write_shifts(parameters, context, shifts, made.grid.cell, crs, progress.part(0.98, 1.0))
+
+    def _buildings(self, parameters, context, outlines):
+        """Polygons of the outlines and their heights (None where no field is given)."""
+        if outlines is None:
+            return (), None
+        name = self.parameterAsString(parameters, "HEIGHT_FIELD", context)
+        if not name:
+            return outlines.geometries, None
+        if name not in outlines.columns:
+            raise InputError(tr("{0} has no field {1}; choose another.").format(outlines.label, name))
+        try:
+            return outlines.geometries, [None if value is None else float(value) for value in outlines.columns[name]]
+        except (TypeError, ValueError):
+            raise InputError(tr("The field {0} of {1} must hold numbers: heights above the ground in metres.").format(
+                name, outlines.label)) from None

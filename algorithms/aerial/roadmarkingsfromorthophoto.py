@@ -1,0 +1,188 @@
+"""urbanmap:roadmarkingsfromorthophoto."""
+
+from __future__ import annotations
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.crs import crs_from, horizontal, metres_per_unit
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER, tr
+from ..framework.workers import workers
+
+
+class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
+    ID = "roadmarkingsfromorthophoto"
+    NAME = "Road markings from orthophoto"
+    SOURCE = "Javanmardi 2018, 3.2.2 and 4.1"
+    KEYWORDS = ("road", "marking", "lane", "zebra", "crossing", "paint", "adaptive threshold", "aerial", "orthophoto")
+    REQUIRES = ("numpy", "shapely", "rasterio", "cv2", "skimage")
+    HELP = (
+        "Finds painted road markings, white and yellow, in an orthophoto: a mask on the orthophoto's pixels and "
+        "polygons whose outlines are finer than the pixels.\n"
+        "After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the "
+        "block round them (in shade in proportion less). Then goes what is no paint: what is as bright on one side "
+        "(kerbs, walls, edges of shadows), bright bodies wider than paint (vehicles, roofs) and short pieces at them, "
+        "leaves, specks, and roof edges along what is hidden.\n"
+        "Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 or 16 bit, of any size. Give "
+        "roads where you have them: bright lines on roofs, plots and paving are then left out. Give building "
+        "outlines, or the mask of what buildings hide, where they lean in the image."
+    )
+
+    def declare(self):
+        self.add_raster("INPUT", "Orthophoto", "Aerial image on the ground, in a projected CRS (metres or feet).")
+        self.add_polygons("BUILDINGS", "Buildings", "No markings are looked for inside these polygons.", optional=True)
+        self.add_raster("MASK", "Hidden areas", "Raster that is above 0 where the ground is not seen, such as an "
+                        "occlusion mask. Its cells may differ from the orthophoto's.", optional=True)
+        self.add_polygons("ROADS", "Roads", "Markings are looked for only inside these polygons; without them, "
+                          "everywhere.", optional=True)
+        self.add_raster("GROUND", "Ground", "Ground heights in metres, in the orthophoto's CRS: gives the polygons "
+                        "their heights.", optional=True)
+        self.add_distance("BLOCK_SIZE", "Block size", "Side of the block over which the mean is taken.", 2.5, 0.5, 50.0)
+        self.add_number("CONTRAST", "Contrast", "How much brighter than the mean paint is, in grey values of an image "
+                        "that goes from 0 to 255 after the level adjustment, whatever its bit depth.", 17, 1, 200,
+                        unit="grey values")
+        self.add_boolean("CLEAN", "Clean", "Leave out what is no paint by its width, contrast on both sides, shape and "
+                         "surroundings; without it the result is the plain threshold of the paper.", True)
+        self.add_distance("MAX_WIDTH", "Widest stroke", "What is wider than this in every direction is no paint.", 0.8,
+                          0.1, 5.0, advanced=True)
+        self.add_number("MIN_AREA", "Smallest marking", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
+                        advanced=True)
+        self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
+                        "frames of this orthophoto disagree; shown in the report.", optional=True)
+        self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
+                        "report.", optional=True)
+        self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings.", advanced=True)
+        self.add_workers()
+        self.add_raster_output("OUTPUT", "Marking mask", "255 where there is a marking, otherwise 0; pixels as the "
+                               "orthophoto's.")
+        self.add_layer_output("OUTPUT_POLYGONS", "Road markings", "Outlines of the markings, with area (m2), length "
+                              "and width of the stroke (m), mean contrast (grey values) and colour.", optional=True,
+                              by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
+                             "coverage, pictures of the markings over the orthophoto, and what to distrust.",
+                             HTML_FILTER, optional=True)
+        self.add_number_output("COUNT", "Markings", "Number of polygons.")
+        self.add_number_output("MARKED_AREA", "Marked area", "Area of the mask's markings.", "m2")
+        self.add_number_output("SEARCHED_AREA", "Searched area", "Area in which markings could be found.", "m2")
+
+    def check(self, parameters, context):
+        layer = self.parameterAsRasterLayer(parameters, "INPUT", context)
+        label = self.label_of("INPUT")
+        self.raster_path(parameters, "INPUT", context)
+        crs = crs_from(layer.crs())
+        if not crs.isValid():
+            raise InputError(tr("{0}: the coordinate reference system is missing; assign the one that the image is "
+                                "in (Layer > Set CRS).").format(label))
+        if horizontal(crs).isGeographic():
+            raise InputError(tr("{0}: its pixels are measured in degrees; warp it to a projected CRS, such as the "
+                                "local plane rectangular or UTM zone.").format(label))
+        for name in ("BUILDINGS", "ROADS"):
+            source = self.parameterAsSource(parameters, name, context) if parameters.get(name) else None
+            if source is not None:
+                self.same_crs("INPUT", crs, name, source.sourceCrs())
+        for name in ("MASK", "GROUND"):
+            if parameters.get(name) and self.raster_path(parameters, name, context):
+                self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
+
+    def compute(self, parameters, context, feedback):
+        from dataclasses import replace
+
+        from ...urbanmap_qgis.aerial.marking_files import Places, markings_from_orthophoto
+        from ...urbanmap_qgis.aerial.road_markings import MarkingSettings
+
+        progress = self.progress(feedback)
+        crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
+        plain = MarkingSettings(self.parameterAsDouble(parameters, "BLOCK_SIZE", context),
+                                self.parameterAsDouble(parameters, "CONTRAST", context))
+        rules = replace(plain.cleaning, max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
+                        min_area=self.parameterAsDouble(parameters, "MIN_AREA", context))
+        settings = replace(plain, cleaning=rules if self.parameterAsBool(parameters, "CLEAN", context) else None)
+        places = Places(self._polygons(parameters, "ROADS", context, progress.part(0.0, 0.02)),
+                        self._polygons(parameters, "BUILDINGS", context, progress.part(0.02, 0.04)),
+                        self.raster_path(parameters, "MASK", context))
+        mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
+                                             metres_per_unit(crs), progress=progress.part(0.04, 0.9),
+                                             executor=executor)
+        self._tell(found, progress)
+        results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked,
+                   "SEARCHED_AREA": found.looked_at}
+        report = self._report(parameters, context, found, plain.contrast)
+        if report:
+            results["OUTPUT_REPORT"] = report
+        layer = self._write(parameters, context, found.polygons, crs, progress)
+        return {**results, "OUTPUT_POLYGONS": layer} if layer else results
+
+    def _report(self, parameters, context, found, contrast):
+        """Write the report where it is wanted; its path."""
+        path = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if path is None:
+            return None
+        from ...urbanmap_qgis.aerial.marking_report import Evidence, shares_of_views, write_marking_report
+
+        count = self.raster_path(parameters, "FRAME_COUNT", context)
+        evidence = Evidence(self._pairs(parameters, context), count and shares_of_views(count),
+                            bool(parameters.get("ROADS")), contrast)
+        settings = self.settings_of({name: value for name, value in parameters.items() if name != "NOTE"})
+        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence, settings,
+                             self.parameterAsString(parameters, "NOTE", context))
+        return str(path)
+
+    def _pairs(self, parameters, context):
+        """Shifts by pairs of frames, from the points' layer; None where none was given."""
+        from ...urbanmap_qgis.aerial.marking_report import Pair
+
+        table = self.read_vector(parameters, "SHIFTS", context)
+        if table is None:
+            return None
+        names = ("first", "second", "pair_east", "pair_north", "pair_sigma", "patches", "status")
+        missing = [name for name in names if name not in table.columns]
+        if missing:
+            raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
+                table.label, missing[0]))
+        rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
+        return [Pair(*row[:-1], row[-1] == "apart") for row in rows]
+
+    def _polygons(self, parameters, name, context, progress):
+        """Polygons of a layer in any projected CRS, repaired where invalid; None where none was given."""
+        import shapely
+
+        table = self.read_vector(parameters, name, context, progress)
+        if table is None:
+            return None
+        present = table.geometries[~shapely.is_missing(table.geometries)]
+        if not len(present):
+            raise InputError(tr("{0}: there are no polygons; check the layer and its filter, or leave it out.").format(
+                self.label_of(name)))
+        return list(shapely.make_valid(shapely.force_2d(present)))
+
+    def _tell(self, found, progress):
+        if not found.looked_at:
+            progress.warn(tr("Nothing of the orthophoto is left to look at: check that roads, buildings and hidden "
+                             "areas lie where the image does; the mask is empty."))
+        elif not len(found.polygons):
+            progress.warn(tr("No markings were found: the mask is empty; check the roads, or lower the contrast."))
+        if found.pixel > 0.25:
+            progress.warn(tr("With pixels of {0:.2f} m only wide markings can be seen; 0.15 m or finer shows lane "
+                             "lines.").format(found.pixel))
+
+    def _write(self, parameters, context, found, crs, progress):
+        """The polygons' layer, with heights where a ground raster was given."""
+        from ...urbanmap_qgis.aerial.marking_polygons import with_heights
+        from ...urbanmap_qgis.io.raster import RasterSampler
+
+        geometries, kind = found.polygons, "Polygon"
+        ground = self.raster_path(parameters, "GROUND", context)
+        if ground is not None:
+            with RasterSampler(ground) as heights:
+                geometries, without = with_heights(geometries, heights)
+            kind = "PolygonZ"
+            if without:
+                progress.warn(tr("{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and "
+                                 "have no height there.").format(self.label_of("GROUND"), without, len(found)))
+        fields = make_fields(("area", "real"), ("length", "real"), ("width", "real"), ("contrast", "real"),
+                             ("colour", "text"))
+        columns = {name: getattr(found, name) for name in ("area", "length", "width", "contrast", "colour")}
+        return self.write_layer(parameters, "OUTPUT_POLYGONS", context, fields, columns, crs, geometries, kind,
+                                style="road_markings", progress=progress.part(0.9, 1.0))

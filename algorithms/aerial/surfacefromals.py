@@ -1,0 +1,90 @@
+"""urbanmap:surfacefromals."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+
+GROUND_SOURCES = ("automatic", "classes", "cloth")
+MESH_FILTER = "PLY mesh (*.ply)"
+
+
+class SurfaceFromAls(UrbanMapAlgorithm):
+    ID = "surfacefromals"
+    NAME = "Surface and ground from ALS"
+    SOURCE = "Javanmardi 2018, 3.2.1.1 and 4.1; cloth filter: Zhang et al. 2016"
+    KEYWORDS = ("DSM", "DTM", "DEM", "surface", "ground", "terrain", "Delaunay", "TIN", "cloth", "CSF", "lidar")
+    REQUIRES = ("numpy", "scipy", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
+    HELP = (
+        "Makes the surface (DSM) and the ground elevation of a laser point cloud as rasters.\n"
+        "The surface is the 2.5D Delaunay triangulation of the highest point of each cell. The ground is the "
+        "triangulation of the ground points, which also spans buildings: it has no gap under them. Ground "
+        "points are those classified so (classes 2, 8, 10, 11; not water) or, where the cloud is unclassified, those "
+        "that a cloth drawn up from below touches.\n"
+        "Noise (classes 7 and 18), withheld points and points alone in space are left out. The files may be larger "
+        "than memory. Cells without a height hold -9999."
+    )
+
+    def declare(self):
+        self.add_points()
+        self.add_distance("RESOLUTION", "Resolution", "Side of a raster cell in metres. Finer than the distance "
+                          "between points shows nothing more.", 0.5, 0.01, 100.0)
+        self.add_choice("GROUND_SOURCE", "Ground points", "How ground points are told. Automatic: by class where at "
+                        "least 1 % of the points have a ground class, otherwise by the cloth filter.",
+                        GROUND_SOURCES, "automatic")
+        self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the "
+                          "cloth. Smaller follows the ground closer; larger spans more.", 2.0, 0.1, 50.0, advanced=True)
+        self.add_distance("CLOTH_THRESHOLD", "Cloth threshold", "Points within this height, in metres, above or "
+                          "below the cloth are ground.", 0.2, 0.01, 5.0, advanced=True)
+        self.add_number("ITERATIONS", "Cloth iterations", "Most sweeps on each level of detail; the cloth stops "
+                        "earlier when it has settled.", 1000, 1, 100000, integer=True, advanced=True)
+        self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "
+                        "mountains.", 3, 1, 3, integer=True, advanced=True)
+        self.add_distance("MAX_EDGE", "Longest edge", "Triangles of the surface with a longer side in plan, in "
+                          "metres, are left out, so that water and gaps stay empty; 0 keeps all.", 0.0, 0.0,
+                          advanced=True)
+        self.add_boolean("GROUND_IN_GAPS", "Ground in gaps", "Where triangles were left out, the surface takes the "
+                         "height of the ground instead of staying empty.", False, advanced=True)
+        self.add_raster_output("OUTPUT", "Surface", "Heights of the surface (DSM) in metres.")
+        self.add_raster_output("OUTPUT_GROUND", "Ground", "Heights of the ground in metres, without gaps inside the "
+                               "surface's outline.", optional=True)
+        self.add_file_output("OUTPUT_MESH", "Surface mesh", "The triangles of the surface as binary PLY, which QGIS "
+                             "opens as a mesh layer.", MESH_FILTER, optional=True)
+        self.add_number_output("POINTS_READ", "Points read", "All points in the files.")
+        self.add_number_output("POINTS_USED", "Points used", "Points that are not noise or withheld.")
+        self.add_number_output("GROUND_SHARE", "Ground share", "Ground points as a share of the points used, 0 to 1; "
+                               "no value without a ground raster.")
+        self.add_number_output("EMPTY_SHARE", "Empty share", "Share of the surface's cells without a height, 0 to 1.")
+        self.add_number_output("FAR_SHARE", "Share far from points", "Share of the cells in triangles with a side of "
+                               "10 m or more, where the surface is a guess, 0 to 1.")
+        self.add_number_output("TRIANGLES", "Triangles", "Triangles of the surface.")
+        self.add_number_output("TRIANGLES_LEFT_OUT", "Triangles left out", "Those longer than the longest edge.")
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.terrain.cloth import ClothSettings
+        from ...urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+
+        progress = self.progress(feedback)
+        paths = self.point_files(parameters, "POINTS", context)
+        self.require_projected("POINTS", open_cloud(paths).crs_wkt)
+        cloth = ClothSettings(self.parameterAsDouble(parameters, "CLOTH_RESOLUTION", context),
+                              self.parameterAsDouble(parameters, "CLOTH_THRESHOLD", context),
+                              self.parameterAsInt(parameters, "ITERATIONS", context),
+                              self.parameterAsInt(parameters, "RIGIDNESS", context))
+        settings = SurfaceSettings(self.parameterAsDouble(parameters, "RESOLUTION", context),
+                                   self.parameterAsString(parameters, "GROUND_SOURCE", context), cloth,
+                                   self.parameterAsDouble(parameters, "MAX_EDGE", context),
+                                   self.parameterAsBool(parameters, "GROUND_IN_GAPS", context))
+        surface = self.output_layer_path(parameters, "OUTPUT", context, style="dsm")
+        ground = self.output_layer_path(parameters, "OUTPUT_GROUND", context, style="ground")
+        mesh = self.output_path(parameters, "OUTPUT_MESH", context)
+        made = surfaces_from_files(paths, surface, ground, mesh, settings, progress)
+        results = {"OUTPUT": str(surface), "POINTS_READ": made.points_read, "POINTS_USED": made.points_used,
+                   "EMPTY_SHARE": made.empty_share, "FAR_SHARE": made.far_share, "TRIANGLES": made.triangles,
+                   "TRIANGLES_LEFT_OUT": made.triangles_left_out}
+        if ground:
+            results["OUTPUT_GROUND"] = str(ground)
+            results["GROUND_SHARE"] = made.ground_points / made.points_used
+        if mesh:
+            results["OUTPUT_MESH"] = str(mesh)
+        return results

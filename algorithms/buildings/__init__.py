@@ -1,0 +1,1 @@
+"""Building models from laser points and outlines."""

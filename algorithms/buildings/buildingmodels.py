@@ -1,0 +1,188 @@
+"""urbanmap:buildingmodels."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from dataclasses import replace
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.outlines import column, footprints_of, numbers, open_points
+from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from ..framework.workers import workers
+
+
+class BuildingModels(UrbanMapAlgorithm):
+    ID = "buildingmodels"
+    NAME = "Building models"
+    SOURCE = "Javanmardi 2018, 5.3.4"
+    KEYWORDS = ("building", "3D", "solid", "LOD1", "CityJSON", "OBJ", "model")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
+    HELP = (
+        "Joins roof polygons at their heights to closed solids that stand on the ground.\n"
+        "Each solid is checked: closed, planar, oriented outwards, no self-intersection. Where points are given, "
+        "every building carries how well its model fits them. A building that cannot be modelled keeps its row, "
+        "with the reason in words."
+    )
+
+    def declare(self):
+        self.add_polygons("ROOFS", "Roof polygons", "Polygons from “Roof polygons” with the fields building_id, "
+                          "roof_id and height (m).")
+        self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”. Each gets a row in the "
+                          "result. A field ground gives the height of the ground in metres.")
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres; the lowest along an outline "
+                        "is the foot of its walls.", optional=True)
+        self.add_field("BASE_FIELD", "Field with the foot's height", "Field of the buildings with the height of the "
+                       "foot of the walls in metres; used where there is no ground elevation.", "FOOTPRINTS",
+                       advanced=True)
+        self.add_points("POINTS", "Roof points", "Points with building_id and roof_id, from “Segment roofs”, for the "
+                        "figures of fit.", optional=True)
+        self.add_workers()
+        self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings, such as the name "
+                      "of the project.", advanced=True)
+        self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building with all faces of "
+                              "its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, "
+                              "density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, "
+                              "unseen (shares).")
+        self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "MultiPolygonZ, one feature a surface, with building_id, "
+                              "roof_id and surface_type: roof, outer wall, inner wall, ground.", optional=True)
+        self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with solids, surface types and the "
+                             "figures of each building.", CITYJSON_FILTER, optional=True)
+        self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
+                             optional=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, quality, the worst buildings with "
+                             "reasons.", HTML_FILTER, optional=True)
+        self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
+        self.add_number_output("MODELLED", "Modelled", "Buildings with a model.")
+        self.add_number_output("RMSE_Z95", "Mean RMSE of height, best 95 %", "Mean over the buildings, where points "
+                               "were given.", "m")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ...urbanmap_qgis.buildings.model_stage import build_models
+        from ...urbanmap_qgis.buildings.model_table import model_columns
+        from ...urbanmap_qgis.io.obj import write_obj
+
+        progress = self.progress(feedback)
+        buildings = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
+        footprints = footprints_of(buildings, progress)
+        roof_table = self._roof_table(parameters, context, progress)
+        self.same_crs("ROOFS", roof_table.crs, "FOOTPRINTS", buildings.crs)
+        cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
+        base = self._base_heights(parameters, context, buildings, footprints)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85))
+        columns = model_columns(models)
+        modelled = sum(bool(model.solids) for model in models)
+        if modelled < len(models):
+            progress.warn(tr("{0} of {1} buildings have no model; the field “reason” tells why.").format(
+                len(models) - modelled, len(models)))
+        figures = np.array(columns["rmse_z95"], float)
+        with ExitStack() as unfinished:
+            files = self._write_files(parameters, context, buildings, models, columns, progress.part(0.85, 0.9),
+                                      unfinished)
+            progress.step(0.9)
+            layers = self._write_layers(parameters, context, buildings, models, columns, progress.part(0.9, 1.0))
+            if "OUTPUT_MESH" in files:
+                # Not with the other files: the mesh names its file of materials, so that it cannot be renamed.
+                write_obj(files["OUTPUT_MESH"], city_buildings(models, columns))
+        return {
+            **layers, **files,
+            "BUILDINGS": len(models), "MODELLED": modelled,
+            "RMSE_Z95": float(np.nanmean(figures)) if np.isfinite(figures).any() else None,
+        }
+
+    def _roof_table(self, parameters, context, progress):
+        """The layer of roofs, which has none where no building has one."""
+        source = self.parameterAsSource(parameters, "ROOFS", context)
+        if source is not None and source.featureCount() == 0:
+            return self.read_vector(parameters, "ROOFS", context, progress)
+        return self.read_polygons(parameters, "ROOFS", context, progress)
+
+    def _roofs(self, table):
+        """Roof polygons with their heights, for the core."""
+        import numpy as np
+        import shapely
+
+        from ...urbanmap_qgis.buildings.model_stage import RoofInput
+        from ...urbanmap_qgis.errors import InputError
+
+        found = {name: numbers(table, name) for name in ("building_id", "roof_id", "height")}
+        for name, values in found.items():
+            if values is None or not np.isfinite(values).all():
+                raise InputError(tr("{0}: the field {1} is missing or has empty values; give the result of “Roof "
+                                    "polygons”.").format(self.label_of("ROOFS"), name))
+        status = np.array(column(table, "status") or [""] * len(table), dtype=object)
+        kept = ~shapely.is_missing(table.geometries)
+        return RoofInput(table.geometries[kept], found["building_id"].astype(np.int64)[kept],
+                         found["roof_id"].astype(np.int64)[kept], found["height"][kept], status[kept])
+
+    def _base_heights(self, parameters, context, table, footprints):
+        """Foot of each building: from the raster, else a field, NaN where neither knows."""
+        import numpy as np
+
+        from ...urbanmap_qgis.buildings.base_height import outline_ground
+
+        base = np.full(len(footprints), np.nan)
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
+        if ground is not None:
+            base = outline_ground(footprints.polygons, *ground)
+        for name in (self.parameterAsString(parameters, "BASE_FIELD", context), "ground"):
+            values = numbers(table, name) if name else None
+            if values is not None:
+                base = np.where(np.isfinite(base), base, values)
+        return base
+
+    def _write_layers(self, parameters, context, table, models, columns, progress):
+        """The layer of buildings and, where wanted, that of surfaces."""
+        from ...urbanmap_qgis.buildings.model_table import COLUMNS
+        from ...urbanmap_qgis.geometry.solid import multipolygon, surfaces
+
+        results = {}
+        if parameters.get("OUTPUT_SURFACES"):
+            faces = [(model.building_id, *face) for model in models for solid in model.solids
+                     for face in zip(solid.roof_id, solid.surface_type, surfaces(solid))]
+            names = ("building_id", "roof_id", "surface_type")
+            results["OUTPUT_SURFACES"] = self.write_layer(
+                parameters, "OUTPUT_SURFACES", context,
+                make_fields(("building_id", "int"), ("roof_id", "int"), ("surface_type", "text")),
+                {name: [face[place] for face in faces] for place, name in enumerate(names)}, table.crs,
+                [face[3] for face in faces], "PolygonZ", "building_surfaces", progress)
+        shapes = [multipolygon(model.solids) if model.solids else None for model in models]
+        # Once the surfaces are in their place the rest follows, cancelled or not: no mixture of old and new results.
+        last = replace(progress, cancelled=lambda: False) if results else progress
+        results["OUTPUT"] = self.write_layer(
+            parameters, "OUTPUT", context, make_fields(*COLUMNS, base=table.fields), {**table.columns, **columns},
+            table.crs, shapes, "MultiPolygonZ", "building_models", last)
+        return results
+
+    def _write_files(self, parameters, context, table, models, columns, progress, unfinished):
+        """CityJSON and report, where wanted; they take their places when `unfinished` is closed.
+
+        Returns the paths of all files that are wanted, by output name.
+        """
+        from ...urbanmap_qgis.buildings.model_table import write_model_report
+        from ...urbanmap_qgis.io.atomic import written_beside
+        from ...urbanmap_qgis.io.cityjson import write_cityjson
+
+        results = {name: self.output_path(parameters, name, context)
+                   for name in ("OUTPUT_CITYJSON", "OUTPUT_MESH", "OUTPUT_REPORT")}
+        paths = {name: unfinished.enter_context(written_beside(path))
+                 for name, path in results.items() if path and name != "OUTPUT_MESH"}
+        if "OUTPUT_CITYJSON" in paths:
+            code = table.crs.authid().removeprefix("EPSG:")
+            write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(models, columns), title="UrbanMap building models",
+                           epsg=int(code) if code.isdigit() else None, progress=progress)
+        if "OUTPUT_REPORT" in paths:
+            write_model_report(paths["OUTPUT_REPORT"], columns, self.settings_of(parameters), table.geometries)
+        return {name: str(path) for name, path in results.items() if path}
+
+
+def city_buildings(models, columns):
+    """The models with their figures as the writers of files take them, one after another."""
+    from ...urbanmap_qgis.io.cityjson import CityBuilding
+
+    for row, model in enumerate(models):
+        attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}
+        yield CityBuilding(f"building-{model.building_id}", attributes, model.solids)

@@ -1,0 +1,187 @@
+"""urbanmap:mergebuildingmodels."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.building_layers import building_ids, read_buildings
+from ..framework.layers import make_fields
+from ..framework.outlines import column, numbers
+from ..framework.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
+from ..framework.workers import workers
+
+_USABLE = (None, "ok", "partly seen")
+
+
+class MergeBuildingModels(UrbanMapAlgorithm):
+    ID = "mergebuildingmodels"
+    NAME = "Merge building models with measured walls"
+    SOURCE = "Javanmardi 2018, 5.7"
+    KEYWORDS = ("building", "model", "wall", "facade", "MMS", "ALS", "merge", "CityJSON")
+    REQUIRES = ("numpy", "scipy", "shapely")
+    HELP = (
+        "Joins building models from airborne scanning with walls measured from the street: below a height the walls "
+        "lie where the survey found them, above it the models stay as they were.\n"
+        "Walls move within stated limits and never into a neighbour. A roof that stands out over the measured wall "
+        "stays, with a level underside; so does what stands out at the height. Walls that were not driven past stay "
+        "and are marked.\n"
+        "Every result is checked: closed, planar, oriented outwards, no self-intersection. A building that cannot be "
+        "merged keeps its model and says why."
+    )
+
+    def declare(self):
+        self.add_polygons("MODELS", "Building models", "MultiPolygonZ of “Building models”: level roofs, upright "
+                          "walls. Without them give a CityJSON file.", optional=True)
+        self.add_file("MODELS_CITYJSON", "Building models (CityJSON)", "CityJSON file with solids, in the coordinate "
+                      "system of the walls, instead of the layer.", CITYJSON_FILTER, optional=True)
+        self.add_polygons("WALLS", "Walls", "PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones "
+                          "and those inside the outlines are left out.")
+        self.add_distance("HEIGHT", "Height", "Height in metres above the ground of each model up to which measured "
+                          "walls are taken.", 20.0, 1.0, 500.0)
+        self.add_distance("MAX_OFFSET", "Farthest way", "Farthest way in metres that a wall goes to the measured one.",
+                          1.5, 0.01, 10.0, advanced=True)
+        self.add_number("MAX_TURN", "Largest turn", "Largest turn of a wall to the measured one.", 5.0, 0.1, 20.0,
+                        unit="°", advanced=True)
+        self.add_number("LEAST_SHARE", "Least share measured", "Least share of a wall's length, 0 to 1, that must have "
+                        "been measured for it to move.", 0.3, 0.05, 1.0, advanced=True)
+        self.add_distance("OVERHANG", "Least overhang", "A roof that stands out further than this over the measured "
+                          "wall stays where it is, in metres; others follow the wall.", 0.3, 0.0, 5.0, advanced=True)
+        self.add_workers()
+        self.add_layer_output("OUTPUT", "Merged models", "MultiPolygonZ, one feature a building with all faces of its "
+                              "solids; status, reason, valid, walls, walls_moved, measured (share of the walls' "
+                              "length), mean_offset, max_offset, base, height (m), volume, volume_change (m3).")
+        self.add_layer_output("OUTPUT_WALLS", "Walls of the models", "PolygonZ, one feature an outer wall below the "
+                              "height, with what became of it: building_id, edge, status, note, wall (row of the "
+                              "measured wall), length, offset (m), turn (degrees), seen (share), rmse, sigma (m).",
+                              optional=True, by_default=True)
+        self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with the solids.", CITYJSON_FILTER,
+                             optional=True)
+        self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
+                             optional=True)
+        self.add_number_output("BUILDINGS", "Buildings", "Number of models.")
+        self.add_number_output("MERGED", "Merged", "Buildings with a wall that moved.")
+        self.add_number_output("NOT_MERGED", "Not merged", "Buildings that could not be merged.")
+        self.add_number_output("VALID", "Valid", "Buildings whose solids passed the check.")
+        self.add_number_output("WALLS_MOVED", "Walls moved", "Outer walls that lie on measured ones now.")
+
+    def check(self, parameters, context):
+        from ...urbanmap_qgis.errors import InputError
+
+        given = [bool(parameters.get("MODELS")), bool(parameters.get("MODELS_CITYJSON"))]
+        if sum(given) != 1:
+            raise InputError(tr("Give the building models either as a layer or as a CityJSON file."))
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.buildings.merging.merge_stage import MERGED, NOT_MERGED, edge_columns, merge_models
+        from ...urbanmap_qgis.buildings.merging.merge_stage import model_columns as columns_of
+        from ...urbanmap_qgis.buildings.merging.wall_match import MergeSettings
+
+        progress = self.progress(feedback)
+        walls_table = self.read_vector(parameters, "WALLS", context, progress)
+        self.require_projected("WALLS", walls_table.crs)
+        walls = self._walls(walls_table, progress)
+        ids, models, base_fields, base_columns = self._models(parameters, context, walls_table, progress)
+        settings = MergeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
+            "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")))
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            merged = merge_models(ids.tolist(), list(models), walls, settings, executor, progress.part(0.0, 0.85))
+        columns, edges = columns_of(merged), edge_columns(merged)
+        left = sum(building.status == NOT_MERGED for building in merged)
+        if left:
+            progress.warn(tr("{0} of {1} buildings could not be merged and keep their models; the field “reason” tells "
+                             "why.").format(left, len(merged)))
+        with ExitStack() as unfinished:
+            files = self._write_files(parameters, context, walls_table.crs, merged, columns, progress.part(0.85, 0.9),
+                                      unfinished)
+            layers = self._write_layers(parameters, context, walls_table.crs, merged, columns, edges,
+                                        (base_fields, base_columns), progress.part(0.9, 1.0))
+        return {**layers, **files, "BUILDINGS": len(merged), "NOT_MERGED": left,
+                "MERGED": sum(building.status == MERGED for building in merged),
+                "VALID": sum(building.valid for building in merged), "WALLS_MOVED": sum(columns["walls_moved"])}
+
+    def _walls(self, table, progress):
+        """Usable measured walls of the layer."""
+        import numpy as np
+        import shapely
+
+        from ...urbanmap_qgis.buildings.merging.wall_match import measured_wall
+        from ...urbanmap_qgis.errors import InputError
+
+        empty = np.full(len(table), np.nan)
+        rmse, sigma = numbers(table, "rmse"), numbers(table, "sigma")
+        rmse, sigma = empty if rmse is None else rmse, empty if sigma is None else sigma
+        status = column(table, "status") or [None] * len(table)
+        walls, flat = [], 0
+        for row, geometry in enumerate(table.geometries):
+            if geometry is None or status[row] not in _USABLE:
+                continue
+            if not geometry.has_z:
+                raise InputError(tr("{0}: the walls have no heights; give the result of “Walls from a mobile survey”.")
+                                 .format(table.label))
+            for part in shapely.get_parts(geometry):
+                wall = measured_wall(row, part, float(rmse[row]), float(sigma[row])) if part.geom_type == "Polygon" \
+                    else None
+                flat += wall is None
+                walls += [wall] if wall is not None else []
+        if flat:
+            progress.message(tr("{0} walls are no upright faces and are left out.").format(flat))
+        return walls
+
+    def _models(self, parameters, context, walls_table, progress):
+        """Numbers, faces, fields and columns of the models."""
+        path = self.input_path(parameters, "MODELS_CITYJSON", context)
+        if path is not None:
+            from ...urbanmap_qgis.buildings.merging.model_files import models_from_cityjson
+
+            ids, models, names = models_from_cityjson(path)
+            return ids, models, make_fields(("object_id", "text")), {"object_id": names}
+        table = read_buildings(self, parameters, "MODELS", context, progress)
+        self.same_crs("MODELS", table.crs, "WALLS", walls_table.crs)
+        return building_ids(table), table.geometries, table.fields, table.columns
+
+    def _write_layers(self, parameters, context, crs, merged, columns, edges, base, progress):
+        from ...urbanmap_qgis.buildings.merging.merge_stage import EDGE_COLUMNS, MODEL_COLUMNS
+        from ...urbanmap_qgis.geometry.solid import multipolygon
+
+        results = {}
+        if parameters.get("OUTPUT_WALLS"):
+            results["OUTPUT_WALLS"] = self.write_layer(
+                parameters, "OUTPUT_WALLS", context, make_fields(*EDGE_COLUMNS), edges, crs,
+                [edge.wall for building in merged for edge in building.edges], "PolygonZ", "merged_walls",
+                progress.part(0.0, 0.5))
+        shapes = [multipolygon(building.solids) if building.solids else None for building in merged]
+        fields, kept = base
+        results["OUTPUT"] = self.write_layer(
+            parameters, "OUTPUT", context, make_fields(*MODEL_COLUMNS, base=fields), {**kept, **columns}, crs, shapes,
+            "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0))
+        return results
+
+    def _write_files(self, parameters, context, crs, merged, columns, progress, unfinished):
+        """CityJSON and OBJ, where wanted; the CityJSON takes its place when `unfinished` is closed."""
+        from ...urbanmap_qgis.io.atomic import written_beside
+        from ...urbanmap_qgis.io.cityjson import write_cityjson
+        from ...urbanmap_qgis.io.obj import write_obj
+
+        results = {}
+        path = self.output_path(parameters, "OUTPUT_CITYJSON", context)
+        if path is not None:
+            code = crs.authid().removeprefix("EPSG:")
+            write_cityjson(unfinished.enter_context(written_beside(path)), city_buildings(merged, columns),
+                           title="UrbanMap merged building models", epsg=int(code) if code.isdigit() else None,
+                           progress=progress)
+            results["OUTPUT_CITYJSON"] = str(path)
+        path = self.output_path(parameters, "OUTPUT_MESH", context)
+        if path is not None:
+            write_obj(path, city_buildings(merged, columns), progress=progress)
+            results["OUTPUT_MESH"] = str(path)
+        return results
+
+
+def city_buildings(merged, columns):
+    """The merged models with their figures as the writers of files take them, one after another."""
+    from ...urbanmap_qgis.io.cityjson import CityBuilding
+
+    for row, building in enumerate(merged):
+        attributes = {name: values[row] for name, values in columns.items()}
+        yield CityBuilding(f"building-{building.building_id}", attributes, building.solids)

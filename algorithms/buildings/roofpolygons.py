@@ -1,0 +1,67 @@
+"""urbanmap:roofpolygons."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.outlines import footprints_of, open_points
+from ..framework.parameters import tr
+from ..framework.workers import workers
+
+
+class RoofPolygons(UrbanMapAlgorithm):
+    ID = "roofpolygons"
+    NAME = "Roof polygons"
+    SOURCE = "Javanmardi 2018, 5.3.3"
+    KEYWORDS = ("building", "roof", "polygon", "alpha shape", "Hough", "outline")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Draws the polygon of each roof from its points.\n"
+        "The method “partition” divides each outline among its roofs along straight lines where roofs meet: no "
+        "gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, "
+        "for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its "
+        "own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from "
+        "these lines; it leaves the outline aside and needs roofs of simple shape."
+    )
+
+    def declare(self):
+        self.add_points(help="Points with the attributes building_id and roof_id, from “Segment roofs”.")
+        self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”.")
+        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "points", "paper"),
+                        "partition")
+        self.add_choice("HEIGHT", "Roof height", "Height of a roof from its points: the median, or the highest point "
+                        "as in the paper (the top of the parapet).", ("robust", "maximum"), "robust")
+        self.add_workers()
+        self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
+                              "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
+                              "coverage (share of the area with points), boundary_rms (m), status.")
+        self.add_number_output("ROOFS", "Roofs", "Number of polygons.")
+        self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Outlines that got no polygon.")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+        import shapely
+
+        from ...urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons
+
+        progress = self.progress(feedback)
+        table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
+        footprints = footprints_of(table, progress)
+        cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
+        settings = PolygonParameters(self.parameterAsString(parameters, "METHOD", context),
+                                     self.parameterAsString(parameters, "HEIGHT", context))
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
+        without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
+        if without:
+            progress.warn(tr("{0} of {1} buildings got no roof polygon.").format(without, len(footprints)))
+        fields = make_fields(("building_id", "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
+                             ("points", "int"), ("density", "real"), ("rmse", "real"), ("coverage", "real"),
+                             ("boundary_rms", "real"), ("status", "text"))
+        geometries = shapely.force_3d(np.array(roofs.polygon, dtype=object), np.array(roofs.height, float))
+        columns = {field.name(): getattr(roofs, field.name()) for field in fields}
+        return {
+            "OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
+                                       "PolygonZ", "roof_polygons", progress),
+            "ROOFS": len(roofs.polygon), "WITHOUT_ROOFS": without,
+        }

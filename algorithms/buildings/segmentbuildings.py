@@ -1,0 +1,98 @@
+"""urbanmap:segmentbuildings."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.outlines import BUILDING_ID, NOTE, footprints_of, open_points
+from ..framework.parameters import tr
+from ..framework.point_outputs import check_points_output, points_output
+from ..framework.workers import workers
+
+
+class SegmentBuildings(UrbanMapAlgorithm):
+    ID = "segmentbuildings"
+    NAME = "Segment buildings"
+    SOURCE = "Javanmardi 2018, 5.3.1"
+    KEYWORDS = ("building", "footprint", "outline", "ALS", "lidar", "segmentation")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")
+    HELP = (
+        "Takes the laser points of each building out of a point cloud, with the help of rough outlines.\n"
+        "Each outline is first moved to where the points show its building, then expanded, and takes the points "
+        "inside. Where expanded outlines overlap, a point goes to the building whose own surface is nearest to it. "
+        "Points of class 6 are used where the cloud is classified; elsewhere what stands high above the ground.\n"
+        "The outlines in the result carry what was found: points, density, ground height, displacement and its "
+        "standard deviation. A building without points keeps its row and says so."
+    )
+
+    def declare(self):
+        self.add_points()
+        self.add_polygons("FOOTPRINTS", "Building outlines", "Rough outlines, one feature a building, in the same "
+                          "coordinate system as the points. A whole-number field building_id is kept as the "
+                          "number of the building; without it, buildings are numbered from 1 in the layer's order.")
+        self.add_distance("EXPANSION", "Expansion", "Distance in metres by which outlines are expanded before they "
+                          "take their points.", 1.0, 0.0, 20.0)
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is "
+                        "made from the points.", optional=True)
+        self.add_distance("MAX_DISPLACEMENT", "Largest displacement", "Distance in metres by which an outline may "
+                          "be moved to its points; 0 leaves all outlines in their places.", 2.5, 0.0, 5.0,
+                          advanced=True)
+        self.add_distance("MIN_HEIGHT", "Least building height", "Height in metres above the ground from which "
+                          "points without a class can belong to a building.", 2.0, 0.5, 20.0, advanced=True)
+        self.add_workers()
+        self.add_points_output("OUTPUT", "Building points", "The points of the buildings with the attribute "
+                               "building_id, building after building; all other attributes are kept.")
+        self.add_layer_output("OUTPUT_BUILDINGS", "Buildings", "The outlines at their found places, with "
+                              "building_id, points, density (points a m2), ground (m), shift_x, shift_y, "
+                              "shift_sigma (m), shift_status and status.")
+        self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
+        self.add_number_output("WITHOUT_POINTS", "Buildings without points", "Outlines with too few points for a "
+                               "model.")
+        self.add_number_output("POINT_COUNT", "Points", "Points given to buildings.")
+
+    def check(self, parameters, context):
+        check_points_output(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
+
+        progress = self.progress(feedback)
+        table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
+        footprints = footprints_of(table, progress)
+        cloud = open_points(self, parameters, context, table, progress)
+        settings = SegmentationParameters(
+            self.parameterAsDouble(parameters, "EXPANSION", context),
+            self.parameterAsDouble(parameters, "MIN_HEIGHT", context),
+            self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context))
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
+        with points_output(self, parameters, context) as points:
+            with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+                buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,
+                                              progress.part(0.0, 0.95))
+            layer = self._write(parameters, context, table, footprints, buildings, progress.part(0.95, 1.0))
+        without = int((buildings.status != "ok").sum())
+        if without:
+            progress.warn(tr("{0} of {1} buildings have too few points for a model.").format(
+                without, len(footprints)))
+        return {
+            "OUTPUT": str(self.output_path(parameters, "OUTPUT", context)), "OUTPUT_BUILDINGS": layer,
+            "BUILDINGS": len(footprints), "WITHOUT_POINTS": without, "POINT_COUNT": int(buildings.points.sum()),
+        }
+
+    def _write(self, parameters, context, table, footprints, buildings, progress):
+        fields = make_fields((BUILDING_ID, "int"), ("points", "int"), ("density", "real"), ("ground", "real"),
+                             ("shift_x", "real"), ("shift_y", "real"), ("shift_sigma", "real"),
+                             ("shift_status", "text"), ("status", "text"), (NOTE, "text"), base=table.fields)
+        columns = {**table.columns, BUILDING_ID: footprints.ids, "points": buildings.points,
+                   "density": buildings.density, "ground": buildings.ground, "shift_x": buildings.shift_x,
+                   "shift_y": buildings.shift_y, "shift_sigma": buildings.shift_sigma,
+                   "shift_status": buildings.shift_status, "status": buildings.status,
+                   NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points)]}
+        return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
+                                buildings.outlines, "MultiPolygon", "segmented_buildings", progress)
+
+
+def _note(note: str, usable: bool, points: int) -> str:
+    """What is to be said of an outline: its flaws, and that nothing stands in it."""
+    nothing = "there are no points of a building in its outline" if usable and not points else ""
+    return "; ".join(filter(None, (note, nothing)))

@@ -1,0 +1,124 @@
+"""urbanmap:wallsfrommms."""
+
+from __future__ import annotations
+
+from contextlib import nullcontext
+from dataclasses import replace
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.building_layers import building_ids, read_buildings
+from ..framework.crs import crs_name
+from ..framework.layers import make_fields
+from ..framework.parameters import tr
+from ..framework.workers import workers
+
+
+class WallsFromMms(UrbanMapAlgorithm):
+    ID = "wallsfrommms"
+    NAME = "Walls from a mobile survey"
+    SOURCE = "Javanmardi 2018, 5.7"
+    KEYWORDS = ("wall", "facade", "MMS", "mobile mapping", "lidar", "plane", "contour")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio", "cv2")
+    HELP = (
+        "Finds the walls of buildings in a mobile survey that has been put on the map.\n"
+        "Points near the buildings' outlines and below a height above ground are parted into walls and the rest by "
+        "their normals, freed of outliers and cut into planes. The concave hull of each plane's points is the contour "
+        "of a wall; holes in it are places where nothing was measured, such as windows, passages and shadows.\n"
+        "Each wall says how well its points fit, how well its place is known, how much of it was seen and how much "
+        "may be hidden behind trees, vehicles and the like. The accuracy is that of the wall in the survey; the place "
+        "of the survey itself is not in it."
+    )
+
+    def declare(self):
+        self.add_points("POINTS", "Mobile survey", "One or several LAS, LAZ or COPC files of a survey that lies on the "
+                        "map, such as from “Apply corrected trajectory”.")
+        self.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
+                          "“Building models”). A whole-number field building_id is kept as the number of the building; "
+                          "without it, buildings are numbered from 1 in the layer's order.")
+        self.add_distance("MAX_HEIGHT", "Greatest height", "Height in metres above the ground up to which points are "
+                          "used.", 20.0, 1.0, 500.0)
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is taken "
+                        "from the lowest points round each building.", optional=True)
+        self.add_distance("REACH", "Reach", "Farthest distance in metres of a wall outside its building's outline: how "
+                          "far the outlines may be off. Inside, setbacks are found at any distance.", 2.0, 0.25, 6.0,
+                          advanced=True)
+        self.add_number("MIN_AREA", "Least area of a wall", "Smaller pieces are left out.", 3.0, 0.25, 1000.0,
+                        unit="m2", advanced=True)
+        self.add_distance("TOLERANCE", "Tolerance", "Farthest distance in metres of a wall's points, on the mean of 30 "
+                          "cm, from its plane.", 0.08, 0.01, 0.5, advanced=True)
+        self.add_distance("GAP", "Widest gap", "A wall may be interrupted by up to so many metres.", 1.5, 0.0, 20.0,
+                          advanced=True)
+        self.add_number("MIN_OPENING", "Least opening", "Smaller holes in a contour are filled, and their share is "
+                        "told.", 0.5, 0.0, 100.0, unit="m2", advanced=True)
+        self.add_workers()
+        self.add_layer_output("OUTPUT", "Walls", "PolygonZ, one feature a contour: building_id, wall_id, status, note, "
+                              "area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, "
+                              "normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, "
+                              "openings, filled (shares), edge and offset (outline edge, and m before it).")
+        self.add_number_output("WALLS", "Walls", "Number of contours.")
+        self.add_number_output("BUILDINGS_WITH_WALLS", "Buildings with walls", "Buildings of which a wall was found.")
+        self.add_number_output("BUILDINGS_NEAR", "Buildings reached", "Buildings near points of the survey.")
+        self.add_number_output("AREA", "Area", "Area of all contours.", "m2")
+        self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Median over the walls of the standard deviation of "
+                               "their place in the survey.", "m")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ...urbanmap_qgis.facades.building_plans import building_plans
+        from ...urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, find_walls, wall_columns
+        from ...urbanmap_qgis.io.raster import RasterSampler
+
+        progress = self.progress(feedback)
+        table = read_buildings(self, parameters, "BUILDINGS", context, progress)
+        plans = building_plans(table.geometries, building_ids(table))
+        cloud = self._cloud(parameters, context, table, progress)
+        path = self.raster_path(parameters, "GROUND", context)
+        with (RasterSampler(path) if path else nullcontext() as ground,
+              workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor):
+            if ground is not None:
+                self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
+            walls, counts = find_walls(cloud, plans, self._settings(parameters, context), ground, executor,
+                                       progress.part(0.0, 0.95))
+        if counts.with_walls < counts.near:
+            progress.message(tr("{0} of {1} buildings near the survey show no wall.").format(
+                counts.near - counts.with_walls, counts.near))
+        if not walls:
+            progress.warn(tr("No wall was found: the survey shows too little of the buildings, or does not lie on the "
+                             "map."))
+        elif not np.isfinite(plans.top).any():
+            progress.message(tr("The buildings tell no heights: coverage is counted up to the highest point seen of "
+                                "each wall."))
+        columns = wall_columns(walls)
+        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*WALL_COLUMNS), columns, table.crs,
+                                 [wall.contour for wall in walls], "PolygonZ", "facade_walls", progress.part(0.95, 1.0))
+        return {"OUTPUT": layer, "WALLS": len(walls), "BUILDINGS_WITH_WALLS": counts.with_walls,
+                "BUILDINGS_NEAR": counts.near, "AREA": float(sum(columns["area"])),
+                "MEDIAN_SIGMA": float(np.median(columns["sigma"])) if walls else None}
+
+    def _cloud(self, parameters, context, table, progress):
+        """The survey, in the CRS of the buildings."""
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
+        if not cloud.crs_wkt:
+            progress.warn(tr("{0}: the files state no coordinate reference system; they are taken to be in that of "
+                             "{1}, {2}.").format(self.label_of("POINTS"), self.label_of("BUILDINGS"),
+                                                 crs_name(table.crs)))
+            return replace(cloud, crs_wkt=table.crs_wkt)
+        self.require_projected("POINTS", cloud.crs_wkt)
+        self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", table.crs)
+        return cloud
+
+    def _settings(self, parameters, context):
+        from ...urbanmap_qgis.facades.facade_points import FacadeSettings
+        from ...urbanmap_qgis.facades.wall_contours import ContourSettings
+        from ...urbanmap_qgis.facades.wall_planes import PlaneSettings
+        from ...urbanmap_qgis.facades.wall_stage import WallSettings
+
+        def number(name):
+            return self.parameterAsDouble(parameters, name, context)
+
+        return WallSettings(FacadeSettings(number("MAX_HEIGHT"), number("REACH")),
+                            PlaneSettings(number("TOLERANCE"), number("MIN_AREA"), number("GAP")),
+                            ContourSettings(number("MIN_AREA"), number("MIN_OPENING")))

@@ -1,0 +1,1 @@
+"""What all algorithms stand on: base class, parameters, layers, CRS, workers, packages."""

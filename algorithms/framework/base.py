@@ -1,0 +1,410 @@
+"""The base class of all UrbanMap algorithms."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Mapping
+from html import escape
+from pathlib import Path
+
+from qgis.core import (
+    QgsApplication,
+    QgsProcessingAlgorithm,
+    QgsProcessingContext,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsProcessingMultiStepFeedback,
+    QgsProcessingUtils,
+)
+from qgis.PyQt.QtGui import QIcon
+
+from ...urbanmap_qgis.errors import Cancelled, InputError, OutputError, UrbanMapError
+from ...urbanmap_qgis.progress import SILENT, Progress
+from . import crs as crs_checks
+from . import layers
+from .dependencies import refusal
+from .interrupt import signals_cancel
+from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
+from .parameters import check_names, tr
+from .trajectories import TrajectoryParameters, trajectory_exists
+
+ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
+
+GROUPS = {
+    "start": "Getting started",
+    "aerial": "Aerial reference",
+    "mobile": "Mobile mapping",
+    "lines": "Line scanners and line cameras",
+    "buildings": "Buildings",
+    "gnss": "GNSS",
+    "workflows": "Workflows",
+}
+
+POINT_SUFFIXES = (".las", ".laz")
+
+TEMPORARY_LAYER = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # as QGIS names them
+
+AROUND = 60.0  # m of a raster read beyond the features that it is for
+
+
+class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
+    """An algorithm that says what it is in class attributes, declares its parameters and runs.
+
+    A subclass sets the attributes below and implements `declare` and `compute`, and `check` where it has more to check
+    before the run than the base class (files are there, folders can be written, outlines are in metres).
+
+    Attributes
+    ----------
+    ID, NAME : id (lower case) and name in the toolbox.
+    HELP : what it does, as plain text; a line break starts a paragraph.
+    SOURCE : where the method is described, such as "Javanmardi 2018, 5.3.2".
+    KEYWORDS : words under which the toolbox finds it too.
+    REQUIRES : import names of the packages it needs.
+    """
+
+    ID = ""
+    NAME = ""
+    HELP = ""
+    SOURCE = ""
+    KEYWORDS: tuple[str, ...] = ()
+    REQUIRES: tuple[str, ...] = ("numpy", "shapely")
+
+    # To be implemented by the algorithm
+
+    def declare(self) -> None:
+        """Declare parameters and outputs with the `add_...` methods."""
+        raise NotImplementedError
+
+    def check(self, parameters: Mapping, context: QgsProcessingContext) -> None:
+        """Raise `InputError` for parameters that do not fit together; called before and again in the run."""
+
+    def compute(self, parameters: Mapping, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict:
+        """Do the work and return the results by output name; core errors may simply rise.
+
+        (Not named `run`: Python callers of Processing call QGIS's own `run`.)
+        """
+        raise NotImplementedError
+
+    # What QGIS asks
+
+    def createInstance(self):
+        return type(self)()
+
+    def name(self):
+        return self.ID
+
+    def displayName(self):
+        return tr(self.NAME)
+
+    def group(self):
+        return tr(GROUPS[self.groupId()])
+
+    def groupId(self):
+        """The folder of the algorithm's module is its group."""
+        return type(self).__module__.split(".")[-2]
+
+    def tags(self):
+        return [tr(word) for word in self.KEYWORDS]
+
+    def icon(self):
+        path = ICONS / f"{self.groupId()}.svg"
+        return QIcon(str(path if path.is_file() else ICONS / "urbanmap.svg"))
+
+    def shortDescription(self):
+        return tr(self.HELP).strip().split("\n", 1)[0]
+
+    def shortHelpString(self):
+        return help_html(self)
+
+    def initAlgorithm(self, configuration=None):
+        self.declare()
+
+    def canExecute(self):
+        message = refusal(self.REQUIRES)
+        return not message, message
+
+    def _packages_missing(self) -> str:
+        """Why the algorithm cannot run, empty if it can: its packages are then imported, bound to their libraries."""
+        message = refusal(self.REQUIRES)
+        if not message:
+            import_apart(PACKAGES_WITH_LIBRARIES)
+        return message
+
+    def checkParameterValues(self, parameters, context):
+        accepted, message = super().checkParameterValues(parameters, context)
+        if not accepted:
+            return accepted, message
+        message = self._packages_missing()
+        if message:
+            return False, message
+        try:
+            self._check_all(parameters, context)
+        except UrbanMapError as error:
+            return False, str(error)
+        return True, ""
+
+    def processAlgorithm(self, parameters, context, feedback):
+        for sentence in check_names(parameters, [item.name() for item in self.parameterDefinitions()]):
+            feedback.pushWarning(sentence)
+        message = self._packages_missing()
+        if message:
+            raise QgsProcessingException(message)
+        with signals_cancel(feedback) as signals:
+            try:
+                self._check_all(parameters, context)
+                return self.compute(parameters, context, feedback)
+            except Cancelled as error:
+                if feedback.isCanceled() and not signals:
+                    return {}
+                raise QgsProcessingException(str(error)) from None
+            except UrbanMapError as error:
+                raise QgsProcessingException(str(error)) from None
+
+    def _check_all(self, parameters: Mapping, context: QgsProcessingContext) -> None:
+        for definition in self.parameterDefinitions():
+            name = definition.name()
+            if name in self.points_names():
+                self.point_files(parameters, name, context)
+            elif name in self.trajectory_names():
+                self._check_trajectory(parameters, name, context)
+            elif definition.type() == "file":
+                self.input_path(parameters, name, context)
+            elif definition.type() == "fileDestination":
+                self.output_path(parameters, name, context)
+            elif definition.type() == "sink":
+                layers.check_place(self, parameters, name, context)
+        self.check(parameters, context)
+
+    def _check_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
+        text = self.parameterAsFile(parameters, name, context)
+        if text and not trajectory_exists(text, context):
+            raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
+
+    # Reading parameters
+
+    def label_of(self, name: str) -> str:
+        """Label of a parameter, for messages."""
+        definition = self.parameterDefinition(name)
+        return definition.description() if definition is not None else name
+
+    def point_files(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> list[Path]:
+        """Files of a points parameter, each once, in the given order; an empty list where none was given.
+
+        Raises
+        ------
+        InputError : a file does not exist or is no LAS or LAZ file.
+        """
+        paths = [Path(text) for text in self.parameterAsFileList(parameters, name, context) if text]
+        for path in paths:
+            if not path.is_file():
+                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
+                    self.label_of(name), path))
+            if path.suffix.lower() not in POINT_SUFFIXES:
+                raise InputError(tr("{0}: {1} is no LAS, LAZ or COPC file; convert it first.").format(
+                    self.label_of(name), path))
+        if not paths and not _is_optional(self.parameterDefinition(name)):
+            raise InputError(tr("{0}: no file was given; give one or several LAS or LAZ files.").format(
+                self.label_of(name)))
+        return list(dict.fromkeys(paths))
+
+    def input_path(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
+        """Path of an existing file or folder; None where an optional one was not given."""
+        text = self.parameterAsFile(parameters, name, context)
+        if not text:
+            return None
+        if not Path(text).exists():
+            raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of(name), text))
+        return Path(text)
+
+    def raster_path(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
+        """File of a raster layer; None where an optional one was not given."""
+        layer = self.parameterAsRasterLayer(parameters, name, context)
+        if layer is None:
+            if parameters.get(name) is None and _is_optional(self.parameterDefinition(name)):
+                return None
+            raise InputError(tr("{0}: {1} cannot be opened as a raster; check the file.").format(
+                self.label_of(name), parameters.get(name)))
+        path = Path(layer.source().split("|")[0])
+        if not path.is_file():
+            raise InputError(tr("{0}: {1} is no file; export the layer to a GeoTIFF first.").format(
+                self.label_of(name), layer.name()))
+        return path
+
+    def output_path(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
+        """Path of a file to write; None where an optional one is not wanted.
+
+        Raises
+        ------
+        OutputError : its folder does not exist or cannot be written.
+        """
+        text = self.parameterAsFileOutput(parameters, name, context)
+        if not text:
+            return None
+        folder = Path(text).parent
+        if not folder.is_dir():
+            raise OutputError(tr("{0}: the folder {1} does not exist; create it or choose another output.").format(
+                self.label_of(name), folder))
+        if not os.access(folder, os.W_OK):
+            raise OutputError(tr("{0}: the folder {1} cannot be written; choose another output.").format(
+                self.label_of(name), folder))
+        return Path(text)
+
+    def output_layer_path(self, parameters: Mapping, name: str, context: QgsProcessingContext,
+                          style: str = "") -> Path | None:
+        """Path of a raster to write, which QGIS loads afterwards with a style; None where it is not wanted."""
+        text = self.parameterAsOutputLayer(parameters, name, context)
+        if not text:
+            return None
+        if style:
+            layers.give_style(context, text, style)
+        return Path(text)
+
+    def settings_of(self, parameters: Mapping) -> dict[str, str]:
+        """Labels and values of all input parameters as a run used them, for reports."""
+        settings = {}
+        for definition in self.parameterDefinitions():
+            if not definition.isDestination():
+                value = parameters.get(definition.name(), definition.defaultValue())
+                settings[definition.description()] = "" if value is None else _value_text(value)
+        return settings
+
+    def progress(self, feedback: QgsProcessingFeedback) -> Progress:
+        """The core's progress object that speaks to QGIS and obeys its Cancel button."""
+        return Progress(report=lambda fraction: feedback.setProgress(100.0 * fraction),
+                        message=feedback.pushInfo, warn=feedback.pushWarning, cancelled=feedback.isCanceled)
+
+    # Steps of a chain
+
+    def child_runner(self, context: QgsProcessingContext, feedback: QgsProcessingFeedback, steps: int):
+        """Function `run(algorithm, **parameters) -> results` that runs one of `steps` algorithms after another.
+
+        A step's error is raised as it is; progress goes on over all steps, and each says its name.
+        """
+        import processing
+
+        stages = QgsProcessingMultiStepFeedback(steps, feedback)
+        done = iter(range(steps))
+
+        def run(algorithm: str, **parameters) -> dict:
+            stages.setCurrentStep(next(done))
+            name = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{algorithm}").displayName()
+            stages.pushInfo(tr("Step: {0}").format(name))
+            results = processing.run(f"urbanmap:{algorithm}", parameters, context=context, feedback=stages,
+                                     is_child_algorithm=True)
+            if feedback.isCanceled():
+                raise Cancelled()
+            return results
+
+        return run
+
+    def temporary_file(self, context: QgsProcessingContext, name: str) -> str:
+        """Path of a file that QGIS removes when it ends."""
+        return QgsProcessingUtils.generateTempFilename(name)
+
+    # Layers
+
+    def read_vector(self, parameters: Mapping, name: str, context: QgsProcessingContext,
+                    progress: Progress = SILENT, extent=None) -> layers.VectorTable | None:
+        """A vector layer or table in memory; None where an optional one was not given."""
+        source = self._source(parameters, name, context)
+        return source and layers.read_source(source, self.label_of(name), progress, extent)
+
+    def read_polygons(self, parameters: Mapping, name: str, context: QgsProcessingContext,
+                      progress: Progress = SILENT, extent=None) -> layers.VectorTable | None:
+        """Polygons in a projected CRS in metres; see `layers.read_polygon_source`."""
+        source = self._source(parameters, name, context)
+        return source and layers.read_polygon_source(source, self.label_of(name), progress, extent)
+
+    def ground_heights(self, parameters: Mapping, name: str, context: QgsProcessingContext, layer_name: str,
+                       layer: layers.VectorTable):
+        """Grid and heights (rows, columns), m, of a raster round the features of a layer; None where none is given.
+
+        Raises
+        ------
+        InputError : the raster is in another CRS than the layer, or does not reach it.
+        """
+        path = self.raster_path(parameters, name, context)
+        if path is None:
+            return None
+        import shapely
+
+        from ...urbanmap_qgis.io.raster import read_raster
+
+        x_min, y_min, x_max, y_max = shapely.total_bounds(layer.geometries)
+        heights, whole, crs = read_raster(path)
+        self.same_crs(name, crs, layer_name, layer.crs)
+        rows, columns, grid = whole.window(x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND)
+        heights = heights[rows, columns]
+        if not heights.size:
+            raise InputError(tr("{0} does not reach {1}; give a raster of the same place.").format(
+                self.label_of(name), self.label_of(layer_name)))
+        return grid, heights
+
+    def write_layer(self, parameters: Mapping, name: str, context: QgsProcessingContext, fields, columns, crs,
+                    geometries=None, geometry_type: str = "NoGeometry", style: str = "",
+                    progress: Progress = SILENT) -> str | None:
+        """Write an output layer when all is computed; see `layers.write_layer`."""
+        return layers.write_layer(self, parameters, name, context, fields, columns, crs, geometries,
+                                  geometry_type, style, progress)
+
+    def same_crs(self, name_a: str, crs_a, name_b: str, crs_b) -> None:
+        """Refuse two inputs in different CRS, naming both by their labels; a CRS is QGIS's or WKT."""
+        crs_checks.same_crs(self.label_of(name_a), crs_a, self.label_of(name_b), crs_b)
+
+    def require_projected(self, name: str, crs) -> None:
+        """Refuse a CRS that is missing, geographic or not in metres; it is QGIS's or WKT."""
+        crs_checks.require_projected(self.label_of(name), crs)
+
+    def _source(self, parameters: Mapping, name: str, context: QgsProcessingContext):
+        source = self.parameterAsSource(parameters, name, context)
+        if source is None and (parameters.get(name) or not _is_optional(self.parameterDefinition(name))):
+            raise InputError(tr("{0}: {1} cannot be opened as a vector layer; check the file and the layer name.")
+                             .format(self.label_of(name), parameters.get(name)))
+        return source
+
+
+def help_html(algorithm: UrbanMapAlgorithm) -> str:
+    """The help of the panel: what it does, then each parameter and output with its own help.
+
+    QGIS makes a paragraph of every line.
+    """
+    lines = [escape(line) for line in tr(algorithm.HELP).strip().splitlines()]
+    inputs = [item for item in algorithm.parameterDefinitions() if not item.isDestination()]
+    lines += _section(tr("Input"), [(item.description(), item.help(), _default(item)) for item in inputs])
+    helps = {item.name(): item.help() for item in algorithm.parameterDefinitions() if item.isDestination()}
+    helps.update(algorithm.output_helps())
+    lines += _section(tr("Output"), [(item.description(), helps.get(item.name(), ""), "")
+                                     for item in algorithm.outputDefinitions()])
+    if algorithm.SOURCE:
+        lines.append(f"<i>{escape(tr('Method'))}: {escape(algorithm.SOURCE)}</i>")
+    return "\n".join(lines)
+
+
+def _section(title: str, entries: list[tuple[str, str, str]]) -> list[str]:
+    if not entries:
+        return []
+    return [f"<h3>{escape(title)}</h3>",
+            *(f"<b>{escape(label)}</b>: {escape(' '.join(text.split()))}{escape(default)}"
+              for label, text, default in entries)]
+
+
+def _default(definition) -> str:
+    value = definition.defaultValue()
+    return tr(" Default: {0}.").format(value) if isinstance(value, (int, float, str)) and value != "" else ""
+
+
+def _is_optional(definition) -> bool:
+    return bool(definition.flags() & definition.Flag.FlagOptional)
+
+
+def _value_text(value: object) -> str:
+    """A parameter's value as a report shows it: of files their names only."""
+    if isinstance(value, (list, tuple)):
+        return ", ".join(map(_value_text, value))
+    if hasattr(value, "source") and hasattr(value, "name"):
+        return value.name()
+    text = str(value)
+    if TEMPORARY_LAYER.search(text):
+        return tr("temporary layer")
+    return Path(text).name if os.sep in text else text

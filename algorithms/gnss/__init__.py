@@ -1,0 +1,1 @@
+"""GNSS: reflections at walls, adjusted walls, visible satellites."""

@@ -1,0 +1,119 @@
+"""urbanmap:adjustwalls."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER, tr
+from .inputs import GnssInputs
+
+
+class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
+    ID = "adjustwalls"
+    NAME = "Adjust walls by GNSS"
+    SOURCE = "Javanmardi 2018, 5.6"
+    KEYWORDS = ("GNSS", "GPS", "RINEX", "wall", "facade", "parapet", "multipath", "reflection", "ray tracing")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
+    HELP = (
+        "Puts walls of building models where reflected satellite signals say they are: models made from roofs have "
+        "their walls at the parapets, about a metre off.\n"
+        "The code measurement of a signal that a wall has reflected is too long by twice the distance to the wall "
+        "times a cosine. Only signals that are blocked for sure and that exactly one wall can have reflected are "
+        "used; those of a satellite within half a minute count as one. A wall is adjusted if there are enough of them, "
+        "of several satellites and passes, with one answer. All other walls stay where they are, with the reason. "
+        "Buildings stay closed: neighbouring edges follow.\n"
+        "Give as many passes as there are: with one or two nothing is moved, about ten are needed for a wall."
+    )
+
+    def declare(self):
+        self.add_gnss_inputs()
+        self.add_number("MIN_PASSES", "Least passes", "Walls seen in fewer observation files stay.", 3, 1, 100,
+                        integer=True, advanced=True)
+        self.add_number("MIN_VOTES", "Least observations", "Walls with fewer independent observations stay.", 8, 1,
+                        10000, integer=True, advanced=True)
+        self.add_number("MIN_SATELLITES", "Least satellites", "Walls seen by fewer satellites stay.", 4, 1, 100,
+                        integer=True, advanced=True)
+        self.add_distance("MAX_SIGMA", "Largest sigma", "Walls whose offset has a larger standard deviation stay.",
+                          0.35, 0.05, 5.0, advanced=True)
+        self.add_distance("PRIOR_SIGMA", "Expected offset", "How far walls are off before anything is measured "
+                          "(standard deviation).", 1.0, 0.05, 5.0, advanced=True)
+        self.add_layer_output("OUTPUT", "Adjusted buildings", "The buildings with their fields, and walls_adjusted "
+                              "(number of walls moved by their own observations) and walls_moved_by (m, largest).")
+        self.add_layer_output("OUTPUT_WALLS", "Walls", "LineStringZ where each wall now stands: building, edge, status "
+                              "(adjusted, not observable, held), reason, offset and sigma (m, outwards), applied (m "
+                              "moved), observations, signals, satellites, passes, on_time (share of the observations "
+                              "that agree), distance (m to the nearest antenna), length, low, top (m).",
+                              source_type=QgsProcessing.SourceType.TypeVectorLine, optional=True, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
+                             "walls before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("WALLS", "Walls", "Number of walls.")
+        self.add_number_output("ADJUSTED", "Adjusted", "Walls that were moved by their own observations.")
+        self.add_number_output("OBSERVATIONS_USED", "Observations used", "Independent observations of all walls.")
+        self.add_number_output("PASSES", "Passes", "Observation files with usable signals.")
+        self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Of the offsets of the adjusted walls.", "m")
+        self.add_number_output("MEDIAN_OFFSET", "Median offset", "Size of the offsets of the adjusted walls.", "m")
+
+    def check(self, parameters, context):
+        self.check_gnss_inputs(parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ...urbanmap_qgis.gnss.reports.report import write_adjustment_report
+        from ...urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, adjust_walls
+        from ...urbanmap_qgis.gnss.walls.columns import WALL_COLUMNS, building_columns, wall_columns, wall_lines
+
+        progress = self.progress(feedback)
+        buildings = self.read_gnss_buildings(parameters, context, progress)
+        table = buildings.table
+        signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.3))
+        made = adjust_walls(table.geometries, buildings.building, signals, buildings.top, buildings.base,
+                            self._settings(parameters, context), progress.part(0.3, 0.95))
+        adjusted = made.walls.status == ADJUSTED
+        progress.message(tr("{0} of {1} walls were adjusted.").format(int(adjusted.sum()), len(adjusted)))
+        if not adjusted.any():
+            progress.warn(tr("No wall was moved: the observations do not decide; the field “reason” of the walls tells "
+                             "why."))
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_adjustment_report(report, signals, made, buildings.names, table.geometries,
+                                    self.settings_of(parameters))
+        walls = None
+        if parameters.get("OUTPUT_WALLS"):
+            walls = self.write_layer(parameters, "OUTPUT_WALLS", context, make_fields(*WALL_COLUMNS),
+                                     wall_columns(made, buildings.names), table.crs, wall_lines(made, signals),
+                                     "LineStringZ", "gnss_walls", progress.part(0.95, 0.97))
+        extra = building_columns(made, buildings.building)
+        layer = self.write_layer(
+            parameters, "OUTPUT", context,
+            make_fields(("walls_adjusted", "int"), ("walls_moved_by", "real"), base=table.fields),
+            {**table.columns, **extra}, table.crs, made.shapes, geometry_type(made.shapes), "gnss_buildings",
+            progress.part(0.97, 1.0))
+        sizes = np.abs(made.walls.offset[adjusted])
+        return {"OUTPUT": layer, **({"OUTPUT_WALLS": walls} if walls else {}),
+                **({"OUTPUT_REPORT": str(report)} if report else {}), "WALLS": len(adjusted),
+                "ADJUSTED": int(adjusted.sum()), "OBSERVATIONS_USED": len(made.votes),
+                "PASSES": len(np.unique(signals.epochs.source[signals.epoch])),
+                "MEDIAN_SIGMA": float(np.median(made.walls.sigma[adjusted])) if adjusted.any() else None,
+                "MEDIAN_OFFSET": float(np.median(sizes)) if adjusted.any() else None}
+
+    def _settings(self, parameters, context):
+        """The core's settings."""
+        from ...urbanmap_qgis.gnss.walls.adjustment import AdjustmentSettings
+
+        return AdjustmentSettings(
+            prior_sigma=self.parameterAsDouble(parameters, "PRIOR_SIGMA", context),
+            least_votes=self.parameterAsInt(parameters, "MIN_VOTES", context),
+            least_satellites=self.parameterAsInt(parameters, "MIN_SATELLITES", context),
+            least_passes=self.parameterAsInt(parameters, "MIN_PASSES", context),
+            most_sigma=self.parameterAsDouble(parameters, "MAX_SIGMA", context),
+            trace=self.trace_settings(parameters, context))
+
+
+def geometry_type(shapes) -> str:
+    """QGIS's name of the type that holds all the shapes."""
+    present = [shape for shape in shapes if shape is not None]
+    multi = any(shape.geom_type.startswith("Multi") for shape in present)
+    return f"{'Multi' if multi else ''}Polygon{'Z' if any(shape.has_z for shape in present) else ''}"

@@ -1,0 +1,1 @@
+"""Line scanners and line cameras: scans, rectified trajectories, facade textures, objects."""

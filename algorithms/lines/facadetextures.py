@@ -1,0 +1,124 @@
+"""urbanmap:facadetextures."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.outlines import column
+from ..framework.parameters import tr
+from ..framework.workers import workers
+from .image_sources import add_images, check_images, image_sources
+
+MODEL_FILTER = "glTF binary (*.glb);;Wavefront OBJ (*.obj);;CityJSON (*.city.json *.json)"
+
+
+class FacadeTextures(UrbanMapAlgorithm):
+    ID = "facadetextures"
+    NAME = "Facade textures"
+    SOURCE = "Zhao and Shibasaki, 2.2 and 4.2"
+    KEYWORDS = ("texture", "facade", "line camera", "strip", "image", "glTF", "OBJ", "CityJSON", "appearance")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
+    HELP = (
+        "Gives the facades of building models the images of line cameras, of aerial frames, or of both.\n"
+        "Every place of a facade takes the image that shows it in most detail among those from which no other building "
+        "hides it and, where laser points are given, no tree or vehicle. Brightness is evened out between images, and "
+        "they pass softly into each other. Places that no image shows stay grey; a facade that none shows gets no "
+        "texture, and the layer of facades says why.\n"
+        "Trajectory, points and building models must fit together: correct the survey first."
+    )
+
+    def declare(self):
+        add_images(self)
+        self.add_vector("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building, such as those "
+                        "of “Building models”; the field building_id names them.",
+                        source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+        self.add_points("POINTS", "Laser points", "Points of the survey; what stands before a facade hides it.", True)
+        self.add_distance("RESOLUTION", "Resolution", "Side of a pixel on the facade.", 0.05, 0.005, 1.0)
+        self.add_distance("REACH", "Reach", "Line images are used up to this distance.", 40.0, 1.0, 200.0,
+                          advanced=True)
+        self.add_number("MIN_SEEN", "Least share seen", "Facades of which images show less get no texture.", 0.02, 0.0,
+                        1.0, advanced=True)
+        self.add_workers()
+        self.add_file_output("OUTPUT", "Textured model", "By its ending: .glb holds its images; .obj and .city.json "
+                             "have theirs in a folder beside.", MODEL_FILTER)
+        self.add_folder_output("OUTPUT_FOLDER", "Folder of all kinds", "The model as glTF, OBJ and CityJSON with its "
+                               "images.", optional=True)
+        self.add_layer_output("OUTPUT_FACADES", "Facades", "PolygonZ, one feature a facade: building_id, facade, area "
+                              "(m2), azimuth (degrees), seen (share), detail (m, size of the images' pixels), images, "
+                              "status, reason.", optional=True, by_default=True)
+        self.add_number_output("FACADES", "Facades", "Number of facades.")
+        self.add_number_output("TEXTURED", "Textured facades", "Facades with a texture.")
+        self.add_number_output("SEEN", "Share seen", "Share of all facades' area that images show, 0 to 1.")
+
+    def check(self, parameters, context):
+        from ...urbanmap_qgis.imagery.texture_files import check_model_name
+
+        check_model_name(self.output_path(parameters, "OUTPUT", context))
+        check_images(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.imagery.texture_files import write_textured
+        from ...urbanmap_qgis.imagery.texture_stage import buildings_of, summary, texture_buildings
+
+        progress = self.progress(feedback)
+        table = self.read_vector(parameters, "BUILDINGS", context, progress)
+        self.require_projected("BUILDINGS", table.crs)
+        ids = column(table, "building_id") or table.ids.tolist()
+        buildings = buildings_of(ids, table.geometries)
+        sources = image_sources(self, parameters, context, table.crs_wkt, progress)
+        voxels = self._voxels(parameters, context, table, progress.part(0.0, 0.2))
+        folder = self.parameterAsString(parameters, "OUTPUT_FOLDER", context) or None
+        model = self.output_path(parameters, "OUTPUT", context)
+        code = table.crs.authid().removeprefix("EPSG:")
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = texture_buildings(buildings, sources, self._settings(parameters, context), voxels, executor,
+                                     progress.part(0.2, 0.9))
+            records = write_textured(made, model, folder, epsg=int(code) if code.isdigit() else None,
+                                     crs=table.crs.authid(), progress=progress)
+        numbers = summary(records)
+        if numbers["textured"] < numbers["facades"]:
+            progress.warn(tr("{0} of {1} facades have no texture; the field “reason” of the layer of facades tells "
+                             "why.").format(numbers["facades"] - numbers["textured"], numbers["facades"]))
+        results = {"OUTPUT": str(model), "FACADES": numbers["facades"], "TEXTURED": numbers["textured"],
+                   "SEEN": numbers["seen"]}
+        layer = self._write_facades(parameters, context, records, table, progress)
+        if layer:
+            results["OUTPUT_FACADES"] = layer
+        if folder:
+            results["OUTPUT_FOLDER"] = folder
+        return results
+
+    def _settings(self, parameters, context):
+        from ...urbanmap_qgis.imagery.facade_texture import TextureSettings
+
+        return TextureSettings(*(self.parameterAsDouble(parameters, name, context)
+                                 for name in ("RESOLUTION", "REACH", "MIN_SEEN")))
+
+    def _voxels(self, parameters, context, table, progress):
+        """Cells with laser points round the buildings."""
+        from ...urbanmap_qgis.imagery.obstacles import NO_POINTS, voxels_from_cloud
+
+        paths = self.point_files(parameters, "POINTS", context)
+        if not paths:
+            return NO_POINTS
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+
+        cloud = open_cloud(paths, table.crs_wkt)
+        self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", table.crs)
+        return voxels_from_cloud(cloud, progress)
+
+    def _write_facades(self, parameters, context, records, table, progress):
+        """The layer of facades, where wanted."""
+        if not parameters.get("OUTPUT_FACADES"):
+            return None
+        names = ("facade", "area", "azimuth", "seen", "detail", "images", "status", "reason")
+        kinds = ("int", "real", "real", "real", "real", "text", "text", "text")
+        values = {name: [getattr(record, name) for record in records] for name in names}
+        ids = [record.building for record in records]
+        kind = "int" if all(isinstance(value, int) for value in ids) else "text"
+        values["building_id"] = ids if kind == "int" else [str(value) for value in ids]
+        return self.write_layer(parameters, "OUTPUT_FACADES", context,
+                                make_fields(("building_id", kind), *zip(names, kinds)), values, table.crs,
+                                [record.polygon for record in records], "PolygonZ", "facades", progress)

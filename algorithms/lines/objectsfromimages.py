@@ -1,0 +1,89 @@
+"""urbanmap:objectsfromimages."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.outlines import column
+from ..framework.parameters import tr
+from .image_sources import add_images, check_images, image_sources
+
+IMAGE = "image"
+
+FIELDS = (("width", "real"), ("height", "real"), ("azimuth", "real"), ("area", "real"), ("z_low", "real"),
+          ("z_high", "real"), ("distance", "real"), ("points", "int"), ("rmse", "real"), ("sigma", "real"),
+          ("status", "text"), ("reason", "text"))
+
+
+class ObjectsFromImages(UrbanMapAlgorithm):
+    ID = "objectsfromimages"
+    NAME = "Objects from images"
+    SOURCE = "Zhao and Shibasaki, 4.2"
+    KEYWORDS = ("sign", "signal", "light", "kerb", "object", "line camera", "strip", "image", "laser")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
+    HELP = (
+        "Brings outlines that were drawn on line images or frames into the map: sign boards, signals and lights as "
+        "polygons or points, kerbs as lines.\n"
+        "Laser points are projected into the image; those inside the outline and on the nearest surface that hangs "
+        "together give the outline its place, size, orientation and height. All fields of the outlines are kept.\n"
+        "Open the image in QGIS without a coordinate reference system and draw on it: x runs along the columns, y "
+        "is negative downwards. A field image names the file where there are several.\n"
+        "Images and points must be placed by the same trajectory."
+    )
+
+    def declare(self):
+        self.add_points(help="Laser points of the survey, LAS, LAZ or COPC, placed by the same trajectory.")
+        add_images(self)
+        self.add_vector("OUTLINES", "Outlines", "Polygons, lines or points drawn on the images, in pixels.",
+                        source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
+        self.add_distance("REACH", "Reach", "Laser points farther from the camera are not used (line images).", 50.0,
+                          1.0, 500.0, advanced=True)
+        self.add_layer_output("OUTPUT", "Objects", "One feature an outline, with z: the fields of the outlines and "
+                              "width, height (m), azimuth (degrees, where the surface faces), area (m2), z_low, "
+                              "z_high, distance (m, from the camera), points, rmse, sigma (m), status, reason.",
+                              source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
+        self.add_number_output("OBJECTS", "Outlines", "Number of outlines.")
+        self.add_number_output("MEASURED", "Measured", "Outlines that became features with a place.")
+        self.add_number_output("SIGMA", "Median sigma", "Median standard deviation of the corners' places against the "
+                               "laser points.", "m")
+
+    def check(self, parameters, context):
+        check_images(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ...urbanmap_qgis.imagery.image_outlines import image_outlines
+        from ...urbanmap_qgis.imagery.object_stage import geometry_type, objects_from_outlines
+
+        progress = self.progress(feedback)
+        cloud = self._cloud(parameters, context)
+        table = self.read_vector(parameters, "OUTLINES", context, progress)
+        sources = image_sources(self, parameters, context, cloud.crs_wkt, progress)
+        outlines = image_outlines(table.geometries, column(table, IMAGE), sources)
+        made = objects_from_outlines(outlines, cloud, self.parameterAsDouble(parameters, "REACH", context),
+                                     progress.part(0.0, 0.95))
+        missing = sum(item.geometry is None for item in made)
+        if missing:
+            progress.warn(tr("{0} of {1} outlines could not be measured; the field “reason” tells why.").format(
+                missing, len(made)))
+        taken = {name.lower() for name, _ in FIELDS}
+        kept = {name: [values[item.feature] for item in made] for name, values in table.columns.items()
+                if name.lower() not in taken}
+        columns = {**kept, **{name: [getattr(item, name) for item in made] for name, _ in FIELDS}}
+        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS, base=table.fields), columns,
+                                 cloud.crs_wkt, [item.geometry for item in made], geometry_type(outlines), "",
+                                 progress.part(0.95, 1.0))
+        sigmas = [item.sigma for item in made if item.geometry is not None]
+        return {"OUTPUT": layer, "OBJECTS": len(made), "MEASURED": len(made) - missing,
+                "SIGMA": float(np.median(sigmas)) if sigmas else None}
+
+    def _cloud(self, parameters, context):
+        """The point cloud, which must say in which projected CRS it is."""
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context))
+        self.require_projected("POINTS", cloud.crs_wkt)
+        return cloud

@@ -1,0 +1,200 @@
+"""urbanmap:rectifytrajectory."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER, tr
+
+METHODS = ("drift", "relative", "iterative")
+SET_FIELDS = (("set", "text"), ("time", "real"), ("pairs", "int"), ("before", "real"), ("after", "real"),
+              ("east", "real"), ("north", "real"), ("heading", "real"), ("misfit", "real"), ("predicted", "real"),
+              ("status", "text"))
+EPOCH_FIELDS = (("time", "real"), ("east", "real"), ("north", "real"), ("up", "real"), ("heading", "real"),
+                ("sigma", "real"), ("sigma_up", "real"), ("sigma_heading", "real"), ("status", "text"))
+
+
+class RectifyTrajectory(UrbanMapAlgorithm):
+    ID = "rectifytrajectory"
+    NAME = "Rectify trajectory"
+    SOURCE = "Zhao and Shibasaki 2004, 3, eq. 8 to 17"
+    KEYWORDS = ("tie points", "drift", "GPS", "INS", "adjustment", "registration", "mobile", "VLMS", "correction")
+    REQUIRES = ("numpy", "scipy", "pyproj", "rasterio")
+    HELP = (
+        "Corrects position and heading of a survey's trajectory by tie points: places, such as corners of buildings, "
+        "that the survey and a reference both show. Two or more pairs measured within some seconds are a set.\n"
+        "By default the drift is estimated from all tie points together, each at its own time, with its sigma at every "
+        "epoch; contradicting pairs and sets are found and told. The two other methods follow the paper: each set "
+        "gives a true pose, and the relative motions between two of them take their parts of the error, in closed form "
+        "or by the paper's iteration. Before the first and after the last set the correction is carried on.\n"
+        "With a ground raster the heights then follow the ground along the course, at the given height of the "
+        "trajectory's origin above it. Roll and pitch stay as they are."
+    )
+
+    def declare(self):
+        self.add_trajectory(help="The reported trajectory: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, "
+                            "degrees), Applanix SBET, or a point layer with these fields.")
+        self.add_vector("TIE_POINTS", "Tie points", "CSV or layer with set,time,x_mms,y_mms,x_ref,y_ref: name of the "
+                        "set, when the survey measured the place (s), where it lies in the survey and in the reference "
+                        "(m). In a line layer with set and time each line may run from survey to reference instead.")
+        self.add_raster("GROUND", "Ground", "Heights of the ground, or a surface, along the course: then heights are "
+                        "corrected too.", optional=True)
+        self.add_distance("SENSOR_HEIGHT", "Height of the origin", "Height of the trajectory's origin above the "
+                          "ground, in metres. Without it the mean height stays as reported.", None, -100.0, 100.0,
+                          optional=True)
+        self.add_choice("METHOD", "Method", "Best estimate of the drift from all tie points; or relative motions "
+                        "adjusted between sets in closed form; or the same by the paper's iteration.", METHODS, "drift",
+                        advanced=True)
+        self.add_distance("TIE_SIGMA", "Sigma of tie points", "Standard deviation of a tie point's coordinate in "
+                          "metres; 0 finds it from the tie points.", 0.0, 0.0, 100.0, advanced=True)
+        self.add_number("HEADING_SIGMA", "Expected error of the heading", "Standard deviation in degrees: what is "
+                        "known of the heading where the pairs of a set lie close together.", 0.5, 0.001, 45.0,
+                        unit="degrees", advanced=True)
+        self.add_boolean("KEEP_BLUNDERS", "Keep doubtful sets", "Use sets even though the other sets put them "
+                         "elsewhere.", False, advanced=True)
+        self.add_crs("CRS", "Coordinate reference system", "Of trajectory and tie points, where no layer says it; "
+                     "needed for SBET trajectories.", optional=True, advanced=True)
+        self.add_trajectory_output("OUTPUT", "Rectified trajectory")
+        self.add_layer_output("OUTPUT_SETS", "Sets", "One point a set: distance from the reference before and after, "
+                              "correction, misfit within the set, how far off it would lie without itself (predicted), "
+                              "and its status.", optional=True)
+        self.add_layer_output("OUTPUT_EPOCHS", "Epochs", "One point an epoch: correction, sigma and status (between "
+                              "sets, or carried on before the first or after the last).", optional=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Before and after, set by set, as HTML.", HTML_FILTER,
+                             optional=True, by_default=True)
+        self.add_number_output("SETS", "Sets", "Sets of tie points within the trajectory's time.")
+        self.add_number_output("SETS_USED", "Sets used", "Sets that were not left out.")
+        self.add_number_output("BEFORE", "Distance before", "Mean distance of the tie points from the reference as "
+                               "reported.", unit="m")
+        self.add_number_output("AFTER", "Distance after", "The same after the rectification.", unit="m")
+        self.add_number_output("PREDICTED", "Off without itself", "Mean over the sets of how far a set would lie off "
+                               "if it were not used.", unit="m")
+        self.add_number_output("MEAN_SIGMA", "Mean sigma", "Mean standard deviation of a plan coordinate between the "
+                               "sets.", unit="m")
+        self.add_number_output("MAX_SIGMA", "Greatest sigma", "Greatest of all epochs.", unit="m")
+        self.add_number_output("HELD_SHARE", "Share carried on", "Share of the epochs before the first or after the "
+                               "last set, 0 to 1.")
+        self.add_number_output("HEIGHT_BEFORE", "Height before", "Root mean square distance from the ground as "
+                               "reported; no value without a ground.", unit="m")
+        self.add_number_output("HEIGHT_AFTER", "Height after", "The same after the rectification.", unit="m")
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.mobile.lines.rectification import RectifySettings, rectify
+
+        progress = self.progress(feedback)
+        notes: list[str] = []
+        warned = noting(progress, notes)
+        table, ties = self._tie_points(parameters, context, progress)
+        file, crs = self._trajectory(parameters, context, table, warned)
+        height = (None if parameters.get("SENSOR_HEIGHT") is None
+                  else self.parameterAsDouble(parameters, "SENSOR_HEIGHT", context))
+        settings = RectifySettings(self.parameterAsString(parameters, "METHOD", context),
+                                   self.parameterAsDouble(parameters, "TIE_SIGMA", context) or None,
+                                   self.parameterAsDouble(parameters, "HEADING_SIGMA", context),
+                                   self.parameterAsBool(parameters, "KEEP_BLUNDERS", context), height)
+        ground = self.raster_path(parameters, "GROUND", context)
+        made = self._rectified(rectify, file.trajectory, ties, ground, settings, crs, warned)
+        if made.heights is not None and made.heights.found:
+            warned.warn(tr("The height of the origin above the ground was not given: the mean height stays as reported "
+                           "({0:.2f} m above the ground).").format(made.heights.sensor_height))
+        results = {"OUTPUT": self.write_trajectory(parameters, "OUTPUT", context, file, made.trajectory, crs)}
+        results.update(self._write_layers(parameters, context, file.trajectory, made, crs, progress))
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            from ...urbanmap_qgis.mobile.lines.rectification_report import write_report
+
+            write_report(report, file.trajectory, made, self.settings_of(parameters), notes)
+            results["OUTPUT_REPORT"] = str(report)
+        return {**results, **numbers_of(made)}
+
+    def _tie_points(self, parameters, context, progress):
+        """The layer's table and the core's tie points."""
+        from ...urbanmap_qgis.mobile.lines.tie_points import tie_points_from_columns
+
+        table = self.read_vector(parameters, "TIE_POINTS", context, progress)
+        columns = {name.lower(): values for name, values in table.columns.items()}
+        if not {"x_mms", "x_ref"} & set(columns) and table.geometries is not None:
+            columns.update(line_ends(table.geometries))
+        return table, tie_points_from_columns(columns, table.label)
+
+    def _trajectory(self, parameters, context, table, progress):
+        """The trajectory's file and the WKT of what CRS is known."""
+        from ..framework.crs import wkt_of
+
+        given = self.parameterAsCrs(parameters, "CRS", context)
+        crs = wkt_of(given) or table.crs_wkt or None
+        if table.crs.isValid():
+            self.require_projected("TIE_POINTS", table.crs)
+            if given.isValid():
+                self.same_crs("TIE_POINTS", table.crs, "CRS", given)
+        file = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress)
+        if crs and file.crs_wkt:
+            self.same_crs("TRAJECTORY", file.crs_wkt, "TIE_POINTS", crs)
+        return file, crs or file.crs_wkt
+
+    def _rectified(self, rectify, trajectory, ties, ground, settings, crs, progress):
+        if ground is None:
+            return rectify(trajectory, ties, None, settings, progress)
+        from ...urbanmap_qgis.io.raster import RasterSampler
+
+        with RasterSampler(ground) as raster:
+            if crs:
+                self.same_crs("GROUND", raster.crs_wkt, "TRAJECTORY", crs)
+            return rectify(trajectory, ties, raster.sample, settings, progress)
+
+    def _write_layers(self, parameters, context, before, made, crs, progress):
+        """Places of the optional layers, by output."""
+        import shapely
+
+        results = {}
+        if parameters.get("OUTPUT_SETS"):
+            columns = list(zip(*((item.name, item.time, item.pairs, item.before, item.after, *item.shift, item.turn,
+                                  item.fit, item.predicted, item.status) for item in made.sets)))
+            results["OUTPUT_SETS"] = self.write_layer(
+                parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
+                dict(zip((name for name, _ in SET_FIELDS), columns)), crs,
+                shapely.points([item.place for item in made.sets]), "PointZ", progress=progress)
+        if parameters.get("OUTPUT_EPOCHS"):
+            results["OUTPUT_EPOCHS"] = self.write_layer(
+                parameters, "OUTPUT_EPOCHS", context, make_fields(*EPOCH_FIELDS), epoch_columns(before, made), crs,
+                shapely.points(made.trajectory.place), "PointZ", progress=progress)
+        return results
+
+
+def noting(progress, notes):
+    """The progress object whose warnings are kept in `notes` too."""
+    from dataclasses import replace
+
+    def warn(sentence):
+        notes.append(sentence)
+        progress.warn(sentence)
+
+    return replace(progress, warn=warn)
+
+
+def line_ends(lines) -> dict:
+    """Columns of tie points from lines that run from the survey to the reference."""
+    from ...urbanmap_qgis.errors import InputError
+    from ...urbanmap_qgis.mobile.lines.tie_points import ends_of
+
+    if all(line is None for line in lines):
+        raise InputError(tr("The tie points have neither columns x_mms,y_mms,x_ref,y_ref nor lines from survey to "
+                            "reference."))
+    return ends_of(lines)
+
+
+def epoch_columns(before, made) -> dict:
+    """Columns of `EPOCH_FIELDS`."""
+    import numpy as np
+
+    change = made.trajectory.place - before.place
+    unknown = np.full(len(before), np.nan)
+    status = np.where(made.status == 1, "between sets", "carried on")
+    columns = (before.time, *change.T, made.trajectory.angles[:, 2] - before.angles[:, 2], made.plan_sigma,
+               unknown if made.heights is None else made.heights.sigma, made.heading_sigma, status)
+    return dict(zip((name for name, _ in EPOCH_FIELDS), columns))
+
+
+def numbers_of(made) -> dict:
+    """The numbers among the results."""
+    return {"SETS": len(made.sets), "SETS_USED": len(made.used), **made.figures()}

@@ -1,0 +1,71 @@
+"""urbanmap:tiepointproposals."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+
+FIELDS = (("set", "text"), ("time", "real"), ("length", "real"), ("support", "int"), ("fit", "real"))
+
+
+class TiePointProposals(UrbanMapAlgorithm):
+    ID = "tiepointproposals"
+    NAME = "Propose tie points"
+    SOURCE = "Zhao and Shibasaki 2004, 3.2, where tie points are assigned by hand"
+    KEYWORDS = ("tie points", "corners", "buildings", "walls", "rectification", "registration", "mobile")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs")
+    HELP = (
+        "Proposes tie points for “Rectify trajectory”: corners of buildings that the survey and the outlines both "
+        "show.\nWhere points of the survey stand over each other there are walls; the two walls of each corner are "
+        "looked for along the outline's edges, and meet in the survey's corner. Of several possible places the one is "
+        "taken that is shifted like the corners measured about the same time. Corners are gathered in sets of two.\n"
+        "Each line of the result runs from the survey to the reference. Look at them before they are used: delete "
+        "wrong ones, move ends, add others. They are as good as the outlines: give the outlines' accuracy as “Sigma of "
+        "tie points” to the rectification."
+    )
+
+    def declare(self):
+        self.add_points(help="The survey, placed with the trajectory: one or several LAS, LAZ or COPC files with GPS "
+                        "times.")
+        self.add_trajectory()
+        self.add_polygons("BUILDINGS", "Buildings", "Outlines of the walls in the survey's coordinate system.")
+        self.add_distance("REACH", "Reach", "Corners farther from the course, in metres, are left out.", 30.0, 1.0,
+                          200.0)
+        self.add_distance("SEARCH", "Search", "How far survey and outlines may lie apart, in metres.", 2.5, 0.2, 20.0)
+        self.add_distance("AGREEMENT", "Agreement", "Shifts of neighbouring corners that differ by less, in metres, "
+                          "agree: as good as the outlines are.", 0.5, 0.05, 5.0, advanced=True)
+        self.add_layer_output("OUTPUT", "Tie points", "Lines from the survey to the reference with set, time (s), "
+                              "length (m), support (other corners shifted alike) and fit of the walls (m).",
+                              source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.add_number_output("CORNERS", "Corners", "Corners of outlines near the course.")
+        self.add_number_output("FOUND", "Corners found", "Corners that the survey shows.")
+        self.add_number_output("SETS", "Sets", "Sets of two tie points.")
+        self.add_number_output("MEAN_LENGTH", "Mean length", "Mean distance between survey and reference.", unit="m")
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+        import shapely
+
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.gps_time import time_shift
+        from ...urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
+
+        progress = self.progress(feedback)
+        outlines = self.read_polygons(parameters, "BUILDINGS", context, progress.part(0.0, 0.05))
+        cloud = open_cloud(self.point_files(parameters, "POINTS", context), outlines.crs_wkt)
+        self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", outlines.crs)
+        trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, cloud.crs_wkt, progress).trajectory
+        reach, search, agreement = (self.parameterAsDouble(parameters, name, context)
+                                    for name in ("REACH", "SEARCH", "AGREEMENT"))
+        made = propose_tie_points(cloud, trajectory, outlines.geometries, reach, search, agreement,
+                                  time_shift(cloud, trajectory), progress.part(0.1, 0.95))
+        ties = made.ties
+        length = np.hypot(*(ties.reference - ties.measured).T)
+        lines = shapely.linestrings(np.stack([ties.measured, ties.reference], axis=1))
+        columns = dict(zip((name for name, _ in FIELDS), (ties.sets, ties.time, length, made.support, made.fit)))
+        layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), columns, outlines.crs, lines,
+                                 "LineString", progress=progress.part(0.95, 1.0))
+        return {"OUTPUT": layer, "CORNERS": made.corners, "FOUND": made.found, "SETS": len(ties) // 2,
+                "MEAN_LENGTH": float(length.mean())}

@@ -1,0 +1,1 @@
+"""Mobile mapping surveys: ground, markings, registration, control."""

@@ -1,0 +1,34 @@
+"""Control points as a parameter: CSV or a layer with the columns id,x,y,z,time,x_mms,y_mms,z_mms."""
+
+from __future__ import annotations
+
+from ..framework.layers import VectorTable
+
+HELP = ("CSV or layer with the columns id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when "
+        "the survey measured it, GPS seconds, and where it lies in the survey). Heights may be missing.")
+
+CRS_HELP = ("Coordinate reference system of the control points, where their layer does not say it (CSV). It is needed "
+            "for SBET trajectories.")
+
+
+def add_control(algorithm) -> None:
+    """Declare CONTROL and CRS."""
+    algorithm.add_vector("CONTROL", "Control points", HELP)
+    algorithm.add_crs("CRS", "Coordinate reference system", CRS_HELP, optional=True, advanced=True)
+
+
+def read_control(algorithm, parameters, context, progress):
+    """The core's `ControlPoints` of CONTROL, and the WKT of their CRS ("" where none is known)."""
+    from ...urbanmap_qgis.mobile.control import control_from_columns
+
+    table = algorithm.read_vector(parameters, "CONTROL", context, progress)
+    return control_from_columns(table.columns, table.label), _crs_wkt(algorithm, parameters, context, table)
+
+
+def _crs_wkt(algorithm, parameters, context, table: VectorTable) -> str:
+    given = algorithm.parameterAsCrs(parameters, "CRS", context)
+    if table.crs.isValid():
+        if given.isValid():
+            algorithm.same_crs("CONTROL", table.crs, "CRS", given)
+        return table.crs_wkt
+    return given.toWkt(given.WKT_PREFERRED) if given.isValid() else ""

@@ -1,0 +1,62 @@
+"""urbanmap:groundfrommms."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.point_outputs import check_points_output
+from ..framework.workers import workers
+
+
+class GroundFromMms(UrbanMapAlgorithm):
+    ID = "groundfrommms"
+    NAME = "Ground of a mobile survey"
+    SOURCE = "Javanmardi 2018, 3.2.3.1; cloth filter: Zhang et al. 2016"
+    KEYWORDS = ("MMS", "ground", "road", "pavement", "cloth", "CSF", "lidar", "classification")
+    REQUIRES = ("numpy", "scipy", "pyproj", "laspy", "lazrs", "cv2", "rasterio")
+    HELP = (
+        "Tells the ground of a mobile laser survey, roads and pavements alike, from all that stands on it.\n"
+        "A cloth is drawn up against the points from below; points within a threshold of it become class 2. Points of "
+        "other classes than 0, 1 and 2 keep theirs. All attributes and the order of the points stay.\n"
+        "A street that is driven several times is filtered pass by pass where the points have GPS time, because the "
+        "passes may lie decimetres apart in height. The lowest decimetres of walls and posts count as ground: the "
+        "threshold cannot tell them. The files may be larger than memory."
+    )
+
+    def declare(self):
+        self.add_points()
+        self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the cloth. "
+                          "Larger ones do not follow the ground well.", 2.0, 0.1, 50.0)
+        self.add_number("ITERATIONS", "Iterations", "Most sweeps on each level of detail; the cloth stops earlier when "
+                        "it has settled.", 1000, 1, 100000, integer=True)
+        self.add_distance("THRESHOLD", "Threshold", "Points within this height, in metres, above or below the cloth "
+                          "are ground.", 0.2, 0.01, 5.0)
+        self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "
+                        "mountains.", 3, 1, 3, integer=True, advanced=True)
+        self.add_workers()
+        self.add_points_output("OUTPUT", "Classified points", "All points; ground has class 2, what was undecided and "
+                               "is no ground class 1.")
+        self.add_number_output("POINTS_READ", "Points read", "All points in the files.")
+        self.add_number_output("POINTS_USED", "Points used", "Points that are not noise or withheld.")
+        self.add_number_output("GROUND_POINTS", "Ground points", "Points of class 2 in the result.")
+        self.add_number_output("GROUND_SHARE", "Ground share", "Ground points as a share of the points used, 0 to 1.")
+        self.add_number_output("PASSES", "Passes", "Passes through the same place that were filtered apart.")
+
+    def check(self, parameters, context):
+        check_points_output(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.ground import classify_ground_files
+        from ...urbanmap_qgis.terrain.cloth import ClothSettings
+
+        paths = self.point_files(parameters, "POINTS", context)
+        self.require_projected("POINTS", open_cloud(paths).crs_wkt)
+        settings = ClothSettings(self.parameterAsDouble(parameters, "CLOTH_RESOLUTION", context),
+                                 self.parameterAsDouble(parameters, "THRESHOLD", context),
+                                 self.parameterAsInt(parameters, "ITERATIONS", context),
+                                 self.parameterAsInt(parameters, "RIGIDNESS", context))
+        output = self.output_path(parameters, "OUTPUT", context)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = classify_ground_files(paths, output, settings, self.progress(feedback), executor)
+        return {"OUTPUT": str(output), "POINTS_READ": made.points, "POINTS_USED": made.usable,
+                "GROUND_POINTS": made.ground, "GROUND_SHARE": made.ground / made.usable, "PASSES": made.legs}

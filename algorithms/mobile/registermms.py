@@ -1,0 +1,164 @@
+"""urbanmap:registermms."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER
+from ..framework.workers import workers
+from .marking_reference import add_markings, read_reference
+
+METHODS = ("full", "paper")
+
+
+class RegisterMms(UrbanMapAlgorithm):
+    ID = "registermms"
+    NAME = "Register mobile survey"
+    SOURCE = "Javanmardi 2018, 3.2.4 and 4"
+    KEYWORDS = ("MMS", "mobile", "registration", "NDT", "trajectory", "correction", "marking", "georeferencing")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial "
+        "reference, and corrects it.\n"
+        "The driven path is cut into short patches; each is registered with a window of patches round it that is as "
+        "long as its markings need. The windows' results become one smooth correction over the path: stretches that "
+        "contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its "
+        "correction was found and how sure it is.\n"
+        "With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, "
+        "roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”."
+    )
+
+    def declare(self):
+        self.add_points(help="A survey (LAS, LAZ or COPC with intensities and GPS times) or, faster, its markings as "
+                        "“Road markings of a mobile survey” writes them.")
+        self.add_trajectory()
+        add_markings(self)
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the height system of the "
+                        "survey. With it the correction is in space.", optional=True)
+        self.add_calibration(optional=True)
+        self.add_distance("PATCH_LENGTH", "Patch length", "Length of path that counts as rigid.", 0.5, 0.1, 10.0)
+        self.add_number("WINDOW_PATCHES", "Window length", "Patches of the shortest window.", 60, 4, 400,
+                        unit="patches", integer=True)
+        self.add_distance("FEATURE_GRID", "Feature grid", "Side of the cells in which markings are counted.", 1.0, 0.1,
+                          10.0, advanced=True)
+        self.add_number("FEATURE_COUNT", "Feature count", "Cells with markings that a window should have.", 400, 1,
+                        100000, integer=True, unit="cells")
+        self.add_distance("NDT_GRID", "NDT grid", "Side of the cells of the normal distributions.", 1.0, 0.1, 10.0,
+                          advanced=True)
+        self.add_number("ITERATIONS", "Iterations", "Most steps of each adjustment.", 30, 1, 1000, integer=True,
+                        advanced=True)
+        self.add_distance("SUBSAMPLING", "Subsampling", "One point is used in each cell of this side.", 0.1, 0.01, 2.0,
+                          advanced=True)
+        self.add_distance("SEARCH", "Largest error", "How far off the survey may be in plan. Wider than half the "
+                          "distance between dashes invites a slip by one dash.", 4.0, 0.5, 20.0, advanced=True)
+        self.add_choice("METHOD", "Method", "Full, or the windows as in the paper to the letter: rigid, in one grid, "
+                        "each started from the one before, in plan only.", METHODS, "full", advanced=True)
+        self.add_distance("REFERENCE_SIGMA", "Accuracy of the reference", "Standard deviation of the reference "
+                          "markings' places; it is part of every standard deviation.", 0.01, 0.0, 10.0, advanced=True)
+        self.add_distance("TRUSTED_SIGMA", "Least trusted", "A patch whose standard deviation in plan is larger is not "
+                          "to be trusted.", 0.3, 0.01, 100.0, advanced=True)
+        self.add_raster("IMAGE", "Aerial image", "Shown behind the markings in the report.", optional=True)
+        self.add_workers()
+        self.add_trajectory_output()
+        self.add_layer_output("OUTPUT_PATCHES", "Patches", "One point a patch at its corrected place, with correction "
+                              "(m, degrees), standard deviations, window, score, status and its reason.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty over the way, pictures before "
+                             "and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("WAY", "Way driven", "Length of the path.", "m")
+        self.add_number_output("MEAN_CORRECTION", "Mean correction", "In plan, over the path.", "m")
+        self.add_number_output("MAX_CORRECTION", "Largest correction", "In plan.", "m")
+        self.add_number_output("REGISTERED_SHARE", "Registered", "Share of the way that is registered, 0 to 1.")
+        self.add_number_output("BRIDGED_SHARE", "Bridged", "Share of the way that is bridged, 0 to 1.")
+        self.add_number_output("DISTRUSTED_SHARE", "Not to be trusted", "Share of the way not to be trusted, 0 to 1.")
+        self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over the path.", "m")
+        self.add_number_output("MAX_SIGMA", "Largest standard deviation", "In plan.", "m")
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.calibration import read_calibration
+        from ...urbanmap_qgis.mobile.registration.report import write_registration_report
+        from ...urbanmap_qgis.mobile.registration.stage import register_survey
+
+        progress = self.progress(feedback)
+        paths = self.point_files(parameters, "POINTS", context)
+        crs = open_cloud(paths).crs_wkt
+        self.require_projected("POINTS", crs)
+        trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress)
+        ground = self._ground(parameters, context, crs)
+        reference, reference_crs = read_reference(self, parameters, context, ground, progress)
+        self.same_crs("POINTS", crs, "MARKINGS", reference_crs)
+        calibration = self.input_path(parameters, "CALIBRATION", context)
+        calibration = read_calibration(calibration) if calibration else None
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = register_survey(paths, trajectory.trajectory, reference, self._run(parameters, context, reference),
+                                   calibration, progress.part(0.0, 0.95), executor)
+        results = {**self._figures(made), "OUTPUT": self.write_trajectory(
+            parameters, "OUTPUT", context, trajectory, made.trajectory, crs)}
+        results.update(self._write_patches(parameters, context, made, crs, progress))
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_registration_report(report, made, reference, self.settings_of(parameters),
+                                      self.raster_path(parameters, "IMAGE", context))
+            results["OUTPUT_REPORT"] = str(report)
+        return results
+
+    def _ground(self, parameters, context, crs):
+        """File of GROUND, in the survey's CRS; None where it is not given."""
+        from ...urbanmap_qgis.io.raster import RasterSampler
+
+        path = self.raster_path(parameters, "GROUND", context)
+        if path is not None:
+            with RasterSampler(path) as source:
+                self.same_crs("POINTS", crs, "GROUND", source.crs_wkt)
+        return path
+
+    def _run(self, parameters, context, reference):
+        """The core's settings."""
+        from ...urbanmap_qgis.mobile.registration.correction.estimate import CorrectionSettings
+        from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
+        from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
+
+        def number(name):
+            return self.parameterAsDouble(parameters, name, context)
+
+        def whole(name):
+            return self.parameterAsInt(parameters, name, context)
+
+        sigma = number("REFERENCE_SIGMA")
+        given = {"patch_length": number("PATCH_LENGTH"), "window_patches": whole("WINDOW_PATCHES"),
+                 "longest_window": max(200, whole("WINDOW_PATCHES")), "feature_grid": number("FEATURE_GRID"),
+                 "feature_count": whole("FEATURE_COUNT"), "ndt_grid": number("NDT_GRID"),
+                 "iterations": whole("ITERATIONS"), "subsampling": number("SUBSAMPLING"), "search": number("SEARCH"),
+                 "reference_sigma": sigma}
+        paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
+        windows = (RegistrationSettings.paper(**given) if paper else
+                   RegistrationSettings(**given, three_d=reference.has_heights))
+        return RegistrationRun(windows, CorrectionSettings(reference_sigma=sigma,
+                                                           trusted_sigma=number("TRUSTED_SIGMA")))
+
+    def _figures(self, made):
+        import numpy as np
+
+        from ...urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
+
+        length = np.hypot(made.correction.value[:, 0], made.correction.value[:, 1])
+        sigma = made.correction.plan_sigma()
+        return {"WAY": float(made.correction.way[-1]), "MEAN_CORRECTION": float(length.mean()),
+                "MAX_CORRECTION": float(length.max()), "REGISTERED_SHARE": made.share(REGISTERED),
+                "BRIDGED_SHARE": made.share(BRIDGED), "DISTRUSTED_SHARE": made.share(DISTRUSTED),
+                "MEDIAN_SIGMA": float(np.median(sigma)), "MAX_SIGMA": float(sigma.max())}
+
+    def _write_patches(self, parameters, context, made, crs, progress):
+        import shapely
+
+        from ...urbanmap_qgis.mobile.registration.stage import patch_table
+
+        columns, places = patch_table(made)
+        kinds = {"patch": "int", "features": "int", "points": "int", "status": "text", "reason": "text"}
+        fields = make_fields(*((name, kinds.get(name, "real")) for name in columns))
+        layer = self.write_layer(parameters, "OUTPUT_PATCHES", context, fields, columns, crs, shapely.points(places),
+                                 "PointZ", style="mms_patches", progress=progress)
+        return {"OUTPUT_PATCHES": layer} if layer else {}

@@ -1,0 +1,122 @@
+"""urbanmap:roadmarkingsfrommms."""
+
+from __future__ import annotations
+
+import math
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.parameters import HTML_FILTER
+from ..framework.point_outputs import check_points_output
+from ..framework.workers import workers
+
+GROUND_SOURCES = ("automatic", "classes", "cloth")
+
+
+class RoadMarkingsFromMms(UrbanMapAlgorithm):
+    ID = "roadmarkingsfrommms"
+    NAME = "Road markings of a mobile survey"
+    SOURCE = "Javanmardi 2018, 3.2.3"
+    KEYWORDS = ("MMS", "marking", "paint", "lane", "intensity", "reflectance", "calibration", "lidar", "threshold")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "rasterio")
+    HELP = (
+        "Takes the points on road markings out of a mobile laser survey by their intensity.\n"
+        "Intensity falls with range and incidence: asphalt's is fitted as a curve over range for each scanner, and all "
+        "intensities are divided by it. Points brighter than the ground round them are marking points, if they form "
+        "strokes; kerbs, feet of walls and wide bright surfaces are left out.\n"
+        "Ground is taken by class 2 where at least 1 % of the points have it, otherwise found by the cloth filter. The "
+        "survey is worked on along the driven way: passes through the same place are not mixed, and what was measured "
+        "while the vehicle stood for more than a second is left out. The files may be larger than memory."
+    )
+
+    def declare(self):
+        self.add_points(help="The survey: LAS, LAZ or COPC files with intensities and GPS times, in one projected "
+                        "coordinate system.")
+        self.add_trajectory()
+        self.add_calibration(optional=True)
+        self.add_distance("MAX_RANGE", "Largest range", "Points farther from the scanner, in metres, are left out. The "
+                          "range up to which the curve holds (R2) may be shorter.", 25.0, 1.0, 200.0, advanced=True)
+        self.add_distance("BLOCK_SIZE", "Block size", "Side in metres of the block whose mean a marking exceeds.", 2.5,
+                          0.5, 20.0, advanced=True)
+        self.add_number("CONTRAST", "Contrast", "How much brighter than the ground a marking is, as a share of the "
+                        "ground's intensity.", 0.35, 0.05, 5.0, advanced=True)
+        self.add_distance("MAX_WIDTH", "Largest stroke width", "What is wider in both directions, in metres, is no "
+                          "marking but ground.", 0.8, 0.2, 5.0, advanced=True)
+        self.add_distance("MIN_LENGTH", "Smallest length", "Shorter pieces, in metres, are left out.", 0.4, 0.0, 10.0,
+                          advanced=True)
+        self.add_choice("GROUND_SOURCE", "Ground points", "How ground points are told. Automatic: by class where at "
+                        "least 1 % of the points have a ground class, otherwise by the cloth filter.", GROUND_SOURCES,
+                        "automatic", advanced=True)
+        self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the cloth.",
+                          2.0, 0.1, 50.0, advanced=True)
+        self.add_number("ITERATIONS", "Cloth iterations", "Most sweeps on each level of detail; the cloth stops "
+                        "earlier when it has settled.", 1000, 1, 100000, integer=True, advanced=True)
+        self.add_distance("CLOTH_THRESHOLD", "Cloth threshold", "Points within this height, in metres, above or below "
+                          "the cloth are ground.", 0.2, 0.01, 5.0, advanced=True)
+        self.add_workers()
+        self.add_points_output("OUTPUT", "Marking points", "Points on markings with all their attributes, and "
+                               "calibrated_intensity (asphalt has the reference intensity) and marking_weight (0 to 1: "
+                               "how far above the middle between ground and paint).")
+        self.add_file_output("OUTPUT_CURVE", "Intensity over range", "Page with plot, table and quality of the fit of "
+                             "each scanner.", HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("POINTS_READ", "Points read", "All points in the files.")
+        self.add_number_output("GROUND_POINTS", "Ground points", "Ground points within range of the vehicle.")
+        self.add_number_output("MARKING_POINTS", "Marking points", "Points in the result.")
+        self.add_number_output("MARKING_SHARE", "Marking share", "Marking points as a share of the ground points that "
+                               "could be judged, 0 to 1.")
+        self.add_number_output("PAINT_CONTRAST", "Contrast of paint", "Median intensity of marking points, in units of "
+                               "that of the ground beside them; no value without markings.")
+        self.add_number_output("FIT_RESIDUAL", "Residual of the fit", "By how much asphalt in bins of range departs "
+                               "from the curve, as a share of it (robust standard deviation; worst scanner).")
+        self.add_number_output("FIT_SCATTER", "Scatter of asphalt", "Standard deviation of single asphalt points round "
+                               "the curve, as a share of it (of the same scanner).")
+        self.add_number_output("SCANNERS", "Scanners", "Scanners with a curve.")
+        self.add_number_output("FARTHEST_RANGE", "Farthest range", "R2: range up to which points are used.", "m")
+        self.add_number_output("MARKED_WAY", "Way with markings", "Share of the driven way, by 20 m, with marking "
+                               "points, 0 to 1.")
+        self.add_number_output("LEFT_OUT", "Points left out", "Points at times for which the trajectory has no place, "
+                               "or at which the vehicle stood.")
+
+    def check(self, parameters, context):
+        check_points_output(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.calibration import read_calibration
+        from ...urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
+        from ...urbanmap_qgis.mobile.markings.marking_stage import markings_to_file
+
+        progress = self.progress(feedback)
+        paths = self.point_files(parameters, "POINTS", context)
+        crs = open_cloud(paths).crs_wkt
+        self.require_projected("POINTS", crs)
+        trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress).trajectory
+        calibration = self.input_path(parameters, "CALIBRATION", context)
+        calibration = read_calibration(calibration) if calibration else None
+        output = self.output_path(parameters, "OUTPUT", context)
+        page = self.output_path(parameters, "OUTPUT_CURVE", context)
+        with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
+            made = markings_to_file(paths, output, trajectory, calibration, self._settings(parameters, context),
+                                    progress.part(0.0, 0.98), executor)
+        for sentence in doubts(made):
+            progress.warn(sentence)
+        results = {"OUTPUT": str(output), **facts_of(made)}
+        if page:
+            write_curve_report(page, made, [path.name for path in paths])
+            results["OUTPUT_CURVE"] = str(page)
+        return {name: None if isinstance(value, float) and math.isnan(value) else value
+                for name, value in results.items()}
+
+    def _settings(self, parameters, context):
+        from ...urbanmap_qgis.mobile.markings.marking_points import MarkingPointSettings
+        from ...urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+        from ...urbanmap_qgis.terrain.cloth import ClothSettings
+
+        def number(name: str) -> float:
+            return self.parameterAsDouble(parameters, name, context)
+
+        marking = MarkingPointSettings(block_size=number("BLOCK_SIZE"), contrast=number("CONTRAST"),
+                                       max_width=number("MAX_WIDTH"), min_length=number("MIN_LENGTH"))
+        cloth = ClothSettings(number("CLOTH_RESOLUTION"), number("CLOTH_THRESHOLD"),
+                              self.parameterAsInt(parameters, "ITERATIONS", context))
+        return ExtractionSettings(number("MAX_RANGE"), marking, cloth,
+                                  self.parameterAsString(parameters, "GROUND_SOURCE", context))

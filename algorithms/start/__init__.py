@@ -1,0 +1,1 @@
+"""To begin without data of one's own."""

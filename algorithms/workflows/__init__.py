@@ -1,0 +1,1 @@
+"""Chains: several stages in one run."""

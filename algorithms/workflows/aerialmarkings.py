@@ -1,0 +1,81 @@
+"""urbanmap:aerialmarkings."""
+
+from __future__ import annotations
+
+from ..aerial.orthorectifyframes import OrthorectifyFrames
+from ..aerial.roadmarkingsfromorthophoto import RoadMarkingsFromOrthophoto
+from ..aerial.surfacefromals import SurfaceFromAls
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.parameters import tr
+
+
+class AerialMarkings(UrbanMapAlgorithm):
+    ID = "aerialmarkings"
+    NAME = "Road markings from aerial frames"
+    SOURCE = "Javanmardi 2018, 3.2.1, 3.2.2 and 4.1"
+    KEYWORDS = ("road", "marking", "aerial", "frames", "orthophoto", "ALS", "reference", "workflow")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one "
+        "run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and "
+        "road markings with their heights.\n"
+        "Frames, points and outlines must be in one projected coordinate system in metres."
+    )
+
+    def declare(self):
+        self.add_from(OrthorectifyFrames, "FRAMES", "CAMERA", "EXTERIOR")
+        self.add_from(SurfaceFromAls, ALS="POINTS", label="Airborne laser points")
+        self.add_from(OrthorectifyFrames, "FOOTPRINTS")
+        self.add_from(RoadMarkingsFromOrthophoto, "ROADS")
+        self.add_from(OrthorectifyFrames, "RESOLUTION", "FILTER_VEHICLES")
+        self.add_from(OrthorectifyFrames, "METHOD", advanced=True)
+        self.add_from(SurfaceFromAls, SURFACE_RESOLUTION="RESOLUTION", label="Resolution of the surface", advanced=True)
+        self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
+        self.add_from(RoadMarkingsFromOrthophoto, "BLOCK_SIZE", "CONTRAST", advanced=True)
+        self.add_from(RoadMarkingsFromOrthophoto, "WORKERS", "OUTPUT")
+        self.add_from(RoadMarkingsFromOrthophoto, "OUTPUT_POLYGONS", optional=True, by_default=True)
+        self.add_from(OrthorectifyFrames, OUTPUT_ORTHOPHOTO="OUTPUT", optional=True, by_default=True)
+        self.add_from(SurfaceFromAls, "OUTPUT_GROUND", optional=True, by_default=True)
+        self.add_from(OrthorectifyFrames, "OUTPUT_SHIFTS", optional=True)
+        self.add_from(RoadMarkingsFromOrthophoto, "OUTPUT_REPORT", "COUNT", optional=True)
+        self.add_from(OrthorectifyFrames, "HOLE_AREA")
+
+    def compute(self, parameters, context, feedback):
+        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
+
+        def pick(*names):
+            return {name: given[name] for name in names if name in given}
+
+        def place(name, file):
+            return given.get(name) or self.temporary_file(context, file)
+
+        report = bool(given.get("OUTPUT_REPORT"))
+        run = self.child_runner(context, feedback, 3)
+        als = run("surfacefromals", POINTS=self.parameterAsFileList(parameters, "ALS", context),
+                  RESOLUTION=self.parameterAsDouble(parameters, "SURFACE_RESOLUTION", context),
+                  OUTPUT=self.temporary_file(context, "surface.tif"),
+                  OUTPUT_GROUND=place("OUTPUT_GROUND", "ground.tif"))
+        wanted = {"OUTPUT_SHIFTS": given.get("OUTPUT_SHIFTS") or "TEMPORARY_OUTPUT",
+                  "OUTPUT_COUNT": self.temporary_file(context, "frames.tif")} if report else pick("OUTPUT_SHIFTS")
+        ortho = run("orthorectifyframes", **pick("FRAMES", "CAMERA", "EXTERIOR", "FOOTPRINTS", "RESOLUTION",
+                                                 "FILTER_VEHICLES", "METHOD", "ANGLE_ORDER", "ANGLE_UNIT", "WORKERS"),
+                    **wanted, GROUND=als["OUTPUT_GROUND"], DSM=als["OUTPUT"],
+                    OUTPUT=place("OUTPUT_ORTHOPHOTO", "orthophoto.tif"))
+        told = {"SHIFTS": ortho["OUTPUT_SHIFTS"], "FRAME_COUNT": ortho["OUTPUT_COUNT"],
+                "NOTE": self._note(parameters, ortho)} if report else {}
+        found = run("roadmarkingsfromorthophoto", **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "WORKERS", "OUTPUT",
+                                                         "OUTPUT_POLYGONS", "OUTPUT_REPORT"), **told,
+                    INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
+        results = {"OUTPUT": found["OUTPUT"], "COUNT": found["COUNT"], "HOLE_AREA": ortho["HOLE_AREA"],
+                   "OUTPUT_ORTHOPHOTO": ortho["OUTPUT"], "OUTPUT_GROUND": als["OUTPUT_GROUND"]}
+        results.update((name, made[name]) for made, name in (
+            (ortho, "LARGEST_SHIFT"), (ortho, "OUTPUT_SHIFTS"), (found, "OUTPUT_POLYGONS"), (found, "OUTPUT_REPORT"))
+            if name in made)
+        return {name: value for name, value in results.items()
+                if name not in ("OUTPUT_ORTHOPHOTO", "OUTPUT_GROUND", "OUTPUT_SHIFTS") or name in given}
+
+    def _note(self, parameters, ortho) -> str:
+        """What the chain did, for the report."""
+        settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
+        return tr("Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m2. {2}").format(
+            ortho["FRAMES_USED"], ortho["HOLE_AREA"], settings)

@@ -1,0 +1,56 @@
+"""urbanmap:buildingsfromals."""
+
+from __future__ import annotations
+
+from ..buildings.buildingmodels import BuildingModels
+from ..buildings.roofpolygons import RoofPolygons
+from ..buildings.segmentbuildings import SegmentBuildings
+from ..buildings.segmentroofs import SegmentRoofs
+from ..framework.base import UrbanMapAlgorithm
+
+
+class BuildingsFromAls(UrbanMapAlgorithm):
+    ID = "buildingsfromals"
+    NAME = "Buildings from ALS"
+    SOURCE = "Javanmardi 2018, chapter 5"
+    KEYWORDS = ("building", "3D", "ALS", "lidar", "CityJSON", "LOD1", "workflow")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment "
+        "buildings, segment roofs, roof polygons, building models.\n"
+        "The same chain is there as a model that can be changed in the modeller."
+    )
+
+    def declare(self):
+        self.add_from(SegmentBuildings, "POINTS", "FOOTPRINTS", "GROUND", "EXPANSION")
+        self.add_from(SegmentRoofs, "MIN_ROOF_AREA")
+        self.add_from(SegmentBuildings, "MAX_DISPLACEMENT", advanced=True)
+        self.add_from(SegmentRoofs, "HEIGHT_RMSE", advanced=True)
+        self.add_from(RoofPolygons, "METHOD", label="Method of the roof polygons", advanced=True)
+        self.add_from(RoofPolygons, "HEIGHT", advanced=True)
+        self.add_from(BuildingModels, "BASE_FIELD", advanced=True)
+        self.add_from(BuildingModels, "WORKERS", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_MESH")
+        self.add_from(BuildingModels, "OUTPUT_CITYJSON", "OUTPUT_REPORT", by_default=True)
+        self.add_from(BuildingModels, "BUILDINGS", "MODELLED", "RMSE_Z95")
+
+    def compute(self, parameters, context, feedback):
+        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
+
+        def pick(*names):
+            return {name: given[name] for name in names if name in given}
+
+        run = self.child_runner(context, feedback, 4)
+        buildings = run("segmentbuildings", **pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION", "MAX_DISPLACEMENT",
+                                                   "WORKERS"), OUTPUT=self.temporary_file(context, "buildings.laz"),
+                        OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
+        roofs = run("segmentroofs", **pick("MIN_ROOF_AREA", "HEIGHT_RMSE", "WORKERS"), POINTS=[buildings["OUTPUT"]],
+                    FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.laz"),
+                    OUTPUT_ROOFS="TEMPORARY_OUTPUT")
+        polygons = run("roofpolygons", **pick("METHOD", "HEIGHT", "WORKERS"), POINTS=[roofs["OUTPUT"]],
+                       FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
+        settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
+        models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
+                                              "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
+                     ROOFS=polygons["OUTPUT"], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], POINTS=[roofs["OUTPUT"]],
+                     NOTE=settings)
+        return {name: models[name] for name in models if name in {item.name() for item in self.outputDefinitions()}}

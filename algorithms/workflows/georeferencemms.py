@@ -1,0 +1,64 @@
+"""urbanmap:georeferencemms."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.point_outputs import check_points_output
+from ..mobile.applytrajectory import ApplyTrajectory
+from ..mobile.registermms import RegisterMms
+from ..mobile.roadmarkingsfrommms import RoadMarkingsFromMms
+
+FIGURES = ("WAY", "MEAN_CORRECTION", "MAX_CORRECTION", "REGISTERED_SHARE", "BRIDGED_SHARE", "DISTRUSTED_SHARE",
+           "MEDIAN_SIGMA", "MAX_SIGMA")
+
+
+class GeoreferenceMms(UrbanMapAlgorithm):
+    ID = "georeferencemms"
+    NAME = "Georeference mobile survey"
+    SOURCE = "Javanmardi 2018, 3.2.3, 3.2.4 and 4"
+    KEYWORDS = ("MMS", "mobile", "georeferencing", "registration", "marking", "trajectory", "workflow")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by "
+        "intensity, their registration to the reference markings, and the points as the corrected trajectory places "
+        "them.\n"
+        "With ground heights the correction is in space; without them heights stay as they are. The reference is what "
+        "“Road markings from aerial frames” makes."
+    )
+
+    def declare(self):
+        self.add_from(RoadMarkingsFromMms, "POINTS", "TRAJECTORY", "CALIBRATION")
+        self.add_from(RegisterMms, "MARKINGS", "GROUND")
+        self.add_from(ApplyTrajectory, "IMAGES")
+        self.add_from(RegisterMms, "IMAGE")
+        self.add_from(RegisterMms, "PATCH_LENGTH", "WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH", "WORKERS",
+                      advanced=True)
+        self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
+        self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")
+        self.add_from(RegisterMms, "OUTPUT_PATCHES", "OUTPUT_REPORT")
+        self.add_from(ApplyTrajectory, "OUTPUT_IMAGES")
+        self.add_from(RegisterMms, *FIGURES)
+
+    def check(self, parameters, context):
+        check_points_output(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
+
+        def pick(*names):
+            return {name: given[name] for name in names if name in given}
+
+        run = self.child_runner(context, feedback, 3)
+        points = self.parameterAsFileList(parameters, "POINTS", context)
+        markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", "CALIBRATION", "WORKERS"), POINTS=points,
+                       OUTPUT=self.temporary_file(context, "markings.laz"))
+        registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
+                                               "WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH", "WORKERS",
+                                               "OUTPUT_PATCHES", "OUTPUT_REPORT"), POINTS=[markings["OUTPUT"]],
+                         OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
+        moved = run("applytrajectory", **pick("TRAJECTORY", "IMAGES", "OUTPUT", "OUTPUT_IMAGES"), POINTS=points,
+                    CORRECTED=registered["OUTPUT"])
+        results = {name: registered[name] for name in (*FIGURES, "OUTPUT_PATCHES", "OUTPUT_REPORT")
+                   if name in registered}
+        results.update({name: moved[name] for name in ("OUTPUT", "OUTPUT_IMAGES") if name in moved})
+        return {**results, "OUTPUT_TRAJECTORY": registered["OUTPUT"]}

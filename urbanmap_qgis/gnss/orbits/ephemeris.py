@@ -1,0 +1,379 @@
+"""Places and clocks of satellites by broadcast or precise orbits.
+
+Broadcast models by the interface documents: IS-GPS-200 (20.3.3), Galileo OS SIS ICD (5.1), BeiDou B1I ICD (5.2.4.12,
+with the turned frame of the geostationary satellites), GLONASS ICD (A.3.1.2, integrated by Runge and Kutta).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InputError
+from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, NavigationRecords, read_navigation_files
+from ..signals.tables import SPEED_OF_LIGHT
+from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
+
+EARTH_TURN = 7.2921151467e-5
+"""Of the earth, rad/s (WGS 84)."""
+
+LARGEST_AGE = {"G": 7500.0, "J": 7500.0, "E": 14400.0, "C": 7500.0, "R": 1830.0}
+"""Largest distance in time, s, from an ephemeris's reference time at which it is used."""
+
+OK, NO_EPHEMERIS, UNHEALTHY = 0, 1, 2
+"""Status of a satellite at a time."""
+
+_GRAVITY = {"G": 3.986005e14, "J": 3.986005e14, "E": 3.986004418e14, "C": 3.986004418e14}
+_TURN = {"G": EARTH_TURN, "J": EARTH_TURN, "E": EARTH_TURN, "C": 7.292115e-5}
+_GEOSTATIONARY_TILT = np.radians(-5.0)
+_GAMMA = {("G", "2"): (77 / 60) ** 2, ("J", "2"): (77 / 60) ** 2, ("E", "7"): (154 / 118) ** 2,
+          ("E", "5"): (154 / 115) ** 2}
+_INAV, _FNAV = 512, 256
+
+_GLONASS_GRAVITY, _GLONASS_RADIUS, _GLONASS_J2, _GLONASS_TURN = 3.9860044e14, 6378136.0, 1.0826257e-3, 7.292115e-5
+_GLONASS_STEP = 60.0
+
+
+@dataclass(frozen=True)
+class Navigation:
+    """Everything known of the satellites.
+
+    Attributes
+    ----------
+    kepler, glonass : broadcast records.  precise : SP3 orbits, used before the broadcast ones where they reach.
+    ionosphere : coefficients of the files.  notes : sentences on damage.
+    """
+
+    kepler: KeplerRecords
+    glonass: GlonassRecords
+    precise: tuple[PreciseOrbits, ...]
+    ionosphere: tuple[Ionosphere, ...]
+    notes: tuple[str, ...]
+
+    def satellites(self) -> np.ndarray:
+        """Names of all satellites with an orbit."""
+        return np.unique(np.concatenate([self.kepler.satellite, self.glonass.satellite,
+                                         *(orbits.satellite for orbits in self.precise)]).astype("U3"))
+
+    def span(self) -> tuple[float, float]:
+        """First and last GPS time for which there may be an orbit."""
+        first, last = [], []
+        for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
+            if len(times):
+                reach = np.array([LARGEST_AGE.get(name[0], 0.0) for name in names])
+                first.append((times - reach).min())
+                last.append((times + reach).max())
+        for orbits in self.precise:
+            first.append(orbits.time[0])
+            last.append(orbits.time[-1])
+        return float(min(first)), float(max(last))
+
+
+    def covers(self, first: float, last: float) -> bool:
+        """Whether any orbit is good for a time between two GPS times."""
+        for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
+            reach = np.array([LARGEST_AGE.get(name[0], 0.0) for name in names])
+            if np.any((times + reach >= first) & (times - reach <= last)):
+                return True
+        return any(orbits.time[-1] >= first and orbits.time[0] <= last for orbits in self.precise)
+
+
+@dataclass(frozen=True)
+class States:
+    """Of n satellites, each at its own time.
+
+    Attributes
+    ----------
+    place : (n, 3) earth-fixed at that time, m; NaN where the status is not `OK`.
+    clock : (n,) s ahead of GPS time, with the relativity of the orbit, without group delay.
+    delay : (n,) group delay of the signal's band, s: the clock of the signal is `clock - delay`.
+    age : (n,) s from the ephemeris's reference time; 0 with precise orbits.
+    status : (n,) `OK`, `NO_EPHEMERIS` or `UNHEALTHY`.
+    """
+
+    place: np.ndarray
+    clock: np.ndarray
+    delay: np.ndarray
+    age: np.ndarray
+    status: np.ndarray
+
+
+def read_navigation(paths: Sequence[str | os.PathLike]) -> Navigation:
+    """Read navigation files (RINEX 2.11, 3.x) and precise orbits (SP3), in any mixture.
+
+    Raises
+    ------
+    InputError : no file, or one that is neither.
+    """
+    if not paths:
+        raise InputError("No navigation file is given: give the satellites' navigation files of the day.")
+    precise = [path for path in paths if is_sp3(path)]
+    records: NavigationRecords = read_navigation_files([path for path in paths if path not in precise])
+    return Navigation(records.kepler, records.glonass, tuple(read_sp3(path) for path in precise), records.ionosphere,
+                      records.notes)
+
+
+def satellite_states(navigation: Navigation, satellite: np.ndarray, time: np.ndarray,
+                     bands: dict[str, str] | None = None) -> States:
+    """States of satellites (n,) at GPS times of transmission (n,).
+
+    Parameters
+    ----------
+    bands : RINEX band of each system's signals, for the group delay; without it the first of each system.
+
+    Of several records of a satellite the one nearest in time is taken; an unhealthy satellite is told as such.
+    """
+    satellite, time = np.asarray(satellite, "U3"), np.asarray(time, float)
+    bands = bands or {"G": "1", "R": "1", "E": "1", "C": "2", "J": "1"}
+    count = len(satellite)
+    states = States(np.full((count, 3), np.nan), np.full(count, np.nan), np.zeros(count), np.zeros(count),
+                    np.full(count, NO_EPHEMERIS))
+    _from_kepler(navigation.kepler, satellite, time, bands, states)
+    _from_glonass(navigation.glonass, satellite, time, states)
+    for orbits in navigation.precise:
+        _from_precise(orbits, satellite, time, states)
+    return states
+
+
+def nearest_record(names: np.ndarray, toe: np.ndarray, satellite: np.ndarray, time: np.ndarray,
+                   better: np.ndarray | None = None) -> np.ndarray:
+    """(n,) row of the record nearest in time for each satellite and time, -1 where none is near enough.
+
+    `names`, `toe` : (m,) of the records; `better` : (m,) among records of one time the highest wins.
+    """
+    chosen = np.full(len(satellite), -1)
+    for name in np.unique(satellite):
+        own = np.flatnonzero(names == name)
+        if not len(own):
+            continue
+        order = np.lexsort((np.zeros(len(own)) if better is None else better[own], toe[own]))
+        own = own[order]
+        last = np.append(np.diff(toe[own]) > 0.5, True)
+        own = own[last]
+        rows = np.flatnonzero(satellite == name)
+        right = np.searchsorted(toe[own], time[rows])
+        left, right = np.maximum(right - 1, 0), np.minimum(right, len(own) - 1)
+        nearer = np.abs(toe[own[right]] - time[rows]) < np.abs(toe[own[left]] - time[rows])
+        pick = own[np.where(nearer, right, left)]
+        near = np.abs(toe[pick] - time[rows]) <= LARGEST_AGE[name[0]]
+        chosen[rows[near]] = pick[near]
+    return chosen
+
+
+def _from_kepler(records: KeplerRecords, satellite: np.ndarray, time: np.ndarray, bands: dict[str, str],
+                 states: States) -> None:
+    better = _galileo_preference(records, bands.get("E", "1"))
+    row = nearest_record(records.satellite, records.toe, satellite, time, better)
+    found = np.flatnonzero(row >= 0)
+    if not len(found):
+        return
+    picked = KeplerRecords(*(getattr(records, name)[row[found]] for name in KeplerRecords.__dataclass_fields__))
+    healthy = _healthy(picked)
+    states.status[found] = np.where(healthy, OK, UNHEALTHY)
+    place, clock = kepler_states(picked, time[found])
+    states.place[found] = np.where(healthy[:, None], place, np.nan)
+    states.clock[found] = clock
+    states.delay[found] = _group_delay(picked, bands)
+    states.age[found] = np.abs(time[found] - picked.toe)
+
+
+def _galileo_preference(records: KeplerRecords, band: str) -> np.ndarray:
+    """Which of Galileo's two messages goes with a band: F/NAV with E5a, otherwise I/NAV."""
+    wanted = _FNAV if band == "5" else _INAV
+    return (records.source.astype(np.int64) & wanted) > 0
+
+
+def _healthy(records: KeplerRecords) -> np.ndarray:
+    system = records.satellite.astype("U1")
+    health = records.health.astype(np.int64)
+    # Galileo: bits 0 to 2 for E1-B, 3 to 5 for E5a, 6 to 8 for E5b; QZSS: bit 0 is the experimental L6 signal.
+    return np.where(system == "E", health & 0b111000111 == 0, np.where(system == "J", health & ~1 == 0, health == 0))
+
+
+def _group_delay(records: KeplerRecords, bands: dict[str, str]) -> np.ndarray:
+    system = records.satellite.astype("U1")
+    delay = np.zeros(len(records))
+    for name in np.unique(system):
+        band = bands.get(name, "1")
+        own = system == name
+        scale = _GAMMA.get((name, band), 1.0)
+        if name == "E":
+            fnav = records.source.astype(np.int64)[own] & _FNAV > 0
+            delay[own] = scale * np.where(fnav, records.delay_a[own], records.delay_b[own])
+        elif name == "C":
+            delay[own] = {"2": records.delay_a[own], "7": records.delay_b[own]}.get(band, 0.0)
+        else:
+            delay[own] = scale * records.delay_a[own]
+    return delay
+
+
+def kepler_states(records: KeplerRecords, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3), m, and clocks with relativity (n,), s, of records (n,) at GPS times (n,)."""
+    system = records.satellite.astype("U1")
+    gravity, turn = (np.array([table[name] for name in system]) for table in (_GRAVITY, _TURN))
+    since = time - records.toe
+    major = records.sqrt_a ** 2
+    mean = records.m0 + (np.sqrt(gravity / major ** 3) + records.delta_n) * since
+    eccentric = _eccentric_anomaly(mean, records.e)
+    true = np.arctan2(np.sqrt(1 - records.e ** 2) * np.sin(eccentric), np.cos(eccentric) - records.e)
+    latitude = true + records.omega
+    cos2, sin2 = np.cos(2 * latitude), np.sin(2 * latitude)
+    argument = latitude + records.cuc * cos2 + records.cus * sin2
+    radius = major * (1 - records.e * np.cos(eccentric)) + records.crc * cos2 + records.crs * sin2
+    tilt = records.i0 + records.i_dot * since + records.cic * cos2 + records.cis * sin2
+    still = _geostationary(records.satellite)
+    node = records.omega0 + records.omega_dot * since - turn * (records.toe_own + np.where(still, 0.0, since))
+    x, y = radius * np.cos(argument), radius * np.sin(argument)
+    place = np.column_stack([x * np.cos(node) - y * np.cos(tilt) * np.sin(node),
+                             x * np.sin(node) + y * np.cos(tilt) * np.cos(node), y * np.sin(tilt)])
+    if still.any():
+        place[still] = _turned_geostationary(place[still], turn[still] * since[still])
+    tick = time - records.toc
+    relativity = -2 * np.sqrt(gravity * major) * records.e * np.sin(eccentric) / SPEED_OF_LIGHT ** 2
+    return place, records.af0 + records.af1 * tick + records.af2 * tick ** 2 + relativity
+
+
+def _eccentric_anomaly(mean: np.ndarray, e: np.ndarray) -> np.ndarray:
+    eccentric = mean + e * np.sin(mean)
+    for _ in range(12):
+        step = (eccentric - e * np.sin(eccentric) - mean) / (1 - e * np.cos(eccentric))
+        eccentric = eccentric - step
+        if np.abs(step).max(initial=0.0) < 1e-14:
+            break
+    return eccentric
+
+
+def _geostationary(satellite: np.ndarray) -> np.ndarray:
+    """Whether satellites are BeiDou's geostationary ones, whose elements are given in a tilted frame."""
+    return np.isin(satellite, [f"C{number:02d}" for number in (*range(1, 6), *range(59, 64))])
+
+
+def _turned_geostationary(place: np.ndarray, angle: np.ndarray) -> np.ndarray:
+    cos, sin = np.cos(_GEOSTATIONARY_TILT), np.sin(_GEOSTATIONARY_TILT)
+    x, y, z = place[:, 0], cos * place[:, 1] + sin * place[:, 2], -sin * place[:, 1] + cos * place[:, 2]
+    return np.column_stack([np.cos(angle) * x + np.sin(angle) * y, -np.sin(angle) * x + np.cos(angle) * y, z])
+
+
+def _from_glonass(records: GlonassRecords, satellite: np.ndarray, time: np.ndarray, states: States) -> None:
+    row = nearest_record(records.satellite, records.toe, satellite, time)
+    found = np.flatnonzero(row >= 0)
+    if not len(found):
+        return
+    picked = GlonassRecords(*(getattr(records, name)[row[found]] for name in GlonassRecords.__dataclass_fields__))
+    healthy = picked.health == 0
+    states.status[found] = np.where(healthy, OK, UNHEALTHY)
+    place, clock = glonass_states(picked, time[found])
+    states.place[found] = np.where(healthy[:, None], place, np.nan)
+    states.clock[found] = clock
+    states.age[found] = np.abs(time[found] - picked.toe)
+
+
+def glonass_states(records: GlonassRecords, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Places (n, 3), m, and clocks (n,), s, of records (n,) at GPS times (n,).
+
+    Integrated by Runge and Kutta of order 4 in steps of a minute at most. The broadcast clock holds relativity already.
+    """
+    since = time - records.toe
+    steps = max(int(np.ceil(np.abs(since).max(initial=0.0) / _GLONASS_STEP)), 1)
+    step = (since / steps)[:, None]
+    state = np.hstack([records.place, records.velocity])
+    for _ in range(steps):
+        k1 = _glonass_motion(state, records.acceleration)
+        k2 = _glonass_motion(state + step / 2 * k1, records.acceleration)
+        k3 = _glonass_motion(state + step / 2 * k2, records.acceleration)
+        k4 = _glonass_motion(state + step * k3, records.acceleration)
+        state = state + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    return state[:, :3], records.clock + records.drift * since
+
+
+def _glonass_motion(state: np.ndarray, acceleration: np.ndarray) -> np.ndarray:
+    """Velocity and acceleration (n, 6) in the turning frame: the earth's pull with its flattening, sun and moon."""
+    place, velocity = state[:, :3], state[:, 3:]
+    squared = np.einsum("ij,ij->i", place, place)
+    pull = -_GLONASS_GRAVITY / squared ** 1.5
+    flat = 1.5 * _GLONASS_J2 * _GLONASS_GRAVITY * _GLONASS_RADIUS ** 2 / squared ** 2.5
+    share = 5 * place[:, 2] ** 2 / squared
+    turn = _GLONASS_TURN
+    x = (pull - flat * (1 - share) + turn ** 2) * place[:, 0] + 2 * turn * velocity[:, 1]
+    y = (pull - flat * (1 - share) + turn ** 2) * place[:, 1] - 2 * turn * velocity[:, 0]
+    z = (pull - flat * (3 - share)) * place[:, 2]
+    return np.hstack([velocity, np.column_stack([x, y, z]) + acceleration])
+
+
+def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray, states: States) -> None:
+    """Replace what precise orbits know better; group delays stay those of the navigation files."""
+    row = np.searchsorted(orbits.satellite, satellite)
+    row = np.minimum(row, len(orbits.satellite) - 1)
+    there = np.flatnonzero((orbits.satellite[row] == satellite) & (states.status != UNHEALTHY))
+    if not len(there):
+        return
+    place, clock = interpolate_orbits(orbits, row[there], time[there])
+    (before, _), (after, _) = (interpolate_orbits(orbits, row[there], time[there] + shift) for shift in (-0.5, 0.5))
+    speed = np.where(np.isfinite(before) & np.isfinite(after), after - before, 0.0)
+    clock = clock - 2 * np.einsum("ij,ij->i", place, speed) / SPEED_OF_LIGHT ** 2
+    good = np.isfinite(clock) & np.isfinite(place).all(axis=1) & (speed != 0).any(axis=1)
+    there = there[good]
+    states.place[there], states.clock[there] = place[good], clock[good]
+    states.age[there], states.status[there] = 0.0, OK
+
+
+@dataclass(frozen=True)
+class Paths:
+    """Ways of n signals from satellite to antenna.
+
+    Attributes
+    ----------
+    states : of the satellites at transmission.
+    vector : (n, 3) from the antenna to the satellite in the earth-fixed frame of the time of reception, m.
+    distance : (n,) m.
+    """
+
+    states: States
+    vector: np.ndarray
+    distance: np.ndarray
+
+
+def signal_paths(navigation: Navigation, satellite: np.ndarray, stamped: np.ndarray, code: np.ndarray,
+                 antenna: np.ndarray, bands: dict[str, str] | None = None) -> Paths:
+    """Ways of signals (n,) by their code ranges.
+
+    Parameters
+    ----------
+    stamped : (n,) GPS time of reception by the receiver's clock, s.
+    code : (n,) m. The time stamp less the code's travel time is the time of transmission by the satellite's
+        clock, free of the receiver's clock.
+    antenna : (n, 3) earth-fixed, m.
+    """
+    sent = np.asarray(stamped, float) - np.asarray(code, float) / SPEED_OF_LIGHT
+    states = satellite_states(navigation, satellite, sent, bands)
+    offset = np.where(np.isfinite(states.clock), states.clock - states.delay, 0.0)
+    states = satellite_states(navigation, satellite, sent - offset, bands)
+    vector, distance = turned_with_earth(states.place, antenna)
+    return Paths(states, vector, distance)
+
+
+def turned_with_earth(place: np.ndarray, antenna: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Vectors (n, 3) and distances (n,) from the antenna to satellites, turned by the earth's turn in the travel."""
+    distance = np.linalg.norm(place - antenna, axis=1)
+    for _ in range(2):
+        angle = EARTH_TURN * distance / SPEED_OF_LIGHT
+        cos, sin = np.cos(angle), np.sin(angle)
+        turned = np.column_stack([cos * place[:, 0] + sin * place[:, 1], -sin * place[:, 0] + cos * place[:, 1],
+                                  place[:, 2]])
+        vector = turned - antenna
+        distance = np.linalg.norm(vector, axis=1)
+    return vector, distance
+
+
+def sky_at(navigation: Navigation, time: float, antenna: np.ndarray, systems: str) -> tuple[np.ndarray, np.ndarray]:
+    """Healthy satellites at one GPS time: names (s,) and vectors (s, 3) to them from an earth-fixed place (3,), m."""
+    names = navigation.satellites()
+    names = names[np.isin(names.astype("U1"), list(systems))]
+    # The travel time changes the direction by less than 0.001 degree over the sky: one value does for all.
+    states = satellite_states(navigation, names, np.full(len(names), time - 0.075))
+    good = states.status == OK
+    vector, _ = turned_with_earth(states.place[good], np.broadcast_to(antenna, (int(good.sum()), 3)))
+    return names[good], vector

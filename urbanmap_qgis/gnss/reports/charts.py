@@ -1,0 +1,119 @@
+"""Drawings of the GNSS reports as SVG: the sky, measured against predicted, a plan of walls."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from ..rays.reflections import LOS, REFLECTED, Ways
+from ..rays.wall_faces import Walls
+from ..signals.tables import Signals
+from ..walls.adjustment import ADJUSTED, WallResult
+
+_MOST = 4000
+"""Points drawn at most."""
+
+_GREEN, _ORANGE, _GREY, _BLUE, _RED = "#1a9850", "#e08a1e", "#999999", "#2166ac", "#b2182b"
+
+
+def sky_plot(signals: Signals, ways: Ways, size: int = 460) -> str:
+    """Where the satellites were, coloured by the way of their signals; grid north up, the zenith in the middle."""
+    middle, radius = size / 2, size / 2 - 26
+    rows = _some(len(signals))
+    away = radius * (90.0 - signals.elevation[rows]) / 90.0
+    angle = np.radians(signals.azimuth[rows])
+    x, y = middle + away * np.sin(angle), middle - away * np.cos(angle)
+    colour = np.select([ways.kind[rows] == LOS, ways.kind[rows] == REFLECTED], [_GREEN, _ORANGE], _GREY)
+    rings = "".join(f'<circle cx="{middle}" cy="{middle}" r="{radius * share:.1f}" fill="none" stroke="#ccc"/>'
+                    for share in (1 / 3, 2 / 3, 1.0))
+    names = "".join(f'<text x="{middle + (radius + 14) * dx:.0f}" y="{middle - (radius + 14) * dy + 4:.0f}" '
+                    f'text-anchor="middle">{name}</text>' for name, dx, dy in (
+                        ("N", 0, 1), ("E", 1, 0), ("S", 0, -1), ("W", -1, 0)))
+    return _svg(size, size, rings + names + _dots(x, y, colour, 1.6))
+
+
+def scatter(predicted: np.ndarray, measured: np.ndarray, sure: np.ndarray, size: int = 460) -> str:
+    """Measured against predicted additional way, m, with the line on which they are equal."""
+    low, high = -10.0, float(np.ceil(max(np.quantile(predicted, 0.99), 30.0) / 10.0) * 10.0 + 20.0)
+    left, foot = 46.0, size - 36.0
+    scale = (size - left - 12) / (high - low)
+    rows = _some(len(predicted))
+    x = left + (predicted[rows] - low) * scale
+    y = foot - (np.clip(measured[rows], low, high) - low) * scale
+    ticks = "".join(f'<text x="{left + (v - low) * scale:.0f}" y="{foot + 16:.0f}" text-anchor="middle">{v:g}</text>'
+                    f'<text x="{left - 6:.0f}" y="{foot - (v - low) * scale + 4:.0f}" text-anchor="end">{v:g}</text>'
+                    for v in np.arange(0.0, high + 1, 20.0))
+    line = (f'<path d="M{left:.0f} {foot:.0f}L{left + (high - low) * scale:.0f} {foot - (high - low) * scale:.0f}" '
+            f'stroke="#444"/><path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>')
+    colour = np.where(sure[rows], _BLUE, "#a6bddb")
+    text = (f'<text x="{size / 2:.0f}" y="{size - 4}" text-anchor="middle">predicted, m</text>'
+            f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
+            'measured, m</text>')
+    return _svg(size, size, line + ticks + _dots(x, y, colour, 1.8) + text)
+
+
+def wall_map(shapes: np.ndarray, before: Walls, after: Walls, walls: WallResult, width: int = 900) -> str:
+    """Plan of buildings with the walls that were adjusted or observed; moves are drawn three times as large."""
+    shown = walls.votes > 0
+    corners = np.concatenate([before.start[shown[before.wall]], before.end[shown[before.wall]]]) if shown.any() else (
+        np.concatenate([before.start, before.end]))
+    (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 15.0, corners.max(axis=0) + 15.0
+    scale = width / max(x_max - x_min, 1.0)
+    height = (y_max - y_min) * scale
+
+    def place(xy: np.ndarray) -> np.ndarray:
+        return np.column_stack([(xy[:, 0] - x_min) * scale, (y_max - xy[:, 1]) * scale])
+
+    parts = [_outline(shape, place) for shape in shapes if shape is not None]
+    adjusted = walls.status == ADJUSTED
+    for piece in np.flatnonzero(shown[before.wall]):
+        wall = before.wall[piece]
+        old = np.stack([before.start[piece], before.end[piece]])
+        if not adjusted[wall]:
+            parts.append(_stroke(place(old), _ORANGE, 2.0))
+            continue
+        new = old + 3.0 * (np.stack([after.start[piece], after.end[piece]]) - old)
+        parts.append(_stroke(place(old), "#333", 1.0, "4 3"))
+        parts.append(_stroke(place(new), _RED if walls.offset[wall] > 0 else _BLUE, 2.5))
+    table = walls.table
+    for wall in np.flatnonzero(adjusted):
+        at = (table.start[wall] + table.end[wall]) / 2 + table.normal[wall] * (14.0 / scale + 3.0)
+        x, y = place(at[None])[0]
+        parts.append(f'<text x="{x:.0f}" y="{y + 4:.0f}" text-anchor="middle" stroke="#fff" stroke-width="3" '
+                     f'paint-order="stroke">{100 * walls.offset[wall]:+.0f}</text>')
+    length = 50 if 50 * scale < width / 3 else 10
+    parts.append(f'<path d="M{width - 10 - length * scale:.0f} {height - 10:.0f}H{width - 10}" stroke="#333" '
+                 f'stroke-width="3"/><text x="{width - 14 - length * scale:.0f}" y="{height - 6:.0f}" '
+                 f'text-anchor="end">{length} m (moves: {length / 3:.1f} m)</text>')
+    return _svg(width, int(height), "".join(parts))
+
+
+def _outline(shape: shapely.Geometry, place) -> str:
+    flat = shapely.get_parts(shapely.force_2d(shape))
+    rings = [ring for part in flat[shapely.area(flat) > 1e-4] for ring in (part.exterior, *part.interiors)]
+    path = "".join("M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in place(shapely.get_coordinates(ring))) + "Z"
+                   for ring in rings)
+    return f'<path d="{path}" fill="#e4e4e4" fill-rule="evenodd" stroke="#bbb" stroke-width="0.5"/>'
+
+
+def _stroke(line: np.ndarray, colour: str, width: float, dashes: str = "") -> str:
+    (x0, y0), (x1, y1) = line
+    dashed = f' stroke-dasharray="{dashes}"' if dashes else ""
+    return f'<path d="M{x0:.1f} {y0:.1f}L{x1:.1f} {y1:.1f}" stroke="{colour}" stroke-width="{width}"{dashed}/>'
+
+
+def _dots(x: np.ndarray, y: np.ndarray, colour: np.ndarray, radius: float) -> str:
+    """Points, one path a colour."""
+    return "".join(
+        f'<path d="{"".join(f"M{a:.1f} {b:.1f}h.1" for a, b in zip(x[colour == one], y[colour == one]))}" '
+        f'stroke="{one}" stroke-width="{2 * radius}" stroke-linecap="round"/>' for one in np.unique(colour))
+
+
+def _some(count: int) -> np.ndarray:
+    """Rows to draw: all, or evenly picked ones."""
+    return np.unique(np.linspace(0, count - 1, min(count, _MOST)).astype(np.int64))
+
+
+def _svg(width: int, height: int, content: str) -> str:
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
+            f'font-family="sans-serif" font-size="11">{content}</svg>')

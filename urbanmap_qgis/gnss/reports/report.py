@@ -1,0 +1,168 @@
+"""HTML reports of the GNSS part: the sky, residuals against prediction, walls before and after, what to distrust."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Mapping
+
+import numpy as np
+
+from ...io.report import Report
+from ...io.svg import bars
+from ..rays.ray_lines import RayFigures, ray_figures
+from ..rays.reflections import LOS, NLOS, REFLECTED, Ways
+from ..signals.tables import SYSTEM_NAMES, Signals
+from ..walls.adjustment import ADJUSTED, HELD, Adjustment
+from .charts import scatter, sky_plot, wall_map
+
+_NAMES = {LOS: "in line of sight", NLOS: "blocked, no single wall reflects it", REFLECTED: "reflected by one wall"}
+_ROWS = 200
+
+
+def write_reflection_report(path: str | os.PathLike, signals: Signals, ways: Ways, corrected: np.ndarray,
+                            figures: RayFigures, settings: Mapping[str, str]) -> None:
+    """Report of traced signals.
+
+    Parameters
+    ----------
+    corrected : (n,) residuals less the receiver's clock, m.  settings : labels and values of the run.
+    """
+    report = Report("GNSS reflections")
+    _signals(report, signals, ways, corrected, figures)
+    _distrust(report, signals, ways, corrected)
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adjustment, names: np.ndarray,
+                            shapes: np.ndarray, settings: Mapping[str, str]) -> None:
+    """Report of adjusted walls.
+
+    Parameters
+    ----------
+    names : (buildings,) of the buildings by row.  shapes : (n,) the buildings as they were given.
+    """
+    report = Report("Walls adjusted by GNSS")
+    walls = made.walls
+    adjusted = walls.status == ADJUSTED
+    report.facts({"Walls": len(adjusted), "Adjusted": int(adjusted.sum()),
+                  "Held back to keep buildings valid": int(np.sum(walls.status == HELD)),
+                  "Not observable": int(np.sum(walls.status != ADJUSTED) - np.sum(walls.status == HELD)),
+                  "Passes": len(made.clocks), "Independent observations": len(made.votes),
+                  "Signals in them": int(made.used.sum()),
+                  "Median sigma of adjusted walls, m": _median(walls.sigma[adjusted]),
+                  "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
+                  "Tracings until nothing changed": made.rounds})
+    if not adjusted.any():
+        report.warning("No wall was moved: the observations do not decide. The table below tells why.")
+    _plan(report, made, shapes)
+    _reasons(report, made)
+    _wall_table(report, made, names)
+    _errors(report, made)
+    _signals(report, signals, made.ways, made.corrected, ray_figures(signals, made.ways, made.corrected))
+    _distrust(report, signals, made.ways, made.corrected)
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _plan(report: Report, made: Adjustment, shapes: np.ndarray) -> None:
+    report.section("Walls before and after")
+    svg = wall_map(shapes, made.before, made.after, made.walls)
+    report.figure(svg, "Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, "
+                       "blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.")
+
+
+def _reasons(report: Report, made: Adjustment) -> None:
+    walls = made.walls
+    report.section("Walls that stay where they are")
+    left = walls.status != ADJUSTED
+    counted = Counter(_kind_of(reason) for reason in walls.reason[left])
+    report.table(["reason", "walls"], counted.most_common())
+    report.paragraph("A wall that is not observable may stand where the model has it or a metre off: nothing is known "
+                     "of it. More passes help where observations are few; nothing helps under open sky.")
+
+
+def _wall_table(report: Report, made: Adjustment, names: np.ndarray) -> None:
+    walls, table = made.walls, made.walls.table
+    report.section("Walls with observations")
+    seen = np.flatnonzero(walls.votes > 0)
+    order = seen[np.lexsort((walls.sigma[seen], walls.status[seen] != ADJUSTED))]
+    rows = [[str(names[table.building[w]]), int(table.edge[w]), walls.status[w], float(walls.offset[w]),
+             float(walls.sigma[w]), float(walls.applied[w]), int(walls.votes[w]), int(walls.satellites[w]),
+             int(walls.passes[w]), float(walls.on_time[w]), walls.reason[w]] for w in order[:_ROWS]]
+    report.table(["building", "edge", "status", "offset, m", "sigma, m", "moved, m", "observations", "satellites",
+                  "passes", "share on time", "reason"], rows)
+    if len(order) > _ROWS:
+        report.paragraph(f"{len(order) - _ROWS} more are in the layer of walls.")
+
+
+def _errors(report: Report, made: Adjustment) -> None:
+    if made.offsets is None:
+        return
+    model, error = made.offsets.model, made.offsets.error
+    report.section("How the observations scatter")
+    report.facts({"Error of an observation besides its noise, m": model.sigma,
+                  "Factor of the noise expected": model.noise, "Share of late ones": model.late_share,
+                  "Their mean delay, m": model.late_mean, "Share of strays": model.stray_share})
+    shown = np.clip(error, -10.0, 20.0)
+    counts, edges = np.histogram(shown, bins=30, range=(-10.0, 20.0))
+    report.figure(bars(counts, edges, "m"), "What the offsets leave of the observations: late ones are to the right; "
+                                            "the first and the last bar hold all that is beyond.")
+
+
+def _signals(report: Report, signals: Signals, ways: Ways, corrected: np.ndarray, figures: RayFigures) -> None:
+    report.section("Signals")
+    systems = ", ".join(f"{SYSTEM_NAMES.get(name, name)} {np.sum(signals.system == name):,}"
+                        for name in np.unique(signals.system))
+    report.facts({"Epochs": len(signals.epochs), "Signals": len(signals), "By system": systems,
+                  **{_NAMES[kind].capitalize(): count for kind, count in figures.count.items()},
+                  "Residuals in line of sight: median, m": figures.sight_median,
+                  "Residuals in line of sight: quartile range, m": figures.sight_quartiles,
+                  "Reflected signals with a known clock": figures.reflected,
+                  "of these within 5 m of prediction": figures.within_5,
+                  "of these within 10 m of prediction": figures.within_10,
+                  "of these: median difference, m": figures.difference})
+    report.figure(sky_plot(signals, ways), "Sky plot (grid north up, horizon outside): green in line of sight, orange "
+                                           "reflected, grey blocked.")
+    known = np.isfinite(corrected)
+    for kind in (LOS, REFLECTED, NLOS):
+        rows = known & (ways.kind == kind)
+        if rows.any():
+            low, high = (-10.0, 10.0) if kind == LOS else (-20.0, 80.0)
+            counts, edges = np.histogram(np.clip(corrected[rows], low, high), bins=50, range=(low, high))
+            report.figure(bars(counts, edges, "residual, m"), f"Residuals of signals {_NAMES[kind]} ({rows.sum():,}).")
+    rows = np.flatnonzero(known & (ways.kind == REFLECTED))
+    if len(rows):
+        report.figure(scatter(ways.excess()[rows], corrected[rows], ways.sure[rows]),
+                      "Measured against predicted additional way of reflected signals, m: dark where the class is "
+                      "sure. Above the line signals are late, at the foot the direct signal got through.")
+
+
+def _distrust(report: Report, signals: Signals, ways: Ways, corrected: np.ndarray) -> None:
+    report.section("What to distrust")
+    unknown = int(np.sum(~np.isfinite(corrected)))
+    unsure = float(np.mean(~ways.sure))
+    report.table(["what", "how many"], [
+        ["signals without a known receiver clock (fewer than three in line of sight)", unknown],
+        ["share of signals near an edge: class not sure", unsure],
+        ["epochs with the antenna within a building", int(ways.indoors.sum())],
+        *[[f"observations left out: {reason}", count] for reason, count in signals.left_out.items()]])
+    for note in signals.notes:
+        report.paragraph(note)
+    if np.isfinite(signals.geoid_sigma):
+        report.warning(f"The geoid separation was estimated from the satellites ({signals.geoid_separation:.1f} m, "
+                       f"sigma {signals.geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.")
+    report.paragraph("Reflections by ground, vehicles, bridges and trees, two reflections in a row and bending round "
+                     "edges are not traced; walls are taken for flat and upright.")
+
+
+def _median(values: np.ndarray) -> float:
+    return float(np.median(values)) if len(values) else float("nan")
+
+
+def _kind_of(reason: str) -> str:
+    """A reason without its figures."""
+    return reason.split(" (")[0]

@@ -1,0 +1,1 @@
+"""Files of observations and broadcast orbits (RINEX), and the times in them."""

@@ -1,0 +1,443 @@
+"""Reads RINEX 2.11 and 3.x observation files: code ranges and carrier to noise densities.
+
+The layout is that of "RINEX: The Receiver Independent Exchange Format" (IGS), versions 2.11 and 3.00 to 3.05. Epochs
+are walked one after another; the numbers of all satellites are cut out of the file's bytes and converted at once.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...progress import SILENT, Progress
+from .gnss_time import calendar_seconds, known_scale, to_gps
+from .text_lines import RinexFile, read_rinex
+
+MEGAHERTZ = {
+    "G": {"1": 1575.42, "2": 1227.60}, "J": {"1": 1575.42, "2": 1227.60}, "R": {"1": 1602.0},
+    "E": {"1": 1575.42, "7": 1207.14, "5": 1176.45}, "C": {"2": 1561.098, "7": 1207.14, "6": 1268.52}}
+"""Carriers (MHz) whose group delay is broadcast, by system and RINEX 3 band, the preferred one first."""
+
+_ATTRIBUTES = "CSLXBAPWIQYMDNZ"
+_BATCH = 200_000
+_SYSTEM_SCALE = {"R": "GLO", "E": "GAL", "C": "BDT", "J": "QZS"}
+_WEIGHTS = np.array([1e9, 1e8, 1e7, 1e6, 1e5, 1e4, 1e3, 1e2, 1e1, 1.0, 0.0, 0.1, 0.01, 0.001])
+_EPOCH_2 = re.compile(r"^ [ \d]\d [ \d]\d [ \d]\d [ \d]\d [ \d]\d[ \d]{2}\d\.\d[ \d]{6}  [01][ \d]{2}\d")
+_EVENT_2 = re.compile(r"^.{28}[2-6][ \d]{2}\d")
+_SATELLITE = re.compile(r"[GREJCSI ][ \d]\d")
+
+
+_Factors = dict[tuple[str, str], float]
+
+
+@dataclass(frozen=True)
+class Observations:
+    """Code observations of one file, one band for each system.
+
+    Attributes
+    ----------
+    name : of the file.
+    time : (e,) epochs, seconds since 1980-01-06 in GPS time by the receiver's clock, increasing.
+    epoch : (n,) row in `time`, not decreasing.
+    satellite : (n,) names such as "G05".
+    code : (n,) code range, m.
+    cn0 : (n,) carrier to noise density, dB-Hz, where the file has no S observation by its strength digit in steps of
+        6; NaN where it tells neither.
+    bands : RINEX 3 band that was taken, by system, for those in the file.
+    notes : sentences on damage that was worked around and on what was left out.
+    """
+
+    name: str
+    time: np.ndarray
+    epoch: np.ndarray
+    satellite: np.ndarray
+    code: np.ndarray
+    cn0: np.ndarray
+    bands: dict[str, str]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class _Rows:
+    """Where the observations of satellites stand: (n,) first line, name, epoch, and which list of types holds."""
+
+    line: np.ndarray
+    satellite: np.ndarray
+    epoch: np.ndarray
+    types: np.ndarray
+
+
+def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress: Progress = SILENT) -> Observations:
+    """Read the code observations of a RINEX file, plain or gzipped.
+
+    A file that breaks off is read up to there, damaged lines are left out; both with a note.
+
+    Raises
+    ------
+    InputError : not a RINEX observation file, or one that cannot be read.
+    InsufficientDataError : it holds no code observation of the systems.
+    """
+    file = read_rinex(path)
+    if file.kind != "O":
+        raise InputError(f"{file.name} is a RINEX file but holds no observations: give it as another parameter.")
+    walk = _Walk(file)
+    rows = walk.rows()
+    progress.step(0.3)
+    scale = _time_scale(file)
+    factors = _scale_factors(file)
+    values, bands, unread = _values(file, rows, walk.types, systems, factors, progress.part(0.3, 1.0))
+    notes = [*file.notes, *walk.notes()]
+    if unread:
+        notes.append(f"{file.name}: {unread} numbers cannot be read and are left out.")
+    found = _in_order(file.name, to_gps(np.array(walk.times), scale), rows, values, bands, notes)
+    if not len(found.code):
+        raise InsufficientDataError(f"{file.name} holds no code observation of the chosen systems: check the file.")
+    return found
+
+
+def _time_scale(file: RinexFile) -> str:
+    told = [content[48:51] for content in file.contents("TIME OF FIRST OBS")]
+    scale = told[0] if told and told[0].strip() else _SYSTEM_SCALE.get(file.system, "GPS")
+    if not known_scale(scale):
+        raise InputError(f"{file.name} counts time in \"{scale}\", which is not known: convert it to GPS time.")
+    return scale
+
+
+def _in_order(name: str, times: np.ndarray, rows: _Rows, values: tuple[np.ndarray, np.ndarray], bands: dict[str, str],
+              notes: list[str]) -> Observations:
+    """Observations that hold a code, epochs in the order of time, each satellite once at an epoch."""
+    code, cn0 = values
+    kept = np.flatnonzero(np.isfinite(code))
+    epochs, number = np.unique(times[rows.epoch[kept]], return_inverse=True)
+    names, satellite = np.unique(rows.satellite[kept], return_inverse=True)
+    _, first = np.unique(number.ravel() * len(names) + satellite.ravel(), return_index=True)
+    if len(first) < len(kept):
+        notes.append(f"{name}: {len(kept) - len(first)} observations are there twice and are used once.")
+    kept, number = kept[first], number.ravel()[first]
+    return Observations(name, epochs, number, rows.satellite[kept], code[kept], cn0[kept], bands, tuple(notes))
+
+
+class _Walk:
+    """Goes through a file's epochs; collects their times, the lines of their satellites and changes of the types."""
+
+    def __init__(self, file: RinexFile):
+        self.file = file
+        self.times: list[float] = []
+        self.types: list[dict[str, list[str]]] = [_types_of(file.header, file)]
+        self._first: list[np.ndarray] = []
+        self._names: list[list[str]] = []
+        self._counts: list[int] = []
+        self._versions: list[int] = []
+        self._skipped = 0
+        self._short = 0
+        self._kept = np.flatnonzero(~_comments(file))
+
+    def rows(self) -> _Rows:
+        """The lines of all satellites."""
+        if self.file.version >= 3:
+            self._walk_3()
+        else:
+            self._walk_2()
+        if not self.times:
+            raise InsufficientDataError(f"{self.file.name} holds no epoch with observations: check the file.")
+        line = np.concatenate(self._first)
+        counts = np.array(self._counts)
+        names = (_names_3(self.file, line) if self.file.version >= 3
+                 else np.array([name for names in self._names for name in names], "U3"))
+        epoch, version = (np.repeat(values, counts) for values in (np.arange(len(counts)), self._versions))
+        return _Rows(line, names, epoch, version)
+
+    def notes(self) -> list[str]:
+        """Sentences on what was damaged."""
+        name = self.file.name
+        notes = []
+        if self._short:
+            notes.append(f"{name}: {self._short} epochs are not whole and are used as far as they go.")
+        if self._skipped:
+            notes.append(f"{name}: {self._skipped} lines fit in no epoch and are left out.")
+        return notes
+
+    def _add(self, time: float, first: np.ndarray, names: list[str], version: int) -> None:
+        self.times.append(time)
+        self._first.append(first)
+        self._names.append(names)
+        self._counts.append(len(first))
+        self._versions.append(version)
+
+    def _event(self, first: int, count: int) -> None:
+        """Header lines within the body may change the types of observations."""
+        lines = [self.file.line(i) for i in range(first, min(first + count, len(self.file)))]
+        header = tuple((line[60:].strip(), line[:60]) for line in lines)
+        changed = _types_of(header, self.file)
+        if changed:
+            self.types.append(self.types[-1] | changed)
+
+    def _walk_3(self) -> None:
+        file, kept = self.file, self._kept
+        heads = np.flatnonzero((file.length > 0) & (file.data[np.minimum(file.start, len(file.data) - 1)] == ord(">")))
+        self._skipped += int(np.searchsorted(kept, heads[0])) if len(heads) else len(kept)
+        ends = np.append(heads[1:], len(file))
+        # Of the lines that are not comments: the first behind each head, and the first of the next epoch.
+        behind, stop = np.searchsorted(kept, heads + 1), np.searchsorted(kept, ends)
+        for head, low, high in zip(heads.tolist(), behind.tolist(), stop.tolist()):
+            text = file.line(head)
+            try:
+                flag, count = int(text[31]), int(text[32:35])
+                time = _epoch_3(text) if flag <= 1 else 0.0
+            except (ValueError, IndexError):
+                self._skipped += high - low + 1
+                continue
+            if flag > 1:
+                if flag < 6:
+                    self._event(head + 1, count)
+                continue
+            self._short += high - low < count
+            self._skipped += max(high - low - count, 0)
+            self._add(time, kept[low:min(low + count, high)], [], len(self.types) - 1)
+
+    def _walk_2(self) -> None:
+        file, kept = self.file, self._kept
+        place = 0
+        while place < len(kept):
+            text = file.line(kept[place])
+            if _EPOCH_2.match(text):
+                place = self._epoch_2(text, place)
+            elif _EVENT_2.match(text) and not text[:28].replace(" ", "").replace(".", "").strip("0123456789"):
+                count = int(text[29:32])
+                if text[28] == "6":
+                    place += 1 + self._lines_2(count) + count * self._lines_each()
+                else:
+                    self._event(int(kept[place]) + 1, count)
+                    place = int(np.searchsorted(kept, kept[place] + 1 + count))
+            else:
+                self._skipped += bool(text.strip())
+                place += 1
+
+    def _lines_each(self) -> int:
+        return -(-len(self.types[-1].get("2", ())) // 5)
+
+    @staticmethod
+    def _lines_2(count: int) -> int:
+        """Further lines that the list of so many satellites fills."""
+        return max(-(-count // 12) - 1, 0)
+
+    def _epoch_2(self, text: str, place: int) -> int:
+        """Take an epoch of RINEX 2 whose first line is the one at `place`; the place behind it."""
+        kept, each = self._kept, self._lines_each()
+        count = int(text[29:32])
+        more = self._lines_2(count)
+        if place + more >= len(kept):
+            self._short += 1
+            return len(kept)
+        listed = "".join(self.file.line(kept[place + i])[32:68].ljust(36) for i in range(more + 1))
+        names = [listed[3 * i:3 * i + 3] for i in range(count)]
+        if not all(_SATELLITE.fullmatch(name) for name in names):
+            self._skipped += 1
+            return place + 1
+        single = self.file.system if self.file.system in "GRECJS" else "G"
+        names = [(single if name[0] == " " else name[0]) + f"{int(name[1:]):02d}" for name in names]
+        first = place + 1 + more + each * np.arange(count)
+        whole = first + each <= len(kept)
+        self._short += not whole.all()
+        self._add(_epoch_2(text), kept[first[whole]], names[:int(whole.sum())], len(self.types) - 1)
+        return place + 1 + more + each * count
+
+
+def _comments(file: RinexFile) -> np.ndarray:
+    """Which lines of the body are comments (label in column 61)."""
+    found = np.zeros(len(file), bool)
+    long = np.flatnonzero(file.length >= 67)
+    label = np.frombuffer(b"COMMENT", np.uint8)
+    at = file.start[long][:, None] + 60 + np.arange(7)
+    found[long] = (file.data[at] == label).all(axis=1)
+    return found
+
+
+def _epoch_3(text: str) -> float:
+    return float(calendar_seconds(int(text[2:6]), int(text[7:9]), int(text[10:12]), int(text[13:15]),
+                                  int(text[16:18]), float(text[18:29])))
+
+
+def _epoch_2(text: str) -> float:
+    return float(calendar_seconds(int(text[1:3]), int(text[4:6]), int(text[7:9]), int(text[10:12]),
+                                  int(text[13:15]), float(text[15:26])))
+
+
+def _names_3(file: RinexFile, line: np.ndarray) -> np.ndarray:
+    """(n,) satellites by the first three columns of lines; a blank stands for 0."""
+    letters = file.data[np.minimum(file.start[line][:, None] + np.arange(3), len(file.data) - 1)].copy()
+    letters[:, 1:][letters[:, 1:] == ord(" ")] = ord("0")
+    return letters.astype(np.uint32).view("U3").ravel()
+
+
+def _types_of(header: tuple[tuple[str, str], ...], file: RinexFile) -> dict[str, list[str]]:
+    """Types of observations by system; RINEX 2 has one list for all, under "2"."""
+    types: dict[str, list[str]] = {}
+    system = ""
+    for label, content in header:
+        if label == "SYS / # / OBS TYPES" and file.version >= 3:
+            if content[:1].strip():
+                system = content[0]
+                types[system] = []
+            types.setdefault(system, []).extend(content[6:60].split())
+        elif label == "# / TYPES OF OBSERV" and file.version < 3:
+            if content[:6].strip():
+                types["2"] = []
+            types.setdefault("2", []).extend(content[6:60].split())
+    if header is file.header and not types:
+        raise InputError(f"{file.name} does not tell its types of observations: its header is not whole.")
+    return types
+
+
+def _scale_factors(file: RinexFile) -> _Factors:
+    """By what the numbers of a system and type have been multiplied; the type "" stands for all of the system."""
+    factors: _Factors = {}
+    system, factor = "", 1.0
+    for content in file.contents("SYS / SCALE FACTOR"):
+        try:
+            if content[:1].strip():
+                system, factor = content[0], float(content[2:6])
+                if not int(content[8:10].strip() or 0):
+                    factors[system, ""] = factor
+        except ValueError as error:
+            raise InputError(f"{file.name} has a scale factor that cannot be read: check its header.") from error
+        factors.update(((system, kind), factor) for kind in content[10:60].split())
+    return factors
+
+
+def _band_of(system: str, kind: str, version: float) -> str | None:
+    """RINEX 3 band of a code observation ("C1C", or "P1" of RINEX 2); None where it is no code of a band we use."""
+    if kind[0] not in "CP" or (kind[0] == "P" and version >= 3):
+        return None
+    band = kind[1]
+    # BeiDou's B1I was band 1 before RINEX 3.03; later 1P, 1D, 1X are the new B1C, whose group delay is another.
+    if system == "C" and band == "1" and (version < 3.03 or kind[2:] in ("I", "Q")):
+        band = "2"
+    return band if band in MEGAHERTZ[system] else None
+
+
+def _candidates(system: str, types: list[str], version: float) -> Iterator[tuple[str, int, int | None]]:
+    """(band, column of the code, column of its strength) by system, the preferred signal of a band first."""
+
+    def rank(kind: str) -> int:
+        attribute = kind[2:3] or kind[0]
+        return _ATTRIBUTES.find(attribute) % 99
+
+    for kind in sorted(types, key=rank):
+        band = _band_of(system, kind, version)
+        if band:
+            strength = "S" + kind[1:]
+            yield band, types.index(kind), types.index(strength) if strength in types else None
+
+
+def _values(file: RinexFile, rows: _Rows, types: list[dict[str, list[str]]], systems: str,
+            factors: _Factors, progress: Progress) -> tuple[tuple[np.ndarray, np.ndarray], dict[str, str], int]:
+    """Code and strength (n,) of the band with most to offer, the bands, and how many numbers cannot be read."""
+    code, cn0 = np.full(len(rows.line), np.nan), np.full(len(rows.line), np.nan)
+    bands: dict[str, str] = {}
+    unread = 0
+    letter = rows.satellite.astype("U1")
+    present = [system for system in systems if system in MEGAHERTZ]
+    for step, system in enumerate(present):
+        mine = np.flatnonzero(letter == system)
+        found, bad = _bands(file, rows.line[mine], rows.types[mine], system, types, factors, progress)
+        unread += bad
+        band = _best_band(system, found)
+        if band:
+            code[mine], cn0[mine] = found[band]
+            bands[system] = band
+        progress.step((step + 1) / len(present))
+    code[~(code > 1e6)] = np.nan
+    return (code, np.where(cn0 > 0, cn0, np.nan)), bands, unread
+
+
+def _bands(file: RinexFile, line: np.ndarray, version: np.ndarray, system: str, types: list[dict[str, list[str]]],
+           factors: _Factors, progress: Progress) -> tuple[dict[str, tuple[np.ndarray, np.ndarray]], int]:
+    """Codes and strengths (m,) of a system's satellites (first lines and lists of types (m,)) by band; of several
+    signals on a band the preferred one that is there."""
+    found: dict[str, tuple[np.ndarray, np.ndarray]] = {}
+    unread = 0
+    for number in np.unique(version):
+        some = np.flatnonzero(version == number)
+        kinds = types[number].get(system if file.version >= 3 else "2", [])
+        scale = [factors.get((system, kind), factors.get((system, ""), 1.0)) for kind in kinds]
+        for band, column, strength in _candidates(system, kinds, file.version):
+            codes, strengths = found.setdefault(band, (np.full(len(line), np.nan), np.full(len(line), np.nan)))
+            empty = some[np.isnan(codes[some])]
+            values, bad = _column(file, line[empty], column, progress)
+            codes[empty] = values / scale[column]
+            unread += bad
+            if strength is None:
+                strengths[empty] = _strength_digit(file, line[empty], column)
+            else:
+                values, bad = _column(file, line[empty], strength, progress)
+                strengths[empty] = values / scale[strength]
+                unread += bad
+    return found, unread
+
+
+def _best_band(system: str, found: dict[str, tuple[np.ndarray, np.ndarray]]) -> str | None:
+    """The first band in the order of preference that has at least half as many codes as the fullest."""
+    counts = {band: int(np.count_nonzero(codes > 0)) for band, (codes, _) in found.items()}
+    most = max(counts.values(), default=0)
+    return next((band for band in MEGAHERTZ[system] if most and counts.get(band, 0) * 2 >= most), None)
+
+
+def _column(file: RinexFile, line: np.ndarray, column: int, progress: Progress) -> tuple[np.ndarray, int]:
+    """(m,) numbers of an observation's column at satellites' first lines, NaN where blank; count of unreadable ones."""
+    if file.version >= 3:
+        offset = 3 + 16 * column
+    else:
+        line, offset = line + column // 5, 16 * (column % 5)
+    values = np.empty(len(line))
+    unread = 0
+    for first in range(0, len(line), _BATCH):
+        progress.check()
+        some = line[first:first + _BATCH]
+        values[first:first + _BATCH], bad = _numbers(_field(file, some, offset))
+        unread += bad
+    return values, unread
+
+
+def _strength_digit(file: RinexFile, line: np.ndarray, column: int) -> np.ndarray:
+    """(m,) dB-Hz, in steps of 6, by the digit behind an observation; NaN where it is blank or 0, not known."""
+    if file.version < 3:
+        line = line + column // 5
+    offset = 3 + 16 * column if file.version >= 3 else 16 * (column % 5)
+    digit = _field(file, line, offset + 15, 1)[:, 0].astype(np.int64) - ord("0")
+    return np.where((digit >= 1) & (digit <= 9), 6.0 * digit + 3.0, np.nan)
+
+
+def _field(file: RinexFile, line: np.ndarray, offset: int, width: int = 14) -> np.ndarray:
+    """(m, width) bytes of a field; blanks behind the end of a line, and where the file is cut within the field."""
+    line = np.minimum(line, len(file) - 1)
+    at = offset + np.arange(width)
+    cut = (line == len(file) - 1) & file.cut & (file.length[line] < offset + width)
+    length = np.where(cut, 0, file.length[line])
+    index = np.minimum(file.start[line][:, None] + at, len(file.data) - 1)
+    return np.where(at < length[:, None], file.data[index], np.uint8(ord(" ")))
+
+
+def _numbers(field: np.ndarray) -> tuple[np.ndarray, int]:
+    """(m,) numbers written as F14.3 in (m, 14) bytes, NaN where blank; and how many could not be read."""
+    digit = field - np.uint8(ord("0"))
+    is_digit = digit < 10
+    blank = field == ord(" ")
+    values = np.where(is_digit, digit, 0) @ _WEIGHTS
+    usual = (field[:, 10] == ord(".")) & is_digit[:, 11:].all(axis=1) & (is_digit | blank)[:, :10].all(axis=1)
+    usual &= ~(is_digit[:, :9] & blank[:, 1:10]).any(axis=1)
+    empty = blank.all(axis=1)
+    values[empty] = np.nan
+    unread = 0
+    for row in np.flatnonzero(~usual & ~empty):
+        try:
+            values[row] = float(field[row].tobytes())
+        except ValueError:
+            values[row] = np.nan
+            unread += 1
+    return values, unread

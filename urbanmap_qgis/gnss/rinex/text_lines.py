@@ -1,0 +1,144 @@
+"""What all RINEX files have in common: bytes, lines, header."""
+
+from __future__ import annotations
+
+import os
+import zlib
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from ...errors import InputError
+
+_PIECE = 1 << 16
+_MAGIC_GZIP, _MAGIC_COMPRESS, _MAGIC_ZIP = b"\x1f\x8b", b"\x1f\x9d", b"PK\x03\x04"
+
+
+@dataclass(frozen=True)
+class RinexFile:
+    """A RINEX file cut into lines.
+
+    Attributes
+    ----------
+    name : of the file, for messages.
+    version : such as 2.11.
+    kind : letter of the file type (column 21): O, N, G ...
+    system : letter of the system (column 41), " " where none is told.
+    header : (label, content of columns 1 to 60) of each header line.
+    data : (b,) uint8, the body with spaces behind it.
+    start, length : (l,) first byte and length of each line of the body, without its end.
+    cut : the file ends within a line.
+    notes : sentences on damage that was worked around.
+    """
+
+    name: str
+    version: float
+    kind: str
+    system: str
+    header: tuple[tuple[str, str], ...]
+    data: np.ndarray
+    start: np.ndarray
+    length: np.ndarray
+    cut: bool
+    notes: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.start)
+
+    def line(self, number: int) -> str:
+        """Text of a line of the body."""
+        start = self.start[number]
+        return self.data[start:start + self.length[number]].tobytes().decode("latin-1")
+
+    def contents(self, label: str) -> list[str]:
+        """Contents (columns 1 to 60) of all header lines with a label."""
+        return [content for name, content in self.header if name == label]
+
+
+def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
+    """Content of a plain or gzipped file and sentences on damage; a gzip file that breaks off is read up to there.
+
+    Raises
+    ------
+    InputError : the file cannot be read, is empty, or is packed in another way.
+    """
+    path = Path(path)
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path.name} cannot be read ({error.strerror}): check the file.") from error
+    notes: tuple[str, ...] = ()
+    if data[:2] == _MAGIC_GZIP:
+        data, whole = _unpacked(data, path.name)
+        if not whole:
+            notes = (f"{path.name} breaks off: it is used up to there.",)
+    if data[:2] == _MAGIC_COMPRESS or data[:4] == _MAGIC_ZIP:
+        raise InputError(f"{path.name} is packed in a way that is not read here: unpack it, or pack it with gzip.")
+    if not data.strip():
+        raise InputError(f"{path.name} is empty: choose another file.")
+    return data, notes
+
+
+def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
+    """Content of gzip data of one or more members, and whether it ended as it should."""
+    parts = []
+    while data[:2] == _MAGIC_GZIP:
+        stream = zlib.decompressobj(31)
+        try:
+            for first in range(0, len(data), _PIECE):
+                parts.append(stream.decompress(data[first:first + _PIECE]))
+                if stream.eof:
+                    break
+        except zlib.error as error:
+            if not any(parts):
+                raise InputError(f"{name} is not a sound gzip file: fetch it again.") from error
+            return b"".join(parts), False
+        if not stream.eof:
+            return b"".join(parts), False
+        data = stream.unused_data + data[first + _PIECE:]
+    return b"".join(parts), True
+
+
+def read_rinex(path: str | os.PathLike) -> RinexFile:
+    """Read a RINEX file of version 2 or 3 and cut it into lines.
+
+    Raises
+    ------
+    InputError : not readable, not RINEX, of a version that is not known, compact (Hatanaka) RINEX, no end of header.
+    """
+    name = Path(path).name
+    data, notes = read_bytes(path)
+    first = data[:80].decode("latin-1")
+    if "COMPACT RINEX" in first:
+        raise InputError(f"{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.")
+    if "RINEX VERSION / TYPE" not in first[60:]:
+        raise InputError(f"{name} is not a RINEX file: its first line does not say \"RINEX VERSION / TYPE\".")
+    try:
+        version = float(first[:9])
+    except ValueError as error:
+        raise InputError(f"{name} tells no RINEX version in its first line: check the file.") from error
+    if not 2.0 <= version < 4.0:
+        raise InputError(f"{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.")
+    header, body = _split_header(data.replace(b"\r\n", b"\n"), name)
+    return RinexFile(name, version, first[20], first[40], header, *_lines(body), not body.endswith(b"\n"), notes)
+
+
+def _split_header(data: bytes, name: str) -> tuple[tuple[tuple[str, str], ...], bytes]:
+    end = data.find(b"END OF HEADER")
+    if end < 0:
+        raise InputError(f"{name} has no \"END OF HEADER\": the file is not whole.")
+    stop = data.find(b"\n", end)
+    stop = len(data) if stop < 0 else stop + 1
+    lines = data[:stop].decode("latin-1").split("\n")
+    return tuple((line[60:].strip(), line[:60]) for line in lines if line), data[stop:]
+
+
+def _lines(body: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The body's bytes with spaces behind, and start and length of its lines."""
+    data = np.frombuffer(body + b" " * 32, np.uint8)
+    ends = np.flatnonzero(data == 10)
+    if not body.endswith(b"\n") and body:
+        ends = np.append(ends, len(body))
+    start = np.concatenate([[0], ends[:-1] + 1]) if len(ends) else np.zeros(0, np.int64)
+    return data, start.astype(np.int64), (ends - start).astype(np.int64)

@@ -1,0 +1,1 @@
+"""Code observations with everything known taken off: geometry, clocks, atmosphere."""

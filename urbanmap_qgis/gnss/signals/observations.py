@@ -1,0 +1,360 @@
+"""From observation and navigation files and a trajectory to signals: code residuals with all known terms taken off.
+
+A code range is the geometric range (with the turn of the earth during the travel), plus the receiver's clock, minus the
+satellite's clock, plus group delay, troposphere, ionosphere, excess path of a reflection, and noise (J 5.6).
+"""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...mobile.trajectory import Trajectory, body_to_map, gaps
+from ...progress import SILENT, Progress
+from ..orbits.earth_fixed import EarthPlaces, MapFrame, directions, elevation_azimuth
+from ..orbits.ephemeris import (
+    NO_EPHEMERIS,
+    UNHEALTHY,
+    Navigation,
+    States,
+    read_navigation,
+    signal_paths,
+    turned_with_earth,
+)
+from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text
+from ..rinex.observation_file import Observations, read_observations
+from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
+from .atmosphere import ionosphere, nearest_model, troposphere
+from .tables import SPEED_OF_LIGHT, SYSTEM_NAMES, Epochs, Signals, SignalSettings
+
+HEIGHT_LIMIT = 12.0
+"""Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights."""
+
+LARGEST_SEPARATION = 120.0
+"""The geoid is nowhere farther from the ellipsoid, m."""
+
+USUAL_SCATTER, WIDE_SCATTER, LARGEST_SCATTER = 1.5, 5.0, 30.0
+"""Scatter of the strongest signals, m: up to which no other time is tried, that is told, and that is refused."""
+
+_GLONASS_FACTOR, _GLONASS_CHANNEL = 1.5, 2.5
+_NO_CN0 = 38.0
+
+
+def load_observations(observation_paths: Sequence[str | os.PathLike], navigation_paths: Sequence[str | os.PathLike],
+                      trajectory: Trajectory, crs_wkt: str, geoid_separation: float | None = None,
+                      settings: SignalSettings | None = None, progress: Progress = SILENT) -> Signals:
+    """Read observations and model everything but the receiver's clock.
+
+    Parameters
+    ----------
+    observation_paths : RINEX 2.11 or 3.x observation files, each of one receiver on the trajectory.
+    navigation_paths : RINEX navigation files and SP3 orbits that cover them.
+    trajectory : times in seconds of GPS week, full GPS seconds, adjusted standard GPS time or Unix time.
+    crs_wkt : of the trajectory's places.
+    geoid_separation : ellipsoidal less map height, m, 0 where the trajectory has ellipsoidal heights. None: it is
+        estimated from the signals (with an antenna height the trajectory does not have), which is told in the notes;
+        once it is known which signals are in line of sight, `antenna_height.estimate_height` and
+        `Signals.raised` make it better.
+
+    Raises
+    ------
+    InputError : a file cannot be used; observations, navigation and trajectory are not of one time or place; the
+        heights differ from what the satellites say by tens of metres.
+    InsufficientDataError : no signal is left.
+    """
+    settings = settings or SignalSettings()
+    if not observation_paths:
+        raise InputError("No observation file is given: give the receiver's RINEX observation files.")
+    files = [read_observations(path, settings.systems, progress.part(0.3 * i / len(observation_paths), 0.3 * (
+        i + 1) / len(observation_paths))) for i, path in enumerate(observation_paths)]
+    navigation = read_navigation(navigation_paths)
+    _check_same_days(files, navigation)
+    progress.step(0.35)
+    shift = trajectory_shift(trajectory, [(file.time[0], file.time[-1]) for file in files])
+
+    def measured(seconds: float, part: Progress) -> list[_Measured]:
+        """All files with the trajectory's times moved by so many seconds."""
+        found = []
+        for number, file in enumerate(files):
+            found.append(_measured(file, navigation, trajectory, seconds, crs_wkt, settings))
+            part.step((number + 1) / len(files))
+        return found
+
+    parts = measured(shift, progress.part(0.35, 0.75))
+    signals = _with_height(geoid_separation, settings, lambda value: _gathered(
+        parts, files, navigation, crs_wkt, value, settings), lambda seconds, separation: _gathered(
+        measured(shift + seconds, Progress(cancelled=progress.cancelled)), files, navigation, crs_wkt, separation,
+        settings))
+    progress.step(1.0)
+    for note in signals.notes:
+        progress.warn(note)
+    return signals
+
+
+def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]], what: str = "observations") -> float:
+    """Seconds to add to the trajectory's time to get GPS seconds since 1980-01-06.
+
+    `spans` : first and last GPS time of the observations (or of what else `what` says). Weeks, full GPS seconds,
+    adjusted standard GPS time and Unix time are tried; the one that brings the two together is taken.
+
+    Raises
+    ------
+    InputError : none does.
+    """
+    first, last = float(trajectory.time[0]), float(trajectory.time[-1])
+    start, end = min(span[0] for span in spans), max(span[1] for span in spans)
+    week = WEEK * np.floor(start / WEEK)
+    unix = -UNIX_START + float(leap_seconds(np.array([start]))[0])
+    for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
+        if any(min(last + shift, high) - max(first + shift, low) >= 0 for low, high in spans):
+            return float(shift)
+    told = (f"{first:.0f} to {last:.0f} s of week" if last < 2 * WEEK else
+            span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
+    raise InputError(f"Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
+                     f"{span_text(start, end)} GPS time ({start - week:.0f} to {end - week:.0f} s of week).")
+
+
+def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> None:
+    for file in files:
+        if not navigation.covers(file.time[0], file.time[-1]):
+            observed, good = span_text(file.time[0], file.time[-1]), span_text(*navigation.span())
+            raise InputError(f"{file.name} was observed {observed} GPS time, but the navigation files are good for "
+                             f"{good}: give those of the same day.")
+
+
+@dataclass(frozen=True)
+class _Measured:
+    """Observations of one file that have a place and a satellite; rows n, epochs e."""
+
+    time: np.ndarray
+    gps_time: np.ndarray
+    place: np.ndarray
+    epoch: np.ndarray
+    satellite: np.ndarray
+    code: np.ndarray
+    cn0: np.ndarray
+    states: States
+    bands: dict[str, str]
+    left_out: Counter
+    unplaced: dict[int, set[str]]
+
+
+def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory, shift: float, crs_wkt: str,
+              settings: SignalSettings) -> _Measured:
+    """Epochs of a file that the trajectory covers, with the satellites at transmission."""
+    left_out: Counter = Counter()
+    time = file.time - shift
+    covered = within_trajectory(trajectory, time, settings.longest_gap)
+    _count(left_out, "outside the trajectory or in a gap of it", ~covered[file.epoch])
+    rows = np.flatnonzero(covered[file.epoch])
+    weak = file.cn0[rows] < settings.least_cn0
+    _count(left_out, f"weaker than {settings.least_cn0:g} dB-Hz", weak)
+    rows = rows[~weak]
+    number = np.cumsum(covered) - 1
+    time, gps_time, epoch = time[covered], file.time[covered], number[file.epoch[rows]]
+    arm = np.asarray(settings.lever_arm, float)
+    place = body_to_map(trajectory, time, arm)
+    frame = MapFrame(crs_wkt)
+    here = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
+    satellite, code = file.satellite[rows], file.code[rows]
+    paths = signal_paths(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
+    unplaced = {}
+    for status, reason in ((NO_EPHEMERIS, "without an ephemeris"), (UNHEALTHY, "of unhealthy satellites")):
+        _count(left_out, reason, paths.states.status == status)
+        unplaced[status] = set(satellite[paths.states.status == status].tolist())
+    good = np.isfinite(paths.distance)
+    # The clock is told by the codes themselves; at the true time of reception the antenna was a little back.
+    rough = code - paths.distance + SPEED_OF_LIGHT * (paths.states.clock - paths.states.delay)
+    clock = grouped_median(rough[good], epoch[good], len(time))
+    late = np.where(np.isfinite(clock) & (np.abs(clock) < 0.05 * SPEED_OF_LIGHT), clock, 0.0) / SPEED_OF_LIGHT
+    received = np.clip(time - late, trajectory.time[0], trajectory.time[-1])
+    place = body_to_map(trajectory, received, arm)
+    states = States(*(getattr(paths.states, name)[good] for name in States.__dataclass_fields__))
+    return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], states,
+                     file.bands, left_out, unplaced)
+
+
+def within_trajectory(trajectory: Trajectory, time: np.ndarray, longest_gap: float) -> np.ndarray:
+    """Which times (n,), in the trajectory's own time, lie in it and not in a gap longer than so many seconds."""
+    covered = trajectory.within(time)
+    spans = gaps(trajectory, longest_gap)
+    if len(spans):
+        gap = np.searchsorted(spans[:, 0], time, side="left") - 1
+        within = (gap >= 0) & (time < spans[np.maximum(gap, 0), 1])
+        covered &= ~within
+    return covered
+
+
+def _count(left_out: Counter, reason: str, mask: np.ndarray) -> None:
+    if mask.any():
+        left_out[reason] += int(mask.sum())
+
+
+def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigation: Navigation, crs_wkt: str,
+              separation: float, settings: SignalSettings) -> Signals:
+    """Signals of all files with a geoid separation."""
+    frame = MapFrame(crs_wkt, separation)
+    model = nearest_model(navigation.ionosphere, float(np.median(np.concatenate([file.time for file in files]))))
+    first = np.cumsum([0, *(len(part.time) for part in parts)])
+    columns, datum, left_out = [], [], Counter()
+    for number, part in enumerate(parts):
+        left_out.update(part.left_out)
+        table, low, base = _modelled(part, frame, model, separation, settings)
+        _count(left_out, f"below {settings.elevation_mask:g} degrees of elevation", low)
+        table["epoch"] = table["epoch"] + first[number]
+        columns.append(table)
+        datum.append(base)
+    joined = {name: np.concatenate([table[name] for table in columns]) for name in columns[0]}
+    if not len(joined["epoch"]):
+        reasons = ", ".join(f"{count} {reason}" for reason, count in left_out.items())
+        raise InsufficientDataError(f"No observation can be used ({reasons or 'the files hold none'}): check that "
+                                    "observations, navigation and trajectory belong together.")
+    epochs = Epochs(np.concatenate([part.time for part in parts]), np.concatenate([part.gps_time for part in parts]),
+                    np.concatenate([part.place for part in parts]),
+                    np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
+    row = joined["epoch"]
+    notes = _notes(files, navigation, model, parts)
+    return Signals(epochs=epochs, time=epochs.time[row], place=epochs.place[row],
+                   system=joined["satellite"].astype("U1"), clock_datum=np.array(datum), geoid_separation=separation,
+                   left_out=dict(left_out), notes=notes, **joined)
+
+
+def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
+              settings: SignalSettings) -> tuple[dict[str, np.ndarray], np.ndarray, float]:
+    """Columns of `Signals` for a file, which rows were below the mask, and the datum of its clock."""
+    if not len(part.epoch):
+        empty = np.zeros(0)
+        names = ("code", "cn0", "elevation", "azimuth", "residual", "sigma", "troposphere", "ionosphere", "age")
+        return {**dict.fromkeys(names, empty), "epoch": np.zeros(0, int), "satellite": np.zeros(0, "U3"),
+                "direction": np.zeros((0, 3))}, np.zeros(0, bool), 0.0
+    site: EarthPlaces = frame.places(part.place)
+    epoch = part.epoch
+    vector, distance = turned_with_earth(part.states.place, site.earth_fixed[epoch])
+    direction = directions(site.axes[epoch], vector)
+    elevation, azimuth = elevation_azimuth(direction)
+    above = np.degrees(elevation) >= settings.elevation_mask
+    kept = np.flatnonzero(above)
+    epoch, elevation, azimuth = epoch[kept], elevation[kept], azimuth[kept]
+    system = part.satellite[kept].astype("U1")
+    latitude, longitude = site.latitude[epoch], site.longitude[epoch]
+    wet = troposphere(latitude, part.place[epoch, 2], elevation, settings.humidity)
+    free = (np.zeros(len(kept)) if model is None else
+            ionosphere(model, system, part.bands, latitude, longitude, azimuth + site.convergence[epoch], elevation,
+                       part.gps_time[epoch]))
+    clock = SPEED_OF_LIGHT * (part.states.clock[kept] - part.states.delay[kept])
+    residual = part.code[kept] - distance[kept] + clock - wet - free
+    datum = float(np.median(residual)) if len(kept) else 0.0
+    sigma = expected_sigma(part.cn0[kept], elevation, system, free, model is None)
+    return {"epoch": epoch, "satellite": part.satellite[kept], "code": part.code[kept], "cn0": part.cn0[kept],
+            "direction": direction[kept], "elevation": np.degrees(elevation), "azimuth": np.degrees(azimuth),
+            "residual": residual - datum, "sigma": sigma, "troposphere": wet, "ionosphere": free,
+            "age": part.states.age[kept]}, ~above, datum
+
+
+def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, delay: np.ndarray,
+                   without_ionosphere: bool = False) -> np.ndarray:
+    """Standard deviation of a line-of-sight code residual, m, clock aside.
+
+    Code noise grows as the strength falls; broadcast orbits and clocks err by most of a metre, the troposphere's
+    model by a tenth of a metre at the zenith, the ionosphere's by 30 % of the delay; a receiver delays GLONASS's
+    channels differently, by some metres.
+
+    Parameters
+    ----------
+    cn0 : (n,) dB-Hz, NaN counts as a weak signal.  elevation : (n,) rad.  system : (n,) letters.
+    delay : (n,) modelled delay in the ionosphere, m.
+    """
+    strength = np.where(np.isfinite(cn0), cn0, _NO_CN0)
+    noise = np.sqrt(0.25 ** 2 + 1500.0 * 10 ** (-strength / 10))
+    noise = np.where(system == "R", np.hypot(_GLONASS_FACTOR * noise, _GLONASS_CHANNEL), noise)
+    air = 0.1 / np.sin(elevation)
+    free = np.full(len(air), 5.0) / np.sin(elevation + 0.2) if without_ionosphere else 0.3 * delay
+    return np.sqrt(0.7 ** 2 + noise ** 2 + air ** 2 + free ** 2)
+
+
+def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: Sequence[_Measured]) -> tuple[str, ...]:
+    notes = [note for file in files for note in file.notes] + list(navigation.notes)
+    if model is None:
+        notes.append("The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not "
+                     "taken off; give a navigation file of GPS.")
+    if navigation.precise and not len(navigation.kepler):
+        notes.append("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the "
+                     "navigation files too.")
+    placed = {str(name) for part in parts for name in np.unique(part.satellite.astype("U1"))}
+    for status, why in ((NO_EPHEMERIS, "have no ephemeris near in time"), (UNHEALTHY, "are unhealthy")):
+        names = sorted({name for part in parts for name in part.unplaced[status] if name[0] in placed})
+        if names:
+            notes.append(f"Satellites that {why} are left out: {', '.join(names)}.")
+    for system in sorted({name[0] for part in parts for name in part.unplaced[NO_EPHEMERIS]} - placed):
+        notes.append(f"No satellite of {SYSTEM_NAMES[system]} can be placed: its signals are left out; give its "
+                     "navigation file.")
+    return tuple(notes)
+
+
+def _with_height(given: float | None, settings: SignalSettings, at_height: Callable[[float], Signals],
+                 moved: Callable[[float, float], Signals]) -> Signals:
+    """Signals with a geoid separation that fits; where it was given, it is checked.
+
+    `at_height(separation)` and `moved(seconds, separation)` make the signals anew.
+    """
+    signals = at_height(given or 0.0)
+    if given is not None and not settings.check_height:
+        return signals
+    try:
+        offset, sigma = estimate_height(signals, strong_signals(signals))
+    except InsufficientDataError:
+        if given is None:
+            raise
+        return signals
+    note = _check_fit(signals, moved)
+    if given is None:
+        if abs(offset) > LARGEST_SEPARATION:
+            raise InputError(f"By the satellites the antenna is {offset:.0f} m above the heights of the trajectory, "
+                             "more than any geoid separation: trajectory and observations do not belong together.")
+        signals = at_height(offset)
+        further, sigma = estimate_height(signals, strong_signals(signals))
+        told = (f"The geoid separation was not given; the satellites say {offset + further:.1f} m (sigma {sigma:.1f} "
+                "m), which is used: the official value is better.")
+        return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, told))
+    if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
+        raise InputError(f"By the satellites the antenna is {abs(offset):.0f} m {'higher' if offset > 0 else 'lower'} "
+                         f"than the trajectory with a geoid separation of {given:g} m says: heights above sea level "
+                         f"and above the ellipsoid seem to be mixed up; a separation of about {given + offset:.0f} m "
+                         "would fit.")
+    return replace(signals, notes=(*signals.notes, *note))
+
+
+def _scatter(signals: Signals) -> float:
+    """How far the strongest signals contradict each other, m, at the height that suits them best."""
+    try:
+        return strong_scatter(signals.raised(estimate_height(signals, strong_signals(signals))[0]))
+    except InsufficientDataError:
+        return float("nan")
+
+
+def _check_fit(signals: Signals, moved: Callable[[float, float], Signals]) -> tuple[str, ...]:
+    """Whether the strongest signals agree at each epoch; a note where they do so badly.
+
+    Raises
+    ------
+    InputError : the trajectory's times are UTC, or it does not belong to the observations.
+    """
+    scatter = _scatter(signals)
+    if not scatter > USUAL_SCATTER:
+        return ()
+    leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
+    for seconds, fault in ((leap, "too early, as UTC is"), (-leap, "too late")):
+        if _scatter(moved(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
+            raise InputError(f"The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.")
+    if scatter > LARGEST_SCATTER:
+        raise InputError(f"The code ranges do not fit the trajectory (the strongest signals contradict each other by "
+                         f"{scatter:.0f} m): its CRS, its times or the observation file are of another drive.")
+    if scatter < WIDE_SCATTER:
+        return ()
+    return (f"The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, more "
+            "than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.",)

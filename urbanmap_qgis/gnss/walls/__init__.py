@@ -1,0 +1,1 @@
+"""Walls adjusted by reflected signals (J 5.6)."""

@@ -1,0 +1,43 @@
+"""How strong a signal in line of sight usually is, to tell signals that the building models misjudge.
+
+A bridge or a tree that no model shows weakens what should be in line of sight; a signal that the model calls blocked
+and that is as strong as a free one is not a reflection.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..signals.tables import Signals
+
+_BIN = 10.0
+"""Width of the classes of elevation, degrees."""
+
+_LEAST = 30
+"""Signals in a class for a figure of its own."""
+
+
+def usual_strength(signals: Signals, in_sight: np.ndarray) -> np.ndarray:
+    """(n,) usual strength of a free signal of the same system and elevation, dB-Hz; NaN where none can be told.
+
+    It is the upper quartile of the signals `in_sight` (n,) in classes of elevation, so that a large share of wrongly
+    classed ones does no harm; classes with few signals take the figure of the whole system.
+    """
+    usual = np.full(len(signals), np.nan)
+    known = in_sight & np.isfinite(signals.cn0)
+    level = np.floor(signals.elevation / _BIN)
+    for system in np.unique(signals.system):
+        own = signals.system == system
+        if np.count_nonzero(own & known) < _LEAST:
+            continue
+        usual[own] = np.quantile(signals.cn0[own & known], 0.75)
+        for value in np.unique(level[own & known]):
+            members = own & known & (level == value)
+            if np.count_nonzero(members) >= _LEAST:
+                usual[own & (level == value)] = np.quantile(signals.cn0[members], 0.75)
+    return usual
+
+
+def weaker_by(signals: Signals, in_sight: np.ndarray) -> np.ndarray:
+    """(n,) dB by which signals are weaker than free ones usually are; NaN where that is not known."""
+    return usual_strength(signals, in_sight) - signals.cn0

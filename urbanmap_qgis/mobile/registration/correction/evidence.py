@@ -1,0 +1,94 @@
+"""What each piece of the path says of the error, in a form that adds up."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..records import WindowResults
+
+PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)
+"""Parameters that are estimated in 2D and in 3D."""
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Log-likelihood of corrections c of n pieces of path, off = c - place: pull . off - off' information off / 2.
+
+    Attributes
+    ----------
+    active : numbers of the d parameters (dx, dy, dz, droll, dpitch, dheading) that are estimated.
+    clock : (n,) m, the drift's clock at the pieces.  place : (n, d), pull : (n, d), information : (n, d, d).
+    present : (n,) bool, whether the piece says anything.  three_d : whether height, roll and pitch are estimated.
+    """
+
+    active: tuple[int, ...]
+    clock: np.ndarray
+    place: np.ndarray
+    pull: np.ndarray
+    information: np.ndarray
+    present: np.ndarray
+    three_d: bool
+
+    @property
+    def absolute_pull(self) -> np.ndarray:
+        """(n, d) pull at no correction at all."""
+        return self.pull + np.einsum("nij,nj->ni", self.information, self.place)
+
+    def pull_at(self, value: np.ndarray) -> np.ndarray:
+        """(n, d) pull at corrections (n, d)."""
+        return self.pull - np.einsum("nij,nj->ni", self.information, value - self.place)
+
+
+    def in_plan(self) -> list[int]:
+        """Which of the d parameters move points in plan alone: dx, dy and dheading."""
+        return [number for number, parameter in enumerate(self.active) if parameter in PLANE]
+
+    def misfit(self, value: np.ndarray) -> np.ndarray:
+        """(n,) reduced chi square in plan of corrections (n, d): how hard each piece pulls away from them."""
+        plan = self.in_plan()
+        sizes, axes = np.linalg.eigh(self.information[:, plan][:, :, plan])
+        there = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
+        along = np.einsum("nji,nj->ni", axes, self.pull_at(value)[:, plan])
+        pulls = np.where(there, along**2, 0.0) / np.where(there, sizes, 1.0)
+        return pulls.sum(axis=1) / np.maximum(there.sum(axis=1), 1)
+
+
+def evidence_of(windows: WindowResults, clock: np.ndarray) -> Evidence:
+    """The evidence of windows' results at clock readings (n,): that of the patches' own points where it is given.
+
+    Otherwise windows are rigid and share their points; each counts for its own patch, with its share of the points.
+    """
+    active = SPACE if windows.three_d else PLANE
+    pick = list(active)
+    usable = windows.usable
+    information = np.nan_to_num(windows.information[:, pick][:, :, pick])
+    place, pull = np.nan_to_num(windows.linearised[:, pick]), np.nan_to_num(windows.pull[:, pick])
+    if not information[usable].any():
+        place, pull = np.nan_to_num(windows.correction[:, pick]), np.zeros((len(windows), len(pick)))
+        information = _shared(windows, pick, usable)
+    information, pull = _without_bends(information, pull)
+    information[~usable], pull[~usable] = 0.0, 0.0
+    return Evidence(active, clock, place, pull, information, usable & information.any(axis=(1, 2)), windows.three_d)
+
+
+def _shared(windows: WindowResults, pick: list[int], usable: np.ndarray) -> np.ndarray:
+    """Information (n, d, d) of windows, divided by the number of patches that share it."""
+    information = np.zeros((len(windows), len(pick), len(pick)))
+    covariance = windows.covariance[usable][:, pick][:, :, pick]
+    size = (windows.window_last - windows.window_first + 1)[usable]
+    known = np.isfinite(covariance).all(axis=(1, 2))
+    inverse = np.zeros_like(covariance)
+    inverse[known] = np.linalg.inv(covariance[known])
+    information[usable] = inverse / size[:, None, None]
+    return information
+
+
+def _without_bends(information: np.ndarray, pull: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Directions in which a patch's score is not curved downwards say nothing: they are taken out."""
+    values, vectors = np.linalg.eigh(0.5 * (information + np.swapaxes(information, 1, 2)))
+    good = values > 0
+    information = np.einsum("nij,nj,nkj->nik", vectors, np.where(good, values, 0.0), vectors)
+    along = np.einsum("nji,nj->ni", vectors, pull) * good
+    return information, np.einsum("nij,nj->ni", vectors, along)

@@ -1,0 +1,1 @@
+"""Windows of marking points matched to normal distributions of the reference."""

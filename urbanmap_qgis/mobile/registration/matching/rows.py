@@ -1,0 +1,186 @@
+"""Rows of results: corrections in the trajectory's own angles, statuses, other places that fit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...trajectory import angles_of, rotations
+from ..records import (
+    AMBIGUOUS,
+    MODES,
+    NO_MARKINGS,
+    NOT_CONVERGED,
+    REGISTERED,
+    WEAK,
+    RegistrationSettings,
+    WindowResults,
+)
+from ..start.correlation_start import CELL, BestWay, peaks, spreads
+from ..start.patches import Patches
+from .ndt_match import turn_matrix
+from .windows import Windows
+
+_FEWEST_POINTS = 30
+_LEAST_OVERLAP = 0.45  # below, most of the points contradict the place
+_CHANCE_OVERLAP = 0.25  # below, it may be chance
+_CHANCE_SIGMA = 1.0  # m
+_LARGEST_SIGMA = 0.10  # m in plan
+_PROOF = 3.0  # log-likelihood
+_APART = 3  # cells (0.6 m): places nearer are one
+_OTHER = 4  # cells: a way this far off is another place
+
+
+@dataclass(frozen=True)
+class Start:
+    """The start along the path.
+
+    Attributes
+    ----------
+    block : patches of a block. shift : (b, 2) m, east and north, where each block starts from.
+    scores : (b, s, s) of all shifts about the best way's shift. beaten : (b, s, s) see `BestWay`.
+    best : (b, 2) cells, shift of the best way.
+    """
+
+    block: int
+    shift: np.ndarray
+    scores: np.ndarray
+    beaten: np.ndarray
+    best: np.ndarray
+
+    def shift_at(self, patch: np.ndarray) -> np.ndarray:
+        """(k, 2) m, linear between the blocks' middles."""
+        middle = (np.arange(len(self.shift)) + 0.5) * self.block - 0.5
+        return np.column_stack([np.interp(patch, middle, self.shift[:, axis]) for axis in (0, 1)])
+
+
+@dataclass(frozen=True)
+class Places:
+    """Other places than the row's own. alias_ratio, margin : (n,). offsets : (n, MODES - 1, 2) m. scores likewise."""
+
+    alias_ratio: np.ndarray
+    margin: np.ndarray
+    offsets: np.ndarray
+    scores: np.ndarray
+    own: np.ndarray
+
+
+def other_places(start: Start, windows: Windows, patches: int) -> Places:
+    """Second and third best places of each window by its own points, and how surely the survey excludes any other."""
+    running = np.concatenate([np.zeros((1, *start.scores.shape[1:])),
+                              np.cumsum(start.scores, axis=0, dtype=np.float64)])
+    middle = start.scores.shape[1] // 2
+    ratio, own = np.zeros(patches), np.zeros(patches)
+    offsets, scores = np.full((patches, MODES - 1, 2), np.nan), np.full((patches, MODES - 1), np.nan)
+    seen: dict[tuple[int, int], int] = {}
+    for patch in range(patches):
+        span = (windows.first[patch] // start.block, windows.last[patch] // start.block)
+        if span in seen:
+            same = seen[span]
+            ratio[patch], own[patch] = ratio[same], own[same]
+            offsets[patch], scores[patch] = offsets[same], scores[same]
+            continue
+        seen[span] = patch
+        surface = (running[span[1] + 1] - running[span[0]]).astype(np.float32)
+        own[patch] = surface[middle - 1:middle + 2, middle - 1:middle + 2].max()
+        places, heights = peaks(surface, _APART, MODES - 1)
+        offsets[patch, :len(places)], scores[patch, :len(places)] = places * CELL, heights
+        if len(heights) and own[patch] > 0:
+            ratio[patch] = heights[0] / own[patch]
+    margin = _margins(start)[np.arange(patches) // start.block]
+    return Places(ratio, margin, offsets, scores, own)
+
+
+def _margins(start: Start) -> np.ndarray:
+    """(b,) by how much the best way beats the best one that takes another place at the block."""
+    size = start.beaten.shape[1]
+    offset = np.arange(size) - size // 2
+    margin = np.full(len(start.beaten), np.inf)
+    for block, (east, north) in enumerate(start.best):
+        gain = start.beaten[block].max() - start.beaten[block]
+        far = np.maximum(np.abs(offset - north)[:, None], np.abs(offset - east)) >= _OTHER
+        places, heights = peaks(np.pad(gain, 1), 0, 12)
+        row, column = places[:, 1] + (size + 2) // 2 - 1, places[:, 0] + (size + 2) // 2 - 1
+        other = far[row, column]
+        if other.any():
+            margin[block] = start.beaten[block].max() - heights[other].max()
+    return margin
+
+
+def assemble(patches: Patches, windows: Windows, start: Start, parts: Sequence, settings: RegistrationSettings
+             ) -> WindowResults:
+    """Rows of all patches from the stretches' results (see `AdjustedStretch`)."""
+    def column(name: str) -> np.ndarray:
+        return np.concatenate([getattr(part, name) for part in parts])
+
+    shift, turn, course = column("shift"), column("turn"), column("course")
+    to_angles = angle_rates(patches.angles)
+    correction = np.column_stack([shift, turned_angles(patches.angles, turn)])
+    covariance = to_angles @ column("covariance") @ np.swapaxes(to_angles, 1, 2)
+    floor = np.array([settings.reference_sigma, settings.reference_sigma, settings.reference_sigma_z])
+    covariance[:, [0, 1, 2], [0, 1, 2]] += floor ** 2
+    back = np.linalg.inv(to_angles)
+    information = np.swapaxes(back, 1, 2) @ column("information") @ back
+    pull = np.einsum("nji,nj->ni", back, column("pull"))
+    linearised = np.column_stack([course[:, :3], turned_angles(patches.angles, course[:, 3:])])
+    points, overlap = column("points"), column("overlap")
+    covariance[:, [0, 1], [0, 1]] += _chance_variance(overlap)[:, None]
+    places = other_places(start, windows, len(patches))
+    covariance[:, :2, :2] += spreads(BestWay(start.best, start.beaten), (_APART - 0.5) * CELL)[
+        np.arange(len(patches)) // start.block]
+    status = _statuses(points, overlap, covariance, places, column("converged"))
+    if not settings.three_d:
+        correction[:, 2:5] = covariance[:, 2:5] = covariance[:, :, 2:5] = np.nan
+    lost = np.isin(status, (NO_MARKINGS, NOT_CONVERGED))
+    correction[status == NO_MARKINGS] = np.nan
+    covariance[lost] = np.nan
+    return WindowResults(
+        patches.time, patches.way, patches.place, patches.angles, correction, covariance, column("score"), overlap,
+        windows.first, windows.last, (windows.last - windows.first + 1) * patches.length, windows.features, points,
+        places.alias_ratio, places.margin, status, *_modes(correction, places, status), linearised, information, pull,
+        settings.three_d)
+
+
+def _chance_variance(overlap: np.ndarray) -> np.ndarray:
+    """(n,) m2, because a place that few points share, as of dashes that were all painted anew, may be chance."""
+    lack = (_LEAST_OVERLAP - np.nan_to_num(overlap)) / (_LEAST_OVERLAP - _CHANCE_OVERLAP)
+    return (_CHANCE_SIGMA * np.clip(lack, 0.0, 1.0)) ** 2
+
+
+def _modes(correction: np.ndarray, places: Places, status: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    own = correction[:, None, :2]
+    modes = np.concatenate([own, own + places.offsets], axis=1)
+    scores = np.column_stack([places.own, places.scores])
+    scores[status == NO_MARKINGS] = np.nan
+    return modes, scores
+
+
+def _statuses(points: np.ndarray, overlap: np.ndarray, covariance: np.ndarray, places: Places, converged: np.ndarray
+              ) -> np.ndarray:
+    status = np.full(len(points), REGISTERED, dtype=np.int8)
+    with np.errstate(invalid="ignore"):
+        largest = np.sqrt(np.linalg.eigvalsh(np.nan_to_num(covariance[:, :2, :2], nan=1e6))[:, -1])
+        status[(largest > _LARGEST_SIGMA) | (overlap < _LEAST_OVERLAP)] = WEAK
+        status[places.margin < _PROOF] = AMBIGUOUS
+        status[~converged] = NOT_CONVERGED
+        status[(points < _FEWEST_POINTS) | ~(overlap > 0)] = NO_MARKINGS
+    return status
+
+
+def turned_angles(angles: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    """(n, 3) degrees that turns (n, 3) (rotation vectors in the map's axes, radians) add to roll, pitch, heading."""
+    change = angles_of(turn_matrix(turn) @ rotations(angles)) - angles
+    return (change + 180.0) % 360.0 - 180.0
+
+
+def angle_rates(angles: np.ndarray) -> np.ndarray:
+    """(n, 6, 6) of shift (m) and turn (radians, map axes) to shift and roll, pitch, heading (degrees)."""
+    step = 1e-6
+    rates = np.broadcast_to(np.eye(6), (len(angles), 6, 6)).copy()
+    for axis in range(3):
+        turn = np.zeros((len(angles), 3))
+        turn[:, axis] = step
+        rates[:, 3:, 3 + axis] = (turned_angles(angles, turn) - turned_angles(angles, -turn)) / (2 * step)
+    return rates

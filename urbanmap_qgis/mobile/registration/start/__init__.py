@@ -1,0 +1,1 @@
+"""Where the survey lies within a few metres: reference, patches, correlation."""

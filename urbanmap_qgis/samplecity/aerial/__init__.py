@@ -1,0 +1,1 @@
+"""The photo flight: camera, exposures, rendered frames, orthophoto, masks."""

@@ -1,0 +1,1 @@
+"""The survey vehicle: its motion, scanners, line camera and navigation error."""

@@ -1,0 +1,1 @@
+"""GNSS receivers in the city: orbits, signal paths, observations, delivered models."""

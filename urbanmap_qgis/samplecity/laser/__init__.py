@@ -1,0 +1,1 @@
+"""Beams and where they end; airborne laser scanning."""

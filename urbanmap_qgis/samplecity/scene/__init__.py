@@ -1,0 +1,1 @@
+"""The true world: streets, ground, paint, buildings, furniture, trees, vehicles."""
