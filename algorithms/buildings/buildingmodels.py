@@ -31,9 +31,9 @@ class BuildingModels(UrbanMapAlgorithm):
         self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”. Each gets a row in the "
                           "result. A field ground gives the height of the ground in metres.")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres; the lowest along an outline "
-                        "is the foot of its walls.", optional=True)
-        self.add_field("BASE_FIELD", "Field with the foot's height", "Field of the buildings with the height of the "
-                       "foot of the walls in metres; used where there is no ground elevation.", "FOOTPRINTS",
+                        "is the base of its walls.", optional=True)
+        self.add_field("BASE_FIELD", "Base height field", "Field of the buildings with the height of the "
+                       "base of the walls in metres; used where there is no ground elevation.", "FOOTPRINTS",
                        advanced=True)
         self.add_points("POINTS", "Roof points", "Points with building_id and roof_id, from “Segment roofs”, for the "
                         "figures of fit.", optional=True)
@@ -76,7 +76,7 @@ class BuildingModels(UrbanMapAlgorithm):
         columns = model_columns(models)
         modelled = sum(bool(model.solids) for model in models)
         if modelled < len(models):
-            progress.warn(tr("{0} of {1} buildings have no model; the field “reason” tells why.").format(
+            progress.warn(tr("{0} of {1} buildings have no model; the field “reason” says why.").format(
                 len(models) - modelled, len(models)))
         figures = np.array(columns["rmse_z95"], float)
         with ExitStack() as unfinished:
@@ -119,7 +119,7 @@ class BuildingModels(UrbanMapAlgorithm):
                          found["roof_id"].astype(np.int64)[kept], found["height"][kept], status[kept])
 
     def _base_heights(self, parameters, context, table, footprints):
-        """Foot of each building: from the raster, else a field, NaN where neither knows."""
+        """Base of each building: from the raster, else a field, NaN where neither knows."""
         import numpy as np
 
         from ...urbanmap_qgis.buildings.base_height import outline_ground

@@ -34,10 +34,10 @@ class SegmentBuildings(UrbanMapAlgorithm):
                           "take their points.", 1.0, 0.0, 20.0)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is "
                         "made from the points.", optional=True)
-        self.add_distance("MAX_DISPLACEMENT", "Largest displacement", "Distance in metres by which an outline may "
+        self.add_distance("MAX_DISPLACEMENT", "Maximum displacement", "Distance in metres by which an outline may "
                           "be moved to its points; 0 leaves all outlines in their places.", 2.5, 0.0, 5.0,
                           advanced=True)
-        self.add_distance("MIN_HEIGHT", "Least building height", "Height in metres above the ground from which "
+        self.add_distance("MIN_HEIGHT", "Minimum building height", "Height in metres above the ground from which "
                           "points without a class can belong to a building.", 2.0, 0.5, 20.0, advanced=True)
         self.add_workers()
         self.add_points_output("OUTPUT", "Building points", "The points of the buildings with the attribute "

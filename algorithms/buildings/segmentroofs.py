@@ -18,8 +18,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
     KEYWORDS = ("building", "roof", "height", "histogram", "ALS", "lidar", "segmentation")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
     HELP = (
-        "Tells the roofs of each building apart by the histogram of its points' heights.\n"
-        "The histogram has overlapping bins. Each maximum with more points than the least roof area holds is a "
+        "Segments the roofs of each building by the histogram of its points' heights.\n"
+        "The histogram has overlapping bins. Each maximum with more points than the minimum roof area holds is a "
         "roof; a parapet's maximum is joined with its roof's. Beyond the paper, one maximum that is two roofs "
         "apart in plan becomes two, small roofs that stand out are kept, and sloped roofs become a few level ones, "
         "as finely as the height error asks."
@@ -32,21 +32,21 @@ class SegmentRoofs(UrbanMapAlgorithm):
         self.add_distance("BIN_WIDTH", "Bin width", "Width of a histogram bin in metres.", 0.5, 0.05, 10.0)
         self.add_distance("BIN_SHIFT", "Bin shift", "Distance in metres from one bin to the next; smaller than the "
                           "width, so that bins overlap.", 0.1, 0.01, 10.0)
-        self.add_number("MIN_ROOF_AREA", "Least roof area", "Area in square metres that a maximum of the histogram "
+        self.add_number("MIN_ROOF_AREA", "Minimum roof area", "Area in square metres that a maximum of the histogram "
                         "must hold to be a roof (times the density: the paper's alpha).", 50.0, 0.5, 100000.0, "m2")
         self.add_number("PARAPET_THRESHOLD", "Parapet threshold", "Two maxima are one roof where the histogram "
                         "between them stays above this number of points (the paper's beta). Without it, a share "
                         "of the two maxima.", None, 0, None, "points", optional=True)
-        self.add_number("MIN_ROOF_SHARE", "Least roof share", "The least roof area is no more than this share of the "
-                        "outline's area, so that small buildings have roofs too; 1 asks for the least roof area "
+        self.add_number("MIN_ROOF_SHARE", "Minimum roof share", "The minimum roof area is no more than this share of "
+                        "the outline's area, so that small buildings have roofs too; 1 asks for the minimum roof area "
                         "everywhere but in buildings smaller than that.", 0.2, 0.01, 1.0, advanced=True)
-        self.add_number("SMALL_ROOF_AREA", "Least area of a small roof", "Area in square metres of the smallest "
+        self.add_number("SMALL_ROOF_AREA", "Minimum area of a small roof", "Area in square metres of the smallest "
                         "part that stands out in height and becomes a roof of its own.", 4.0, 0.5, 1000.0, "m2",
                         advanced=True)
         self.add_distance("HEIGHT_RMSE", "Height error of sloped roofs", "Sloped roofs are cut into level ones until "
                           "the building's root mean square height error in metres is below this; 0 keeps the "
                           "roofs of the paper whole.", 0.45, 0.0, 10.0, advanced=True)
-        self.add_distance("MIN_HEIGHT", "Least roof height", "Height in metres above the ground below which nothing "
+        self.add_distance("MIN_HEIGHT", "Minimum roof height", "Height in metres above the ground below which nothing "
                           "is a roof.", 2.0, 0.0, 20.0, advanced=True)
         self.add_workers()
         self.add_points_output("OUTPUT", "Roof points", "The buildings' points with the attribute roof_id: the "

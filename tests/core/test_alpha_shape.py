@@ -6,8 +6,8 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from urbanmap_qgis.buildings.polygons.alpha_shape import alpha_shape, default_alpha, signed_area
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.geometry.alpha_shape import alpha_shape, default_alpha, signed_area
 
 
 def lattice(columns, rows, step=1.0):

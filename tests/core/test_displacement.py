@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, moved
+from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, shifted_outlines
 from urbanmap_qgis.buildings.outlines.displacement_boundary import edges_of, pieces_of, row_sums, sums_inside
-from urbanmap_qgis.buildings.outlines.displacement_pairs import MASK_CELL, fit_tables, overlap_tables, walls_between
+from urbanmap_qgis.buildings.outlines.displacement_pairs import MASK_CELL, meeting_tables, overlap_tables, walls_between
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -80,7 +80,7 @@ def test_walls_meet_best_where_the_houses_were_drawn():
     offset = np.array([0.8, -1.1])
     walls = walls_between(edges_of(shifted(polygons, [[0, 0], offset])), np.array([[0, 1]]), 5.0)
     places = np.stack(np.meshgrid(np.arange(-2, 2.01, 0.1), np.arange(-2, 2.01, 0.1)), -1).reshape(-1, 2)
-    best = places[fit_tables(walls, 1, places, 0.15)[0].argmax()]
+    best = places[meeting_tables(walls, 1, places, 0.15)[0].argmax()]
     assert best == pytest.approx(-offset, abs=1e-6)
 
 
@@ -107,7 +107,7 @@ def test_outlines_at_their_places_stay():
     truth = terrace()
     result = estimate_displacements(truth, evidence_of(truth), GRID)
     assert not found(result).any() and set(result.status) == {"kept"}
-    assert np.array_equal(moved(truth, result), truth)
+    assert np.array_equal(shifted_outlines(truth, result), truth)
 
 
 def test_no_order_and_no_company_matters():
@@ -115,11 +115,11 @@ def test_no_order_and_no_company_matters():
     polygons = shifted(truth, random_shifts(len(truth), 1.5, seed=8))
     far = shifted(polygons[:1], [[-25.0, 40.0]])
     evidence = evidence_of(truth)
-    alone = found(estimate_displacements(polygons, evidence, GRID))
+    unary = found(estimate_displacements(polygons, evidence, GRID))
     order = np.random.default_rng(1).permutation(len(polygons))
-    assert np.array_equal(found(estimate_displacements(polygons[order], evidence, GRID)), alone[order])
+    assert np.array_equal(found(estimate_displacements(polygons[order], evidence, GRID)), unary[order])
     company = found(estimate_displacements(np.concatenate((far, polygons)), evidence, GRID))
-    assert np.array_equal(company[1:], alone)
+    assert np.array_equal(company[1:], unary)
 
 
 def test_pieces_of_work_do_not_matter(monkeypatch):
@@ -161,12 +161,12 @@ def test_missing_empty_and_distant_outlines_keep_their_row():
     result = estimate_displacements(polygons, evidence_of(terrace()), GRID)
     assert list(result.status[:3]) == ["not observable"] * 3
     assert len(result.dx) == len(polygons)
-    assert moved(polygons, result)[0] is None
+    assert shifted_outlines(polygons, result)[0] is None
 
 
 def test_no_outline_at_all():
     result = estimate_displacements(np.array([], dtype=object), np.zeros(GRID.shape), GRID)
-    assert len(result.dx) == len(moved(np.array([], dtype=object), result)) == 0
+    assert len(result.dx) == len(shifted_outlines(np.array([], dtype=object), result)) == 0
 
 
 def test_heights_of_the_outline_are_kept():
@@ -175,7 +175,7 @@ def test_heights_of_the_outline_are_kept():
     truth = np.array([solid, flat], dtype=object)
     result = estimate_displacements(shifted(np.array([shapely.force_2d(solid), flat]), [[1, 1], [1, 1]]),
                                     evidence_of(truth), GRID)
-    there = moved(truth, result)
+    there = shifted_outlines(truth, result)
     assert shapely.get_coordinates(there[0], include_z=True)[:, 2].tolist() == [3, 4, 5, 6, 3]
     assert list(shapely.has_z(there)) == [True, False]
 
@@ -215,6 +215,6 @@ def test_an_outline_on_bare_ground_stays():
     bare[:, GRID.columns // 2:] = 0.0  # the survey ends here
     x = GRID.x_min + GRID.columns / 2 * GRID.cell
     y = GRID.y_max - GRID.rows / 2 * GRID.cell
-    alone = np.array([shapely.box(x - 5, y - 5, x + 5, y + 5)], dtype=object)
-    result = estimate_displacements(alone, bare, GRID)
+    unary = np.array([shapely.box(x - 5, y - 5, x + 5, y + 5)], dtype=object)
+    result = estimate_displacements(unary, bare, GRID)
     assert found(result).tolist() == [[0.0, 0.0]] and result.status.tolist() == ["not observable"]

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, OutputError
-from urbanmap_qgis.io.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud, read_all, usable
+from urbanmap_qgis.io.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud, read_all, valid_points
 from urbanmap_qgis.progress import Progress
 
 
@@ -52,7 +52,7 @@ def test_noise_withheld_and_absurd_points_are_not_usable(tmp_path, make_cloud):
     path = make_cloud(tmp_path / "n.las", [0, 1, 2, 3, 4], [0] * 5, [1, 1, 1, 1, 2e5],
                       classification=[1, 7, 18, 6, 6], withheld=[0, 0, 0, 1, 0])
     chunk = next(iter_chunks(open_cloud([path])))
-    assert usable(chunk).tolist() == [True, False, False, False, False]
+    assert valid_points(chunk).tolist() == [True, False, False, False, False]
 
 
 def test_damaged_files_are_refused_in_one_sentence(tmp_path, make_cloud, points):

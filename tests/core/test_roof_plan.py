@@ -168,7 +168,7 @@ def test_small_penthouse_with_ragged_sides_keeps_its_place():
     outline = BOX(0, 0, 24, 16)
     grid = Grid.covering(*outline.bounds, 0.5)
     x, y = np.meshgrid(*grid.centres())
-    # sides of 3 m in which every other cell is missing give no run of cracks long enough for a line
+    # sides of 3 m in which every other cell is missing give no run of boundaries long enough for a line
     ragged = ((x > 9.5) | (np.floor(y / 0.5) % 2 == 0)) & ((x < 13) | (np.floor(y / 0.5) % 3 == 0))
     inside = (x > 8.5) & (x < 14) & (y > 6) & (y < 9)
     labels = np.where(inside & ragged, 2, 1)

@@ -41,7 +41,7 @@ def areas_by_type(solid):
 def assert_sound(solids):
     for solid in solids:
         assert check_solid(solid) == ()
-        assert solid.unmended_nodes == 0
+        assert solid.unrepaired_nodes == 0
         assert signed_volume(solid) == pytest.approx(volume(solid), rel=1e-9)
         ends = np.array([pair for face in solid.faces for ring in face for pair in zip(ring, (*ring[1:], ring[0]))])
         steps = solid.vertices[ends[:, 1]] - solid.vertices[ends[:, 0]]
@@ -188,8 +188,8 @@ def test_random_partitions_are_valid(seed):
     solids, partition = build(turn(footprint), [turn(tile) for tile in tiles], heights)
     assert_sound(solids)
     expected = sum(cell.polygon.area * cell.height for cell in partition.cells)
-    mends = sum(solid.mended_nodes for solid in solids)
-    assert sum(map(volume, solids)) == pytest.approx(expected, rel=1e-12, abs=0.01 * mends)
+    repairs = sum(solid.mended_nodes for solid in solids)
+    assert sum(map(volume, solids)) == pytest.approx(expected, rel=1e-12, abs=0.01 * repairs)
 
 
 @pytest.mark.parametrize("name", ["T node", "courtyard", "four levels"])

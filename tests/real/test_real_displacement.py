@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, moved
+from urbanmap_qgis.buildings.outlines.displacement import estimate_displacements, shifted_outlines
 from urbanmap_qgis.buildings.outlines.evidence import EvidenceAccumulator, evidence_cell
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -43,7 +43,7 @@ def scene(request):
 
 def overlap(polygons, scene, truth):
     _, grid, evidence, surface = scene
-    there = moved(polygons, estimate_displacements(polygons, evidence, grid, surface))
+    there = shifted_outlines(polygons, estimate_displacements(polygons, evidence, grid, surface))
     return np.mean(shapely.area(shapely.intersection(there, truth)) / shapely.area(shapely.union(there, truth)))
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, usable
+from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 
 BUILDINGS_AT_ONCE = 64
@@ -40,7 +40,7 @@ def iter_building_blocks(cloud: PointCloud, layout: PointLayout, ids: np.ndarray
         for chunk in iter_chunks(cloud, progress):
             building = np.asarray(chunk["building_id"]).astype(np.int64)
             place = np.minimum(np.searchsorted(ids[order], building), len(ids) - 1)
-            keep = (ids[order][place] == building) & usable(chunk)
+            keep = (ids[order][place] == building) & valid_points(chunk)
             buckets.add(place[keep] // BUILDINGS_AT_ONCE, layout.adapt(chunk, keep))
         for block in range((len(ids) + BUILDINGS_AT_ONCE - 1) // BUILDINGS_AT_ONCE):
             rows = order[block * BUILDINGS_AT_ONCE:(block + 1) * BUILDINGS_AT_ONCE]

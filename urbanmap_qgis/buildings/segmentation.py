@@ -22,13 +22,13 @@ from ..execution import in_order
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, usable
+from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from ..terrain.surface import ground_raster
 from .base_height import outline_ground
 from .building_points import coordinates
 from .outlines.courtyards import with_courtyards
-from .outlines.displacement import estimate_displacements, moved
+from .outlines.displacement import estimate_displacements, shifted_outlines
 from .outlines.evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
 from .outlines.footprint import Footprints
 from .point_assignment import Assignment, assign_points
@@ -149,7 +149,7 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
     near = 0
     with PointBuckets(layout.dtype) as buckets, cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress.part(0.0, 0.4)):
-            keep = usable(chunk) & np.isfinite(chunk.x) & np.isfinite(chunk.y)
+            keep = valid_points(chunk) & np.isfinite(chunk.x) & np.isfinite(chunk.y)
             records = layout.adapt(chunk, keep)
             for keys, members in tiles.keys(np.asarray(chunk.x)[keep], np.asarray(chunk.y)[keep]):
                 buckets.add(keys, records[members])
@@ -262,7 +262,7 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
 
 def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,
                  polygons: np.ndarray, progress: Progress) -> tuple[Grid, np.ndarray] | None:
-    """Ground heights of a tile from its own points, None where they hold no ground."""
+    """Ground heights of a tile from its own points, None where they shift_weight no ground."""
     if not len(x):
         return None
     x_min, y_min, x_max, y_max = shapely.total_bounds(polygons)
@@ -293,7 +293,7 @@ def _placed_outlines(tile: Tile, x: np.ndarray, y: np.ndarray, z: np.ndarray, cl
                else np.full(grid.shape, np.nan))
     shifts = estimate_displacements(tile.footprints.polygons, evidence.evidence(heights), grid,
                                     evidence.surface, reach, progress)
-    table.outlines[:] = moved(tile.footprints.polygons, shifts)
+    table.outlines[:] = shifted_outlines(tile.footprints.polygons, shifts)
     table.shift_x[:], table.shift_y[:], table.shift_sigma[:] = shifts.dx, shifts.dy, shifts.sigma
     table.shift_status[:] = shifts.status
     return table.outlines, table

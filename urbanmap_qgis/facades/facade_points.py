@@ -19,7 +19,7 @@ from scipy import ndimage
 
 from ..errors import InputError, InsufficientDataError
 from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, iter_chunks, usable
+from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from .building_plans import BuildingPlans
@@ -251,7 +251,7 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSetting
     for chunk in iter_chunks(cloud, progress):
         x, y, z = (np.asarray(chunk[name]) for name in "xyz")
         row, distance = nearest.of(x, y)
-        near = np.flatnonzero((row >= 0) & usable(chunk))
+        near = np.flatnonzero((row >= 0) & valid_points(chunk))
         if not len(near):
             continue
         x, y, z, row, distance = x[near], y[near], z[near], row[near], distance[near]

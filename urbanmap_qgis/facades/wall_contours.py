@@ -13,8 +13,8 @@ import numpy as np
 import shapely
 from scipy import ndimage
 
-from ..buildings.polygons.alpha_shape import alpha_shape
 from ..errors import InputError
+from ..geometry.alpha_shape import alpha_shape
 from .plane_fit import WallPlane
 
 _THIN = 0.12

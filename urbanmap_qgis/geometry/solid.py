@@ -28,7 +28,7 @@ class Solid:
     roof_id : of each face: the roof, or for a wall the roof whose edge is its upper one; None for the ground.
     mended_nodes : plan nodes where a corner of about 1 cm was moved between cells to keep the solid valid.
     levelled_roofs : cells that got a neighbour's height, because their corners were too sharp for that.
-    unmended_nodes : nodes where neither could be done: the solid is not valid there.
+    unrepaired_nodes : nodes where neither could be done: the solid is not valid there.
     raised_roofs : roofs at or below the base, put at the least height above it.
     """
 
@@ -38,7 +38,7 @@ class Solid:
     roof_id: tuple[Hashable, ...]
     mended_nodes: int = 0
     levelled_roofs: int = 0
-    unmended_nodes: int = 0
+    unrepaired_nodes: int = 0
     raised_roofs: int = 0
 
 

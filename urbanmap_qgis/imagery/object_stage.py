@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..io.pointcloud import PointCloud, iter_chunks, usable
+from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from .image_outlines import LINE, POINT, POLYGON, ImageOutline
 from .object_surface import LEAST_POINTS, Plane, meet, nearest_surface, surface_plane
@@ -72,7 +72,7 @@ def objects_from_outlines(outlines: Sequence[ImageOutline], cloud: PointCloud, r
 
 def _chunks(cloud: PointCloud, progress: Progress) -> Iterator[np.ndarray]:
     for chunk in iter_chunks(cloud, progress):
-        keep = usable(chunk)
+        keep = valid_points(chunk)
         yield np.column_stack([np.asarray(chunk[axis])[keep] for axis in "xyz"])
 
 

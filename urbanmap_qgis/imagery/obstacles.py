@@ -10,7 +10,7 @@ import shapely
 from rasterio.features import rasterize
 from rasterio.transform import Affine
 
-from ..io.pointcloud import PointCloud, iter_chunks, usable
+from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 
@@ -59,7 +59,7 @@ def voxels_from_cloud(cloud: PointCloud, progress: Progress = SILENT) -> Voxels:
     """Cells that hold laser points of files of any size; noise and withheld points are left out."""
     def chunks():
         for chunk in iter_chunks(cloud, progress):
-            keep = usable(chunk)
+            keep = valid_points(chunk)
             yield np.column_stack([np.asarray(chunk[axis])[keep] for axis in "xyz"])
 
     return voxels_of(chunks())

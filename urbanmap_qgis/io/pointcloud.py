@@ -153,7 +153,7 @@ def iter_chunks(cloud: PointCloud, progress: Progress = SILENT,
         done += read
 
 
-def usable(points: laspy.ScaleAwarePointRecord) -> np.ndarray:
+def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:
     """Mask (n,) of points that are neither noise (classes 7, 18) nor withheld, with heights in reason."""
     z = np.asarray(points.z)
     keep = np.isfinite(z) & (np.abs(z) < 1e5)

@@ -1,4 +1,4 @@
-"""Profiles over distance or time as SVG, for reports: curves, bands and shaded stretches."""
+"""Profiles over distance or time as SVG, for reports: curves, bands and shaded intervals."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Series:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class ShadedInterval:
     """A shaded part of the profile, from x `start` to `end`."""
 
     start: float
@@ -35,9 +35,9 @@ class Stretch:
 
 
 def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
-            band: tuple[np.ndarray, np.ndarray] | None = None, stretches: Sequence[Stretch] = (),
+            band: tuple[np.ndarray, np.ndarray] | None = None, intervals: Sequence[ShadedInterval] = (),
             width: int = 900, height: int = 240) -> str:
-    """An SVG chart of curves over x (n,), with a shaded band (low, high) and stretches behind them."""
+    """An SVG chart of curves over x (n,), with a shaded band (low, high) and intervals behind them."""
     left, right, top, bottom = _MARGIN
     x = np.asarray(x, float)
     x_low, x_high = float(x.min()), max(float(x.max()), float(x.min()) + 1e-9)
@@ -47,13 +47,13 @@ def profile(x: np.ndarray, series: Sequence[Series], x_label: str, y_label: str,
         return (left + (np.asarray(x_values) - x_low) / (x_high - x_low) * (width - left - right),
                 height - bottom - (np.asarray(y_values) - y_low) / (y_high - y_low) * (height - top - bottom))
 
-    parts = [_stretch(item, place, (x_low, x_high), (y_low, y_high)) for item in stretches]
+    parts = [_shaded_interval(item, place, (x_low, x_high), (y_low, y_high)) for item in intervals]
     keep = _thinned(len(x))
     if band is not None:
         parts.append(_band(x[keep], band[0][keep], band[1][keep], place))
     parts += [_curve(x, item, place, keep) for item in series]
     parts.append(_axes(place, (x_low, x_high), (y_low, y_high), width, height, x_label, y_label))
-    parts.append(_legend(series, stretches, height))
+    parts.append(_legend(series, intervals, height))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height + 22}" role="img" '
             f'font-family="sans-serif" font-size="11">{"".join(parts)}</svg>')
 
@@ -96,7 +96,7 @@ def _band(x: np.ndarray, low: np.ndarray, high: np.ndarray, place) -> str:
     return f'<polygon points="{corners}" fill="#9ec5d8" fill-opacity="0.5"/>'
 
 
-def _stretch(item: Stretch, place, x_span: tuple[float, float], y_span: tuple[float, float]) -> str:
+def _shaded_interval(item: ShadedInterval, place, x_span: tuple[float, float], y_span: tuple[float, float]) -> str:
     (start, end), (bottom, top) = place(np.clip([item.start, item.end], *x_span), y_span)
     return (f'<rect x="{start:.1f}" y="{top:.1f}" width="{max(end - start, 1):.1f}" height="{bottom - top:.1f}" '
             f'fill="{item.colour}" fill-opacity="0.25"/>')
@@ -127,9 +127,9 @@ def _ticks(low: float, high: float) -> list[float]:
     return [float(np.round(k * step, 10)) for k in range(int(np.ceil(low / step)), int(np.floor(high / step)) + 1)]
 
 
-def _legend(series: Sequence[Series], stretches: Sequence[Stretch], height: int) -> str:
+def _legend(series: Sequence[Series], intervals: Sequence[ShadedInterval], height: int) -> str:
     named = {item.name: (item.colour, 1.0) for item in series}
-    named.update({item.name: (item.colour, 0.4) for item in stretches})
+    named.update({item.name: (item.colour, 0.4) for item in intervals})
     parts, x = [], _MARGIN[0]
     for name, (colour, opacity) in named.items():
         parts.append(f'<rect x="{x}" y="{height + 4}" width="12" height="12" fill="{colour}" '

@@ -14,7 +14,7 @@ from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
 from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, usable
+from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, valid_points
 from ..progress import SILENT, Progress
 from ..terrain.cloth import JAVANMARDI, ClothSettings, Levels, bottom_points, hang, settle
 from ..terrain.outliers import lonely_limit, plausible
@@ -117,7 +117,7 @@ class _Survey:
             for name in "xyz":
                 records[name] = chunk[name]
             records["t"] = chunk["gps_time"] if timed else 0.0
-            records = records[usable(chunk) & plausible(records["x"], records["y"], records["z"])]
+            records = records[valid_points(chunk) & plausible(records["x"], records["y"], records["z"])]
             if not len(records):
                 continue
             self.usable += len(records)
@@ -235,7 +235,7 @@ def _write(cloud: PointCloud, output: str | os.PathLike, legs: Legs, grounds: li
 def _ground_of(chunk, legs: Legs, grounds: list[LegGround | None], threshold: float) -> np.ndarray:
     """Which points of a chunk are ground, (n,) bool."""
     x, y, z = (np.asarray(chunk[name]) for name in "xyz")
-    candidate = usable(chunk) & plausible(x, y, z) & np.isin(np.asarray(chunk.classification), UNDECIDED)
+    candidate = valid_points(chunk) & plausible(x, y, z) & np.isin(np.asarray(chunk.classification), UNDECIDED)
     leg = legs.of(np.asarray(chunk["gps_time"])) if legs.count > 1 else np.zeros(len(z), dtype=int)
     found = np.zeros(len(z), dtype=bool)
     for number in np.unique(leg[candidate]).tolist():

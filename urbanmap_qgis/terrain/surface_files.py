@@ -20,7 +20,7 @@ from ..execution import in_order
 from ..geometry.grid import Grid
 from ..io.ply import MeshWriter, mesh_writer
 from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, iter_chunks, open_cloud, plan_crs, usable
+from ..io.pointcloud import PointCloud, iter_chunks, open_cloud, plan_crs, valid_points
 from ..io.raster import write_raster
 from ..progress import SILENT, Progress
 from .cloth import JAVANMARDI, ClothSettings, Levels, hang, settle
@@ -207,7 +207,7 @@ class _Work:
             records = np.empty(len(chunk), dtype=POINT)
             records["x"], records["y"], records["z"] = chunk.x, chunk.y, chunk.z
             records["c"] = chunk.classification
-            records = records[usable(chunk) & plausible(records["x"], records["y"], records["z"])]
+            records = records[valid_points(chunk) & plausible(records["x"], records["y"], records["z"])]
             if not len(records):
                 continue
             self.class_counts += np.bincount(records["c"], minlength=256)

@@ -43,7 +43,7 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
     Parameters
     ----------
     lift : undersides that hang free are put this much higher (m). Where a ledge and an overhang of one height meet in
-        an edge, four faces meet there; a centimetre between them mends that.
+        an edge, four faces meet there; a centimetre between them repairs that.
 
     Raises
     ------

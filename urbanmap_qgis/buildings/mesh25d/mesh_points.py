@@ -10,7 +10,7 @@ import shapely
 
 from ...errors import InsufficientDataError
 from ...io.point_buckets import PointBuckets
-from ...io.pointcloud import PointCloud, iter_chunks, usable
+from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ..outlines.footprint import Footprints
 from ..point_assignment import PlanIndex
@@ -42,7 +42,7 @@ def building_points(cloud: PointCloud, footprints: Footprints,
     with PointBuckets(RECORD) as buckets:
         found = False
         for chunk in iter_chunks(cloud, progress):
-            keep = usable(chunk)
+            keep = valid_points(chunk)
             records = _records(chunk, keep)
             rows, members = (_by_number(np.asarray(chunk["building_id"])[keep], footprints) if numbered
                              else _by_outline(records, footprints))

@@ -1,7 +1,7 @@
 """Official outlines that are off by a metre or two, moved to where the laser points show the buildings.
 
 J 5.3.1 takes the outlines of the 2D map as a good estimation of the buildings. Where a map is displaced, that
-fails; here all outlines are placed together, like a jigsaw: each should cover building and nothing else, none
+fails; here all outlines are adjusted together: each should cover building and nothing else, none
 should overlap its neighbour, and walls that neighbours share should meet.
 """
 
@@ -17,35 +17,35 @@ from scipy.sparse.csgraph import connected_components
 from ...errors import InputError
 from ...geometry.grid import Grid
 from ...progress import SILENT, Progress
-from .displacement_adjust import adjusted, snapped
+from .displacement_adjust import adjust_to_walls, wall_snap_candidates
 from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums
 from .displacement_pairs import neighbours, overlap_tables, walls_between
 from .displacement_search import (
     COARSE_STEP,
-    DEPART,
+    DEPARTURE_PRICE,
     FINE_STEPS,
-    Jigsaw,
+    OutlineNetwork,
     choose,
     coarse_search,
     covered_by_others,
+    drop_insignificant_shifts,
     fine_search,
-    lattice,
-    parted,
-    without_needless,
+    separate_overlapping,
+    shift_lattice,
 )
 
 KEPT, MOVED, NOT_OBSERVABLE = "kept", "moved", "not observable"
 MAX_SHIFT = 2.5  # m
 OUTLINES_AT_ONCE = 1000  # connected sets of outlines are worked on together up to this number
-LEAST_SEEN = 0.25  # share of its area that must be covered by building evidence somewhere in reach
-LEAST_MEASURED = 0.2  # share of its area that must hold points (in a sparse cloud many cells hold none)
-HALF_MEASURED = 0.4  # the same, for a say in the common shift: one cut by the end of the points has none
-UNSEEN_HOLD = 100.0  # price of departing, for an outline that is not observable
+MIN_SEEN = 0.25  # share of its area that must be covered by building evidence somewhere in reach
+MIN_MEASURED = 0.2  # share of its area that must hold points (in a sparse cloud many cells hold none)
+HALF_MEASURED = 0.4  # the same, for the common shift: one cut by the end of the points does not count
+UNSEEN_WEIGHT = 100.0  # price of departing, for an outline that is not observable
 STACKED = 0.9  # share of the smaller outline in the larger one from which the two lie above one another
 NOISE = 0.8  # m2, worth that chance adds: sets the scale of sigma
 REGISTER_SIGMA = 0.2  # m: outlines are walls, points are roofs; their difference cannot be told from a shift
 MISFIT = 0.5  # share of the strip that an outline covers wrongly which its place is uncertain by
-LEAST_COMMON = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
+MIN_COMMON = 0.35  # m, a shorter common shift may as well be eaves, or the strips' own error
 MOVED_FROM = 0.005  # m, shorter shifts are none
 
 
@@ -116,7 +116,7 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
     return Displacements(shifts[:, 0], shifts[:, 1], sigma, before, after, status)
 
 
-def moved(polygons: np.ndarray, displacements: Displacements) -> np.ndarray:
+def shifted_outlines(polygons: np.ndarray, displacements: Displacements) -> np.ndarray:
     """The outlines (n,) at their new places; missing ones stay missing."""
     polygons = np.array(polygons, dtype=object)
     points, owner = shapely.get_coordinates(polygons, include_z=True, return_index=True)
@@ -159,47 +159,48 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
             max_shift: float) -> tuple[np.ndarray, ...]:
     """Shifts, sigma, scores before and after, and whether observable, of one batch."""
     area = shapely.area(polygons)
-    jigsaw = _jigsaw(polygons, area, pairs, sums, grid, max_shift)
+    network = _network(polygons, area, pairs, sums, grid, max_shift)
     still = np.zeros((len(area), 1, 2))
-    measured_share = np.ones(len(area)) if measured is None else jigsaw.of(measured, still)[:, 0] / area
-    jigsaw, cover = _with_common_shift(jigsaw, measured_share >= HALF_MEASURED, max_shift)
-    seen = cover.max(axis=1) >= LEAST_SEEN * area
-    jigsaw = replace(jigsaw, common=np.where(_with_company(jigsaw, seen)[:, None], jigsaw.common, 0.0))
+    measured_share = np.ones(len(area)) if measured is None else network.of(measured, still)[:, 0] / area
+    network, cover = _with_common_shift(network, measured_share >= HALF_MEASURED, max_shift)
+    seen = cover.max(axis=1) >= MIN_SEEN * area
+    network = replace(network, common=np.where(_in_observed_set(network, seen)[:, None], network.common, 0.0))
     if measured is not None:
-        seen &= jigsaw.of(measured, jigsaw.common[:, None])[:, 0] >= LEAST_MEASURED * area
-    jigsaw = replace(jigsaw, hold=np.where(seen, 1.0, UNSEEN_HOLD))
-    shifts = coarse_search(jigsaw, cover, max_shift)
+        seen &= network.of(measured, network.common[:, None])[:, 0] >= MIN_MEASURED * area
+    network = replace(network, shift_weight=np.where(seen, 1.0, UNSEEN_WEIGHT))
+    shifts = coarse_search(network, cover, max_shift)
     beliefs = []
     for step, width in FINE_STEPS:
-        shifts, belief = fine_search(jigsaw, shifts, step, width)
+        shifts, belief = fine_search(network, shifts, step, width)
         beliefs.append(belief)
-    shifts = _wall_to_wall(jigsaw, shifts, max_shift)
-    apart = parted(jigsaw, shifts, area, cover, max_shift)
+    shifts = _wall_to_wall(network, shifts, max_shift)
+    apart = separate_overlapping(network, shifts, area, cover, max_shift)
     if (apart != shifts).any():
-        again = _wall_to_wall(jigsaw, apart, max_shift)
-        shifts = np.where(covered_by_others(jigsaw, again, area)[:, None], apart, again)
-    shifts = parted(jigsaw, without_needless(jigsaw, shifts), area, cover, max_shift)
-    shifts = np.where(seen[:, None], shifts, jigsaw.common)
+        again = _wall_to_wall(network, apart, max_shift)
+        shifts = np.where(covered_by_others(network, again, area)[:, None], apart, again)
+    shifts = separate_overlapping(network, drop_insignificant_shifts(network, shifts), area, cover, max_shift)
+    shifts = np.where(seen[:, None], shifts, network.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)
-    scores = np.clip(jigsaw.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None], -1, 1)
+    scores = np.clip(network.cover(np.stack((np.zeros_like(shifts), shifts), axis=1)) / area[:, None], -1, 1)
     # What an outline covers wrongly even at its best place, as a strip along its boundary: it has another shape.
-    strip = area * (1 - scores[:, 1]) / jigsaw.perimeter
+    strip = area * (1 - scores[:, 1]) / network.perimeter
     sigma = np.hypot(_sigma(beliefs[0], FINE_STEPS[0][0], max_shift), MISFIT * strip)
     return shifts, np.where(seen, np.minimum(sigma, max_shift), max_shift), *scores.T, seen
 
 
-def _wall_to_wall(jigsaw: Jigsaw, shifts: np.ndarray, max_shift: float) -> np.ndarray:
-    """Shifts (n, 2) adjusted so that walls which neighbours share meet, where that is worth it."""
+def _wall_to_wall(network: OutlineNetwork, shifts: np.ndarray, max_shift: float) -> np.ndarray:
+    """Shifts (n, 2) adjust_to_walls so that walls which neighbours share meet, where that is worth it."""
     for _ in range(2):
-        better = adjusted(jigsaw, shifts)
-        shifts = choose(jigsaw, np.concatenate((
-            shifts[:, None], better[:, None], jigsaw.common[:, None],
-            snapped(jigsaw, shifts, max_shift, 4), snapped(jigsaw, better, max_shift, 4)), axis=1))
+        better = adjust_to_walls(network, shifts)
+        shifts = choose(network, np.concatenate((
+            shifts[:, None], better[:, None], network.common[:, None],
+            wall_snap_candidates(network, shifts, max_shift, 4),
+            wall_snap_candidates(network, better, max_shift, 4)), axis=1))
     return shifts
 
 
-def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid,
-            max_shift: float) -> Jigsaw:
+def _network(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.ndarray, grid: Grid,
+            max_shift: float) -> OutlineNetwork:
     edges = edges_of(polygons)
     pieces = pieces_of(edges)
     reach = 2 * max_shift
@@ -208,38 +209,40 @@ def _jigsaw(polygons: np.ndarray, area: np.ndarray, pairs: np.ndarray, sums: np.
     stacked = overlaps[:, middle, middle] > STACKED * area[pairs].min(axis=1)
     overlaps[stacked] = 0
     perimeter = np.bincount(edges.owner, np.hypot(*(edges.end - edges.start).T), len(polygons))
-    return Jigsaw(edges, pieces, pieces_of(edges, COARSE_PIECE), perimeter, sums, grid, pairs,
+    return OutlineNetwork(edges, pieces, pieces_of(edges, COARSE_PIECE), perimeter, sums, grid, pairs,
                   walls_between(edges, pairs, reach), overlaps, np.zeros((len(polygons), 2)), np.ones(len(polygons)))
 
 
-def _with_common_shift(jigsaw: Jigsaw, voice: np.ndarray, max_shift: float) -> tuple[Jigsaw, np.ndarray]:
-    """The jigsaw with the common shift of every connected set, and the cover (n, k) m2 on the coarse lattice.
+def _with_common_shift(network: OutlineNetwork, observed: np.ndarray,
+                       max_shift: float) -> tuple[OutlineNetwork, np.ndarray]:
+    """The network with the common shift of every connected set, and the cover (n, k) m2 on the coarse lattice.
 
-    Outlines without a voice (n,) bool follow the shift that the others find.
+    Outlines that are not `observed` (n,) bool follow the shift that the others find.
     """
-    n = len(jigsaw.perimeter)
-    pairs = jigsaw.pairs
+    n = len(network.perimeter)
+    pairs = network.pairs
     sets, label = connected_components(coo_matrix((np.ones(len(pairs)), pairs.T), (n, n)), directed=False)
-    steps = lattice(COARSE_STEP, max_shift) * COARSE_STEP
-    cover = jigsaw.cover(np.broadcast_to(steps, (n, *steps.shape)), coarse=True)
-    table = _sum_by(label[voice], cover[voice], sets)
+    steps = shift_lattice(COARSE_STEP, max_shift) * COARSE_STEP
+    cover = network.cover(np.broadcast_to(steps, (n, *steps.shape)), coarse=True)
+    table = _sum_by(label[observed], cover[observed], sets)
     shift = steps[table.argmax(1)]
     for step, _ in FINE_STEPS:
-        around = shift[:, None] + lattice(1, 2.9) * step
-        finer = _sum_by(label[voice], jigsaw.cover(around[label])[voice], sets)
+        around = shift[:, None] + shift_lattice(1, 2.9) * step
+        finer = _sum_by(label[observed], network.cover(around[label])[observed], sets)
         shift = np.take_along_axis(around, finer.argmax(1)[:, None, None], 1)[:, 0]
     gain = finer.max(1) - table[:, np.flatnonzero((steps == 0).all(1))[0]]
-    # Chance adds up slower than the outlines; what is common to roofs against walls is no shift of the map.
-    price = DEPART * np.bincount(label, jigsaw.perimeter, sets) / np.sqrt(np.bincount(label, minlength=sets))
-    clear = (gain >= price) & (np.hypot(*shift.T) >= LEAST_COMMON)
+    # Chance adds up slower than the outlines; an offset between all roofs and walls is no shift of the map.
+    perimeter, members = np.bincount(label, network.perimeter, sets), np.bincount(label, minlength=sets)
+    price = DEPARTURE_PRICE * perimeter / np.sqrt(members)
+    clear = (gain >= price) & (np.hypot(*shift.T) >= MIN_COMMON)
     shift = np.where(clear[:, None], shift, 0)
-    return replace(jigsaw, common=shift[label]), cover
+    return replace(network, common=shift[label]), cover
 
 
-def _with_company(jigsaw: Jigsaw, seen: np.ndarray) -> np.ndarray:
-    """Mask (n,) of the outlines whose connected set holds one that was seen: ground alone tells of no shift."""
+def _in_observed_set(network: OutlineNetwork, seen: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the outlines whose connected set holds one that was seen: ground by itself shows no shift."""
     n = len(seen)
-    _, label = connected_components(coo_matrix((np.ones(len(jigsaw.pairs)), jigsaw.pairs.T), (n, n)), directed=False)
+    _, label = connected_components(coo_matrix((np.ones(len(network.pairs)), network.pairs.T), (n, n)), directed=False)
     return np.bincount(label, seen)[label] > 0
 
 
@@ -252,7 +255,7 @@ def _sum_by(label: np.ndarray, values: np.ndarray, groups: int) -> np.ndarray:
 
 def _sigma(belief: np.ndarray, step: float, max_shift: float) -> np.ndarray:
     """Uncertainty (n,) m of a shift, from how fast the belief (n, 25) falls off around its best place."""
-    places = lattice(1, 2.9) * step
+    places = shift_lattice(1, 2.9) * step
     loss = belief.max(1, keepdims=True) - belief
     best = places[belief.argmax(1)]
     away = places[None] - best[:, None]

@@ -6,17 +6,17 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
-from .displacement_search import Jigsaw
+from .displacement_search import OutlineNetwork
 
 PROBE = 0.3  # m, distance at which the evidence is probed around an outline
-JOINED = 0.25  # m, walls nearer than this are taken as one
+TIED = 0.25  # m, walls nearer than this are taken as one
 STIFFNESS = 30.0  # weight of a metre of joined wall, against 2 of a metre of wall on the evidence's edge
-LEAST_HOLD = 0.08  # weight of a metre of boundary that keeps an outline where it is
+MIN_STIFFNESS = 0.08  # weight of a metre of boundary that keeps an outline where it is
 LONGEST_STEP = 0.4  # m
 PASSES = 2
 
 
-def adjusted(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
+def adjust_to_walls(network: OutlineNetwork, shifts: np.ndarray) -> np.ndarray:
     """Shifts (n, 2) with joined walls brought together and whole rows of houses moved to the evidence.
 
     Newton's steps: the evidence gives each outline a slope and a curvature, each joined wall one
@@ -24,8 +24,8 @@ def adjusted(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
     """
     n = len(shifts)
     for _ in range(PASSES):
-        slope, curvature = _pull(jigsaw, shifts)
-        i, j, misfit, weight = _joints(jigsaw, shifts)
+        slope, curvature = _evidence_gradient(network, shifts)
+        i, j, misfit, weight = _wall_ties(network, shifts)
         joint = weight[:, None, None] * np.eye(2)
         own = np.arange(n)
         blocks = np.concatenate((curvature, joint, joint, -joint, -joint))
@@ -43,34 +43,34 @@ def adjusted(jigsaw: Jigsaw, shifts: np.ndarray) -> np.ndarray:
     return shifts
 
 
-def _pull(jigsaw: Jigsaw, shifts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _evidence_gradient(network: OutlineNetwork, shifts: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Slope (n, 2) and curvature (n, 2, 2, positive definite) of the evidence that each outline covers."""
     offsets = PROBE * np.array([(0, 0), (1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)])
-    o, e, w, n, s, ne, sw, se, nw = jigsaw.cover(shifts[:, None] + offsets).T
+    o, e, w, n, s, ne, sw, se, nw = network.cover(shifts[:, None] + offsets).T
     slope = np.column_stack((e - w, n - s)) / (2 * PROBE)
     xx, yy, xy = (e + w - 2 * o) / PROBE**2, (n + s - 2 * o) / PROBE**2, (ne + sw - se - nw) / (4 * PROBE**2)
     bend = -np.stack((np.stack((xx, xy), -1), np.stack((xy, yy), -1)), -2)
     value, vector = np.linalg.eigh(bend)
-    value = np.maximum(value, LEAST_HOLD * jigsaw.perimeter[:, None])
+    value = np.maximum(value, MIN_STIFFNESS * network.perimeter[:, None])
     return slope, np.einsum("nij,nj,nkj->nik", vector, value, vector)
 
 
-def _joints(jigsaw: Jigsaw, shifts: np.ndarray) -> tuple[np.ndarray, ...]:
+def _wall_ties(network: OutlineNetwork, shifts: np.ndarray) -> tuple[np.ndarray, ...]:
     """Joined walls: outlines i and j (m,), misfit (m, 2) m of their relative shift, weight (m,)."""
-    walls = jigsaw.walls
-    misfit = walls.meeting - jigsaw.relative(shifts)[walls.pair]
-    joined = np.hypot(*misfit.T) < JOINED
-    return *jigsaw.pairs[walls.pair[joined]].T, misfit[joined], STIFFNESS * walls.length[joined]
+    walls = network.walls
+    misfit = walls.meeting - network.relative(shifts)[walls.pair]
+    joined = np.hypot(*misfit.T) < TIED
+    return *network.pairs[walls.pair[joined]].T, misfit[joined], STIFFNESS * walls.length[joined]
 
 
-def snapped(jigsaw: Jigsaw, shifts: np.ndarray, max_shift: float, most: int) -> np.ndarray:
+def wall_snap_candidates(network: OutlineNetwork, shifts: np.ndarray, max_shift: float, most: int) -> np.ndarray:
     """Places (n, most, 2) where a wall meets a neighbour's exactly, the nearest first.
 
     The neighbour stays at its shift; an outline with fewer such places has its own shift repeated.
     """
-    i, j = jigsaw.pairs[jigsaw.walls.pair].T
+    i, j = network.pairs[network.walls.pair].T
     outline = np.concatenate((j, i))
-    place = np.concatenate((shifts[i] + jigsaw.walls.meeting, shifts[j] - jigsaw.walls.meeting))
+    place = np.concatenate((shifts[i] + network.walls.meeting, shifts[j] - network.walls.meeting))
     allowed = np.hypot(*place.T) <= max_shift
     outline, place = outline[allowed], place[allowed]
     order = np.lexsort((place[:, 1], place[:, 0], np.hypot(*(place - shifts[outline]).T), outline))

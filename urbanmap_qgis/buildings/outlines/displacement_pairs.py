@@ -24,7 +24,7 @@ PAIRS_AT_ONCE = 256
 
 
 @dataclass(frozen=True)
-class Walls:
+class SharedWalls:
     """Edges that two outlines i and j may share: antiparallel and equally long.
 
     Edges that only partly face each other are left out: houses with a gap between them have those as well.
@@ -46,7 +46,7 @@ def neighbours(polygons: np.ndarray, reach: float) -> np.ndarray:
     return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
 
 
-def walls_between(edges: Edges, pairs: np.ndarray, reach: float) -> Walls:
+def walls_between(edges: Edges, pairs: np.ndarray, reach: float) -> SharedWalls:
     """Edges of each pair (p, 2) that may be one wall, where a relative shift of up to `reach` m joins them."""
     vector = edges.end - edges.start
     length = np.hypot(*vector.T)
@@ -67,10 +67,10 @@ def walls_between(edges: Edges, pairs: np.ndarray, reach: float) -> Walls:
     pair, a, b = pair[opposite], a[opposite], b[opposite]
     meeting = (start[a] + end[a] - start[b] - end[b]) / 2
     near = np.hypot(*meeting.T) <= reach
-    return Walls(pair[near], length[a][near], meeting[near])
+    return SharedWalls(pair[near], length[a][near], meeting[near])
 
 
-def fit(walls: Walls, shifts: np.ndarray, width: float) -> np.ndarray:
+def meeting_length(walls: SharedWalls, shifts: np.ndarray, width: float) -> np.ndarray:
     """Metres of each wall (m,) that meet at its relative shifts (m, k, 2): (m, k).
 
     Full length at an exact meeting, falling to none at `width` m.
@@ -79,14 +79,14 @@ def fit(walls: Walls, shifts: np.ndarray, width: float) -> np.ndarray:
     return walls.length[:, None] * np.maximum(1 - away / width**2, 0)
 
 
-def fit_tables(walls: Walls, pairs: int, shifts: np.ndarray, width: float) -> np.ndarray:
-    """`fit` added up for each pair: (pairs, k); shifts (k, 2) for all, or (pairs, k, 2)."""
+def meeting_tables(walls: SharedWalls, pairs: int, shifts: np.ndarray, width: float) -> np.ndarray:
+    """`meeting_length` added up for each pair: (pairs, k); shifts (k, 2) for all, or (pairs, k, 2)."""
     table = np.zeros((pairs, shifts.shape[-2]))
     for begin in range(0, len(walls.pair), 4096):
-        part = Walls(*(getattr(walls, name)[begin:begin + 4096] for name in Walls.__dataclass_fields__))
+        part = SharedWalls(*(getattr(walls, name)[begin:begin + 4096] for name in SharedWalls.__dataclass_fields__))
         own = shifts[part.pair] if shifts.ndim == 3 else np.broadcast_to(shifts, (len(part.pair), *shifts.shape))
         first = np.flatnonzero(np.r_[True, part.pair[1:] != part.pair[:-1]])
-        table[part.pair[first]] += np.add.reduceat(fit(part, own, width), first, axis=0)
+        table[part.pair[first]] += np.add.reduceat(meeting_length(part, own, width), first, axis=0)
     return table
 
 

@@ -10,7 +10,7 @@ import shapely
 from ...errors import InputError
 
 GRID_SIZE = 0.001
-"""Outlines are snapped to this grid (m), so that all later steps see the same coordinates."""
+"""Outlines are wall_snap_candidates to this grid (m), so that all later steps see the same coordinates."""
 
 
 @dataclass(frozen=True)

@@ -42,11 +42,11 @@ class HoughAccumulator:
     ----------
     xy : (n, 2) metres, near the origin. bin_width : metres; a line takes the votes of two neighbouring bins.
     normals_deg : directions of the lines' normals in degrees; all whole degrees by default.
-    favour : (m,) factor on the votes of each direction, 1 by default.
+    weight : (m,) factor on the votes of each direction, 1 by default.
     """
 
     def __init__(self, xy: np.ndarray, bin_width: float, normals_deg: np.ndarray | None = None,
-                 favour: np.ndarray | None = None):
+                 weight: np.ndarray | None = None):
         if normals_deg is None:
             normals_deg = np.arange(0.0, 180.0, ANGLE_STEP)
         angles = np.radians(normals_deg)
@@ -58,8 +58,8 @@ class HoughAccumulator:
         self.size = len(angles) * self.columns
         self.votes = self._count(self.cells)
         self.weights = np.ones(self.size - 1)
-        if favour is not None:
-            self.weights = np.repeat(favour, self.columns)[:-1]
+        if weight is not None:
+            self.weights = np.repeat(weight, self.columns)[:-1]
 
     def _count(self, cells: np.ndarray) -> np.ndarray:
         return np.bincount(cells.ravel(), minlength=self.size)

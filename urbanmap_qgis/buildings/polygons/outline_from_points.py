@@ -10,7 +10,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...errors import InputError, InsufficientDataError
-from .alpha_shape import alpha_shape, default_alpha
+from ...geometry.alpha_shape import alpha_shape, default_alpha
 from .radius_outliers import default_radius, remove_radius_outliers
 from .regularisation import RegularisationParameters, regularise_ring
 

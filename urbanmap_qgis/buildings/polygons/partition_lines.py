@@ -1,6 +1,6 @@
 """Candidate lines along which a building's plan may be divided among its roofs (after J 5.3.3, step 3).
 
-Where two roofs meet, the label raster has a crack between two cells. A Hough transform over the cracks proposes
+Where two roofs meet, the label raster has a boundary between two cells. A Hough transform over the boundaries proposes
 straight lines, which are turned into the building's main directions where that fits.
 Walls of the outline that end at an inward corner, drawn on into the building, are candidates too.
 """
@@ -20,11 +20,11 @@ EDGE_PARALLEL = np.sin(np.radians(4.0))
 """Sine of the angle below which a line counts as parallel to an outline edge."""
 
 ANGLE_STEP = 3.0
-"""Degrees between the directions that are tried; the fit to the cracks does the rest."""
-MAIN_FAVOUR = 1.3
+"""Degrees between the directions that are tried; the fit to the boundaries does the rest."""
+MAIN_WEIGHT = 1.3
 """Votes in a main direction count so much more: two walls with a small step make a good oblique line, too."""
 MAX_FAILURES = 20
-"""Directions and places in vain after which the rest of the cracks counts as noise."""
+"""Directions and places in vain after which the rest of the boundaries counts as noise."""
 MIN_SIDE, MIN_FILL = 1.2, 0.7
 """Least side in metres, and share of its rectangle that a region must fill, to be enclosed by four lines."""
 MAX_WALL_LINES = 12
@@ -32,7 +32,7 @@ MAX_WALL_LINES = 12
 
 
 @dataclass(frozen=True)
-class Cracks:
+class LabelBoundaries:
     """Where cells of different roofs meet: middle points (n, 2) in metres, and both roofs (n,)."""
 
     xy: np.ndarray
@@ -40,13 +40,13 @@ class Cracks:
     right: np.ndarray
 
 
-def find_cracks(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> Cracks:
-    """Cracks of a label raster; cells of -1 lie outside and make none. x (columns,), y (rows,): centres."""
+def label_boundaries(labels: np.ndarray, x: np.ndarray, y: np.ndarray) -> LabelBoundaries:
+    """LabelBoundaries of a label raster; cells of -1 lie outside and make none. x (columns,), y (rows,): centres."""
     row, column = np.nonzero((labels[:, 1:] != labels[:, :-1]) & (labels[:, 1:] >= 0) & (labels[:, :-1] >= 0))
     down, across = np.nonzero((labels[1:] != labels[:-1]) & (labels[1:] >= 0) & (labels[:-1] >= 0))
     xy = np.concatenate([np.column_stack([0.5 * (x[column] + x[column + 1]), y[row]]),
                          np.column_stack([x[across], 0.5 * (y[down] + y[down + 1])])])
-    return Cracks(xy, np.concatenate([labels[row, column], labels[down, across]]),
+    return LabelBoundaries(xy, np.concatenate([labels[row, column], labels[down, across]]),
                   np.concatenate([labels[row, column + 1], labels[down + 1, across]]))
 
 
@@ -58,27 +58,27 @@ class RoofPoints:
     roof: np.ndarray
 
 
-def candidate_lines(cracks: Cracks, outline: shapely.Geometry, cell: float, min_length: float, merge: float,
-                    max_lines: int, points: RoofPoints | None = None) -> np.ndarray:
+def candidate_lines(boundaries: LabelBoundaries, outline: shapely.Geometry, cell: float, min_length: float,
+                    merge: float, max_lines: int, points: RoofPoints | None = None) -> np.ndarray:
     """Lines as rows (nx, ny, offset): points p of a line have n . p = offset, n a unit normal.
 
     Parameters
     ----------
-    cracks : of the label raster, coordinates near the origin.
+    boundaries : of the label raster, coordinates near the origin.
     outline : Polygon or MultiPolygon in the same coordinates; lines within `merge` metres of one of its
         parallel edges become that edge's own line, so that steps of the roof follow steps of the plan.
-    cell : raster cell in metres. min_length : metres of cracks that a line needs without a gap.
+    cell : raster cell in metres. min_length : metres of boundaries that a line needs without a gap.
     merge : metres; parallel lines nearer than this are one.
     max_lines : strongest first.
-    points : moves each line to where it parts them best.
+    points : shifts each line to where it separates them best.
     """
     edges = _outline_edges(outline)
     main = (main_directions(edges[:, 2:])[:, None] + np.array([0.0, 90.0])).ravel() % 180.0
     lines = []
-    for members in _collect(cracks.xy, cell, main, min_length, max_lines):
-        line = _fitted(cracks.xy[members], main, cell)
+    for members in _collect(boundaries.xy, cell, main, min_length, max_lines):
+        line = _fitted(boundaries.xy[members], main, cell)
         if points is not None:
-            line = _parting(line, cracks.xy[members], points, 1.5 * cell)
+            line = _shifted_to_points(line, boundaries.xy[members], points, 1.5 * cell)
         lines.append(line)
     return _merged(_snapped(lines, edges, merge) + _inward_walls(outline, min_length)[:MAX_WALL_LINES], merge)
 
@@ -127,12 +127,12 @@ def _inward_walls(outline: shapely.Geometry, min_length: float) -> list[tuple[fl
 
 def _collect(xy: np.ndarray, cell: float, main: np.ndarray, min_length: float,
              max_lines: int) -> list[np.ndarray]:
-    """Crack numbers of each line, the strongest line first; `main`: favoured directions, degrees."""
+    """Boundary numbers of each line, the strongest line first; `main`: favoured directions, degrees."""
     if len(xy) == 0:
         return []
     normals = np.concatenate([main, (main[0] + np.arange(ANGLE_STEP, 180.0, ANGLE_STEP)) % 180.0])
-    favour = np.where(np.arange(len(normals)) < len(main), MAIN_FAVOUR, 1.0)
-    accumulator = HoughAccumulator(xy, cell, normals, favour)
+    weight = np.where(np.arange(len(normals)) < len(main), MAIN_WEIGHT, 1.0)
+    accumulator = HoughAccumulator(xy, cell, normals, weight)
     left = np.ones(len(xy), bool)
     least = max(3, int(min_length / cell))
     lines = []
@@ -156,7 +156,7 @@ def _collect(xy: np.ndarray, cell: float, main: np.ndarray, min_length: float,
 
 
 def _fitted(xy: np.ndarray, main: np.ndarray, cell: float) -> tuple[float, float, float]:
-    """Line through cracks, in a main direction where that moves no end by more than a cell."""
+    """Line through boundaries, in a main direction where that moves no end by more than a cell."""
     centre, direction = fit_line(xy)
     normals = np.radians(main)
     normals = np.column_stack([np.cos(normals), np.sin(normals)])
@@ -170,13 +170,13 @@ def _fitted(xy: np.ndarray, main: np.ndarray, cell: float) -> tuple[float, float
     return float(normal[0]), float(normal[1]), float(centre @ normal)
 
 
-def _parting(line: tuple[float, float, float], cracks: np.ndarray, points: RoofPoints,
+def _shifted_to_points(line: tuple[float, float, float], boundaries: np.ndarray, points: RoofPoints,
              reach: float) -> tuple[float, float, float]:
     """The line moved within `reach` to where the most points lie on the side of their roof."""
     normal, offset = np.array(line[:2]), line[2]
     direction = np.array([-normal[1], normal[0]])
     along, across = points.xy @ direction, points.xy @ normal - offset
-    place = cracks @ direction
+    place = boundaries @ direction
     near = (np.abs(across) < 2.0 * reach) & (along > place.min()) & (along < place.max())
     across, roof = across[near], points.roof[near]
     below, above = roof[across < -0.5 * reach], roof[across > 0.5 * reach]

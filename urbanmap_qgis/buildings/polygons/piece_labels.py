@@ -10,7 +10,7 @@ from .plan_arrangement import Arrangement
 MIN_WIDTH = 0.5
 """Metres; narrower pieces of the plan belong to the neighbour that they touch most."""
 THIN_WEIGHT = 1e-3
-"""A strip between a dividing line and a wall nearly on it tells nothing about roofs: its cells count this much."""
+"""A strip between a dividing line and a wall nearly on it says nothing of the roofs: its cells count this much."""
 MAX_SWEEPS = 10
 
 

@@ -12,15 +12,22 @@ from skimage import measure
 
 from ...errors import InputError
 from ...geometry.grid import Grid
-from .partition_lines import MAX_WALL_LINES, Cracks, RoofPoints, candidate_lines, find_cracks, with_enclosing_lines
+from .partition_lines import (
+    MAX_WALL_LINES,
+    LabelBoundaries,
+    RoofPoints,
+    candidate_lines,
+    label_boundaries,
+    with_enclosing_lines,
+)
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
 
 GUESSED_CELL_WEIGHT = 1.0
 """Weight of a cell without data, which took the label of its nearest neighbour."""
-LEAST_CONFUSION = 0.3
+MIN_CONFUSION = 0.3
 """Least cost of giving a cell to the wrong roof, where both have the same height, as a share of the full cost."""
-MOST_LINES = 62
+MAX_LINES = 62
 """Sides of this many lines fit into one integer."""
 NEAR_BORDER = 1.5
 """Metres; label borders farther from a polygon's edge are clutter, which `agreement` counts."""
@@ -109,8 +116,8 @@ def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.nda
     labels = np.asarray(labels)
     if labels.shape != labels_grid.shape:
         raise InputError("The roof raster has not the rows and columns of its grid.")
-    if not 0 <= parameters.max_lines <= MOST_LINES - MAX_WALL_LINES:
-        raise InputError(f"At most {MOST_LINES - MAX_WALL_LINES} dividing lines are possible: lower their number.")
+    if not 0 <= parameters.max_lines <= MAX_LINES - MAX_WALL_LINES:
+        raise InputError(f"At most {MAX_LINES - MAX_WALL_LINES} dividing lines are possible: lower their number.")
     if outline.is_empty or outline.area <= 0:
         raise InputError("The building outline has no area: repair or remove it.")
     rows, columns, grid = labels_grid.window(*outline.bounds)
@@ -179,9 +186,9 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
     left = np.unique(filled[mask])
     if len(left) < 2:
         return _undivided(outline, numbers[left], np.count_nonzero(data) * grid.cell ** 2)
-    cracks = find_cracks(filled, x, y)
+    boundaries = label_boundaries(filled, x, y)
     near = None if points is None else RoofPoints(points.xy - origin, points.roof)
-    lines = candidate_lines(cracks, local, grid.cell, parameters.min_line_length, parameters.merge_distance,
+    lines = candidate_lines(boundaries, local, grid.cell, parameters.min_line_length, parameters.merge_distance,
                             parameters.max_lines, near)
     row, column = np.nonzero(mask)
     cells = _Cells(np.column_stack([x[column], y[row]]), filled[row, column], data[row, column], grid.cell)
@@ -191,10 +198,10 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
     if lost:
         regions = [cells.xy[cells.roof == roof] for roof in lost]
         more = with_enclosing_lines(lines, regions, local, grid.cell, parameters.merge_distance)
-        if len(lines) < len(more) <= MOST_LINES:
+        if len(lines) < len(more) <= MAX_LINES:
             arrangement, piece, chosen = _label(local, more, cells, confusion, parameters)
     polygons, label_of = dissolve(arrangement.pieces, chosen, local)
-    quality = _quality(polygons, label_of, chosen[piece], cells, cracks, len(numbers))
+    quality = _quality(polygons, label_of, chosen[piece], cells, boundaries, len(numbers))
     lost = set(left.tolist()) - set(label_of.tolist())
     moved = tuple(translate(polygon, *origin) for polygon in polygons)
     return RoofPartition(moved, numbers[label_of], float(1.0 - np.mean(cells.certain)),
@@ -239,7 +246,7 @@ def _piece_of_cell(arrangement: Arrangement, lines: np.ndarray, xy: np.ndarray) 
     first = np.zeros(len(codes), np.int64)
     first[group[::-1]] = np.arange(len(group))[::-1]
     result = first[place]
-    for several in np.flatnonzero(np.bincount(group) > 1):  # told apart by a bay of the outline, by no line
+    for several in np.flatnonzero(np.bincount(group) > 1):  # separated by a bay of the outline, by no line
         cells = np.flatnonzero(place == several)
         for piece in np.flatnonzero(group == several):
             inside = shapely.contains_xy(arrangement.pieces[piece], xy[cells, 0], xy[cells, 1])
@@ -257,21 +264,21 @@ def _confusion(filled: np.ndarray, data: np.ndarray, heights: np.ndarray | None,
     label, height = filled[usable], heights[usable]
     median = np.array([np.median(height[label == i]) if (label == i).any() else np.nan for i in range(k)])
     step = np.abs(median[:, None] - median[None, :])
-    return cost * np.where(np.isfinite(step), np.clip(step / full_step, LEAST_CONFUSION, 1.0), 1.0)
+    return cost * np.where(np.isfinite(step), np.clip(step / full_step, MIN_CONFUSION, 1.0), 1.0)
 
 
-def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: _Cells, cracks: Cracks,
+def _quality(polygons: list, label_of: np.ndarray, given: np.ndarray, measured: _Cells, boundaries: LabelBoundaries,
              k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Coverage, agreement and boundary RMS of each polygon (a roof's figures go to all its polygons)."""
     cells = np.bincount(given, minlength=k)
     with_data = np.bincount(given, measured.certain, minlength=k)
     agreeing = np.bincount(given, measured.certain & (given == measured.roof), minlength=k)
     coverage, agreement = with_data / np.maximum(cells, 1), agreeing / np.maximum(with_data, 1)
-    places = shapely.points(cracks.xy)
+    places = shapely.points(boundaries.xy)
     rms = np.full(len(polygons), np.nan)
     for i in range(k):
         mine = np.flatnonzero(label_of == i)
-        near = (cracks.left == i) | (cracks.right == i)
+        near = (boundaries.left == i) | (boundaries.right == i)
         if len(mine) and near.any():
             border = shapely.multilinestrings(shapely.get_rings([polygons[m] for m in mine]))
             shapely.prepare(border)

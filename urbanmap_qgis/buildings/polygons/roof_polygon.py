@@ -10,7 +10,7 @@ import shapely
 from shapely.geometry import Polygon
 
 from ...errors import InputError
-from .alpha_shape import alpha_shape, default_alpha
+from ...geometry.alpha_shape import alpha_shape, default_alpha
 from .hough_lines import BoundaryLine, hough_lines
 from .radius_outliers import MIN_NEIGHBOURS, default_radius, remove_radius_outliers
 

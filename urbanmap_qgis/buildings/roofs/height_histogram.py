@@ -19,7 +19,7 @@ PARAPET_SHARE = 0.3
 
 Measured between consecutive maxima: 48 % and more on the slopes of gable roofs (AHN3, Delft), where the maxima are
 chance and must be joined; 12 % and less between flat roofs, which only hits on walls and parapets fill. A parapet
-that the histogram cannot tell from a low storey is found in plan, see `roof_levels`.
+that the histogram cannot separate from a low storey is found in plan, see `roof_levels`.
 """
 
 MAX_BINS = 100_000

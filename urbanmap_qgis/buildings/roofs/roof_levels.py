@@ -31,7 +31,7 @@ MAX_PARAPET_WIDTH = 2.0
 """Narrower strips that stand a little above their roof are its parapet, m."""
 
 
-LEAST_INSIDE = 0.25
+MIN_INSIDE = 0.25
 """Share of a roof inside the outline below which it is a neighbour's, unless it continues a roof inside."""
 
 STRIP_ELONGATION = 8.0
@@ -40,7 +40,7 @@ STRIP_ELONGATION = 8.0
 
 @dataclass(frozen=True)
 class RoofParameters:
-    """How roofs are told apart.
+    """How roofs are segmented.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class RoofParameters:
         building asks, m. None: the roofs of the paper stay whole.
     distinct_step : m, parts with a step of this height between them are roofs of their own.
     min_height : lowest roof above the ground, m.
-    max_roughness : m, rougher places are trees where the pulses' returns do not tell.
+    max_roughness : m, rougher places are trees where the pulses' returns are not known.
     max_parapet : m, highest parapet above its roof.
     """
 
@@ -245,7 +245,7 @@ def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray
     graph = RegionGraph(labels, height)
     inner = np.bincount(labels[inside], minlength=graph.size)
     own = {r for r in graph.regions()
-           if inner[r] >= smallest / 2 and inner[r] >= LEAST_INSIDE * graph.area[r]}
+           if inner[r] >= smallest / 2 and inner[r] >= MIN_INSIDE * graph.area[r]}
     if not own:
         own = {max(graph.regions(), key=lambda r: (inner[r], graph.area[r], -r))}
     front = list(own)

@@ -18,7 +18,7 @@ from .roof_surface import RoofSurface, roof_surface
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
 """What `RoofSegmentation.status` can be."""
 
-FEWEST_POINTS = 3
+MIN_POINTS = 3
 """A building with fewer usable points gets no roof."""
 
 POINTS_TO_DIVIDE = 12
@@ -36,7 +36,7 @@ PARAPET_SHARE = 0.15
 GAP_FILL = 1.5
 """Inside cells this far from a supported one still get its roof, m; farther ones under trees and in small gaps."""
 
-LARGEST_GAP, ENCLOSURE = 25.0, 0.75
+MAX_GAP_AREA, ENCLOSURE = 25.0, 0.75
 """Area in m2 and share of the border along roofs of gaps that are filled however far the next point is.
 
 A building no larger than that has no courtyard: it is filled whole.
@@ -91,7 +91,7 @@ class RoofSegmentation:
         but without support lies inside the outline and was given the roof of the nearest supported cell.
     inside : (rows, columns) bool, cell centre inside the outline. Inside cells without a roof have no data or
         are open to the ground.
-    status : OK, FEW_POINTS (one flat roof, from too few points to tell parts apart) or NO_POINTS (no roof).
+    status : OK, FEW_POINTS (one flat roof, from too few points to separate parts) or NO_POINTS (no roof).
     """
 
     roof_of_point: np.ndarray
@@ -119,7 +119,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     outline : the primary (not expanded) outline, polygon or multipolygon.
     ground : height of the ground at the building, m.
     density : points/m2 of the cloud on roofs.
-    multi_return : (n,) bool, point of a pulse with several returns, if known: tells trees from rugged roofs.
+    multi_return : (n,) bool, point of a pulse with several returns, if known: separates trees from rugged roofs.
 
     Raises
     ------
@@ -131,7 +131,7 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
     usable = np.flatnonzero(high)
     returns = None if multi_return is None else np.asarray(multi_return, dtype=bool)[usable]
     surface = roof_surface(x[usable], y[usable], z[usable], outline, density, returns)
-    if len(usable) < FEWEST_POINTS:
+    if len(usable) < MIN_POINTS:
         return _no_roof(len(z), surface)
     if len(usable) < POINTS_TO_DIVIDE:
         return _one_roof(z, usable, surface)
@@ -205,7 +205,7 @@ def _parapet_tops(roof: np.ndarray, above: np.ndarray, border_cells: np.ndarray)
     # Roofs one after the other on one axis, so far apart that no slice reaches into the next.
     axis = roof * 1e3 + above
     count = np.searchsorted(axis, axis + PARAPET_SLICE, side="right") - np.arange(len(axis))
-    level = count >= np.maximum(PARAPET_SHARE * border_cells[roof], FEWEST_POINTS)
+    level = count >= np.maximum(PARAPET_SHARE * border_cells[roof], MIN_POINTS)
     best = np.lexsort((count, roof))
     best = best[level[best]]
     top = np.zeros(len(border_cells))
@@ -273,7 +273,7 @@ def _complete(plan: RoofLevels, surface: RoofSurface, roof_of_point: np.ndarray,
     under_clutter = (surface.count > 0) | (plan.labels > 0)
     near = distance * surface.grid.cell <= GAP_FILL
     gap = surface.inside & ~open_cells & ~supported & ~under_clutter
-    if surface.inside.sum() * surface.grid.cell**2 > LARGEST_GAP:
+    if surface.inside.sum() * surface.grid.cell**2 > MAX_GAP_AREA:
         gap = _enclosed(gap, supported, surface.grid.cell)
     fill = surface.inside & ~open_cells & (under_clutter | near | gap)
     of_cell = np.where(supported | (fill & supported.any()), plan.labels[tuple(nearest)], 0)
@@ -285,7 +285,7 @@ def _enclosed(gap: np.ndarray, supported: np.ndarray, cell: float) -> np.ndarray
     part, n = ndimage.label(gap)
     if n == 0:
         return gap
-    small = np.bincount(part.ravel()) * cell**2 <= LARGEST_GAP
+    small = np.bincount(part.ravel()) * cell**2 <= MAX_GAP_AREA
     padded, roof = np.pad(part, 1), np.pad(supported, 1)
     sides, closed = np.zeros(n + 1), np.zeros(n + 1)
     for axis, shift in ((0, 1), (0, -1), (1, 1), (1, -1)):
@@ -330,7 +330,7 @@ def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point:
 def _one_roof(z: np.ndarray, usable: np.ndarray, surface: RoofSurface) -> RoofSegmentation:
     """One flat roof at the median height of the points, for want of more."""
     inner = surface.inside.ravel()[surface.cell_of_point]
-    if inner.sum() < FEWEST_POINTS:
+    if inner.sum() < MIN_POINTS:
         inner = np.ones(len(usable), dtype=bool)
     near = np.abs(z[usable] - np.median(z[usable][inner])) <= 2 * HEIGHT_TOLERANCE
     if not near.any():

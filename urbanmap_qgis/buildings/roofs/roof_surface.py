@@ -1,4 +1,4 @@
-"""The raster of one building that its roofs are told apart on: cell heights, support and roughness."""
+"""The raster of one building that its roofs are segmented on: cell heights, support and roughness."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from ...geometry.grid import Grid
 POINTS_PER_CELL = 1.0
 """Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring cells."""
 
-SMALLEST_CELL, LARGEST_CELL = 0.4, 2.0
+MIN_CELL, MAX_CELL = 0.4, 2.0
 """Limits of the cell size, m."""
 
-MOST_CELLS = 250_000
+MAX_CELLS = 250_000
 """The largest raster of a building; a larger building (or a stray point) gets larger cells."""
 
 TREE_ROUGHNESS, TREE_MULTI_RETURN = 0.3, 0.5
@@ -41,7 +41,7 @@ class RoofSurface:
     roughness : root mean square distance of the points from the best plane through any 3 x 3 window that holds
         the cell, m. Low on roofs up to their very edges, high in trees. NaN where no window holds 4 points.
     multi_return : share of points of pulses with several returns in the 3 x 3 window around the cell; None if
-        the cloud does not tell.
+        the cloud has none.
     """
 
     grid: Grid
@@ -63,10 +63,10 @@ class RoofSurface:
         return (self.roughness > TREE_ROUGHNESS) & (self.multi_return > TREE_MULTI_RETURN)
 
 
-def cell_size(density: float, width: float, depth: float) -> float:
+def roof_cell_size(density: float, width: float, depth: float) -> float:
     """Cell size in m, a multiple of 0.1, for `density` points/m2 and a building of width x depth m."""
-    size = min(max(math.sqrt(POINTS_PER_CELL / density), SMALLEST_CELL), LARGEST_CELL)
-    return math.ceil(10 * max(size, math.sqrt(width * depth / MOST_CELLS)) - 1e-9) / 10
+    size = min(max(math.sqrt(POINTS_PER_CELL / density), MIN_CELL), MAX_CELL)
+    return math.ceil(10 * max(size, math.sqrt(width * depth / MAX_CELLS)) - 1e-9) / 10
 
 
 def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.Geometry,
@@ -84,7 +84,7 @@ def roof_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.G
     left, bottom, right, top = outline.bounds
     left, right = x.min(initial=left), x.max(initial=right)
     bottom, top = y.min(initial=bottom), y.max(initial=top)
-    grid = Grid.covering(left, bottom, right, top, cell_size(density, right - left, top - bottom))
+    grid = Grid.covering(left, bottom, right, top, roof_cell_size(density, right - left, top - bottom))
     row, column, _ = grid.cells(x, y)
     cell = row * grid.columns + column
     size = grid.rows * grid.columns

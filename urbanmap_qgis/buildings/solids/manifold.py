@@ -37,7 +37,7 @@ class _Corner:
 
 
 @dataclass(frozen=True)
-class _Mend:
+class _Repair:
     """Corners at one node that would change to another cell; `narrowest`: angle of theirs or beside them."""
 
     corners: tuple[_Corner, ...]
@@ -46,15 +46,15 @@ class _Mend:
 
 
 @dataclass(frozen=True)
-class Mending:
+class PlanRepair:
     """What was done to a plan: nodes with cut corners, cells levelled with a neighbour, nodes left as they were."""
 
     cut_nodes: int
     levelled_cells: int
-    unmended_nodes: int
+    unrepaired_nodes: int
 
 
-def mend_plan(edges: HalfEdges, heights: list[int], base: int) -> Mending:
+def repair_plan(edges: HalfEdges, heights: list[int], base: int) -> PlanRepair:
     """Cut corners until the heights round every node have one top and one bottom.
 
     Where corners are too sharp to be cut, the cells that cost the least volume get a neighbour's height.
@@ -65,16 +65,16 @@ def mend_plan(edges: HalfEdges, heights: list[int], base: int) -> Mending:
     heights : height of each cell, changed in place; `base` : height of what lies outside (same unit).
     """
     cut = levelled = 0
-    unmended: list[int] = []
+    unrepaired: list[int] = []
     # Each round levels a cell, so more rounds than cells would only move heights to and fro.
     for _ in heights:
-        done, unmended = _cut_corners(edges, heights, base)
+        done, unrepaired = _cut_corners(edges, heights, base)
         cut += done
-        changed = _level(edges, unmended, heights, base) if unmended else 0
+        changed = _level(edges, unrepaired, heights, base) if unrepaired else 0
         levelled += changed
         if not changed:
             break
-    return Mending(cut, levelled, len(unmended))
+    return PlanRepair(cut, levelled, len(unrepaired))
 
 
 def _cut_corners(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int, list[int]]:
@@ -84,10 +84,10 @@ def _cut_corners(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[i
     # With fewer than four edges heights cannot rise twice; nodes that a cut adds have three or fewer.
     for node in sorted(node for node, others in around.items() if len(others) > 3):
         for _ in around:
-            mends = list(_possible_mends(_corners(edges, node, around[node], heights, base)))
-            if not mends:
+            repairs = list(_possible_repairs(_corners(edges, node, around[node], heights, base)))
+            if not repairs:
                 break
-            if not any(_cut(edges, node, mend) for mend in sorted(mends, key=_reluctance)):
+            if not any(_cut(edges, node, repair) for repair in sorted(repairs, key=_reluctance)):
                 failed.append(node)
                 break
             done += 1
@@ -96,16 +96,16 @@ def _cut_corners(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[i
 
 
 def _level(edges: HalfEdges, nodes: list[int], heights: list[int], base: int) -> int:
-    """Give the cells of one mend the height they would have got corners of; return their number, 0 if none can."""
+    """Give the cells of one repair the height they would have got corners of; return their number, 0 if none can."""
     area = _areas(edges)
     around = _neighbours(edges)
     ways = []
     for node in nodes:
-        for mend in _possible_mends(_corners(edges, node, around[node], heights, base)):
-            cells = sorted({corner.cell for corner in mend.corners})
-            if mend.target != OUTSIDE and OUTSIDE not in cells:
-                cost = sum(area[cell] * abs(heights[cell] - heights[mend.target]) for cell in cells)
-                ways.append((cost, cells, heights[mend.target]))
+        for repair in _possible_repairs(_corners(edges, node, around[node], heights, base)):
+            cells = sorted({corner.cell for corner in repair.corners})
+            if repair.target != OUTSIDE and OUTSIDE not in cells:
+                cost = sum(area[cell] * abs(heights[cell] - heights[repair.target]) for cell in cells)
+                ways.append((cost, cells, heights[repair.target]))
     if not ways:
         return 0
     _, cells, height = min(ways)
@@ -142,14 +142,14 @@ def _corners(edges: HalfEdges, node: int, around: set[int], heights: Sequence[in
     return corners
 
 
-def _possible_mends(corners: list[_Corner]) -> Iterator[_Mend]:
+def _possible_repairs(corners: list[_Corner]) -> Iterator[_Repair]:
     """Every way to take away one of several tops: fill a dip between two, or cut one down; none if all is well."""
     yield from _fill_dips(corners, 1)
     yield from _fill_dips(corners, -1)
 
 
-def _fill_dips(corners: list[_Corner], sign: int) -> Iterator[_Mend]:
-    """Mends that raise the dip between neighbouring tops to the lower top (`sign` -1: upside down)."""
+def _fill_dips(corners: list[_Corner], sign: int) -> Iterator[_Repair]:
+    """Repairs that raise the dip between neighbouring tops to the lower top (`sign` -1: upside down)."""
     n = len(corners)
     height = [sign * corner.height for corner in corners]
     tops = [i for i in range(n) if height[i] > height[i - 1] and _falls_after(height, i)]
@@ -161,7 +161,7 @@ def _fill_dips(corners: list[_Corner], sign: int) -> Iterator[_Mend]:
         # The corner beside the dip on the lower top's side: the top itself, or an equally high one next to it.
         target = between[0] - 1 if height[start] == level else (between[-1] + 1) % n
         concerned = [between[0] - 1, *between, (between[-1] + 1) % n]
-        yield _Mend(tuple(corners[i] for i in between), corners[target].cell,
+        yield _Repair(tuple(corners[i] for i in between), corners[target].cell,
                     min(corners[i].angle for i in concerned))
 
 
@@ -172,27 +172,27 @@ def _falls_after(height: list[int], i: int) -> bool:
     return after < height[i]
 
 
-def _reluctance(mend: _Mend) -> tuple:
+def _reluctance(repair: _Repair) -> tuple:
     """Sorting key: opening a building to the outside comes last, few wide corners come first."""
-    return (mend.target == OUTSIDE, len(mend.corners), -mend.narrowest)
+    return (repair.target == OUTSIDE, len(repair.corners), -repair.narrowest)
 
 
-def _cut(edges: HalfEdges, node: int, mend: _Mend) -> bool:
-    """Carry a mend out; False, with nothing changed, where a corner is too wide or too narrow for the room."""
-    narrowest = min(corner.angle for corner in mend.corners)
+def _cut(edges: HalfEdges, node: int, repair: _Repair) -> bool:
+    """Carry a repair out; False, with nothing changed, where a corner is too wide or too narrow for the room."""
+    narrowest = min(corner.angle for corner in repair.corners)
     needed = max(_SHORTEST_EDGE, _SHORTEST_EDGE / (2 * math.sin(min(narrowest, math.pi) / 2)),
-                 _ROUNDING * edges.resolution / mend.narrowest)
+                 _ROUNDING * edges.resolution / repair.narrowest)
     leg = min(max(CORNER_SIZE, needed), 0.4 * _clearance(edges, node) * edges.resolution, _LARGEST_CORNER)
-    if leg < needed or max(corner.angle for corner in mend.corners) > _WIDEST_CORNER:
+    if leg < needed or max(corner.angle for corner in repair.corners) > _WIDEST_CORNER:
         return False
     steps = leg / edges.resolution
     split: dict[int, int] = {}
-    for corner in mend.corners:
+    for corner in repair.corners:
         for end in (corner.right, corner.left):
             if end not in split:
                 split[end] = _split(edges, node, end, steps)
-    for corner in mend.corners:
-        _move_corner(edges, node, split[corner.right], split[corner.left], corner.cell, mend.target)
+    for corner in repair.corners:
+        _move_corner(edges, node, split[corner.right], split[corner.left], corner.cell, repair.target)
     return True
 
 

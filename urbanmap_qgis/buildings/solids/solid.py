@@ -10,7 +10,7 @@ import shapely
 from ...errors import InputError
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Face, Solid
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
-from .manifold import Mending, mend_plan
+from .manifold import PlanRepair, repair_plan
 from .plan_partition import Cell
 
 _UNITS = 10_000
@@ -47,9 +47,9 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
     for part in _parts(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, edges.x, edges.y, directed)
-        mending = mend_plan(piece, heights, base)
+        repair = repair_plan(piece, heights, base)
         builder = _Builder(piece, heights, base, [cell.roof_id for cell in cells])
-        solids.append(builder.solid(mending, sum(raised[cell] for cell in part)))
+        solids.append(builder.solid(repair, sum(raised[cell] for cell in part)))
     return tuple(solids)
 
 
@@ -101,7 +101,7 @@ class _Builder:
         self.types: list[str] = []
         self.ids: list[Hashable] = []
 
-    def solid(self, mending: Mending, raised: int) -> Solid:
+    def solid(self, repair: PlanRepair, raised: int) -> Solid:
         """The finished solid: ground, roofs, walls."""
         self._ground()
         self._roofs()
@@ -111,7 +111,7 @@ class _Builder:
         vertices[:, :2] = self.edges.coordinates(nodes)
         vertices[:, 2] = np.array(levels) / _UNITS
         return Solid(vertices, tuple(self.faces), tuple(self.types), tuple(self.ids),
-                     mending.cut_nodes, mending.levelled_cells, mending.unmended_nodes, raised)
+                     repair.cut_nodes, repair.levelled_cells, repair.unrepaired_nodes, raised)
 
     def _add(self, rings: Iterable[Iterable[tuple[int, int]]], surface_type: str, roof_id: Hashable) -> None:
         """Add a face given by rings of (node, height)."""

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ...io.report import Report
-from ...io.svg_profile import COLOURS, Series, Stretch, profile
+from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights
 from .rectification import BLUNDER, CONTRADICTING, HELD, POSITION_ONLY, SUSPECT, USED, Rectified
@@ -109,11 +109,11 @@ def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
                   "Correction to the heading with its sigma.")
 
 
-def _held(made: Rectified, time: np.ndarray) -> list[Stretch]:
+def _held(made: Rectified, time: np.ndarray) -> list[ShadedInterval]:
     """The parts before the first and after the last set."""
     first, last = made.drift.first - made.drift.time[0], made.drift.last - made.drift.time[0]
     name = "beyond the sets"
-    return [Stretch(start, end, "#e09a2b", name) for start, end in ((0.0, first), (last, float(time[-1])))
+    return [ShadedInterval(start, end, "#e09a2b", name) for start, end in ((0.0, first), (last, float(time[-1])))
             if end > start]
 
 

@@ -15,7 +15,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
-from ...io.pointcloud import PointCloud, iter_chunks, usable
+from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory, interpolate
 from .tie_points import TiePoints
@@ -189,7 +189,7 @@ def wall_cells(cloud: PointCloud, trajectory: Trajectory, reach: float, shift: f
 def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, reach: float, shift: float):
     """Keys of cell and pass (n,), places and times from their origins (n, 3), and heights (n,); None without any."""
     time = np.asarray(chunk["gps_time"]) + shift
-    keep = np.flatnonzero(usable(chunk) & trajectory.within(time))
+    keep = np.flatnonzero(valid_points(chunk) & trajectory.within(time))
     if not len(keep):
         return None
     place = np.column_stack([np.asarray(chunk[name])[keep] for name in "xyz"])

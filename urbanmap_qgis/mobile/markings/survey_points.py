@@ -11,7 +11,7 @@ import numpy as np
 
 from ...errors import InputError, InsufficientDataError
 from ...io.point_buckets import PointBuckets
-from ...io.pointcloud import PointCloud, iter_chunks, usable
+from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ..calibration import Calibration
@@ -98,7 +98,7 @@ class SurveyPoints:
         for chunk in iter_chunks(self.cloud, progress):
             first = self.tally.points
             self.tally.points += len(chunk)
-            keep = usable(chunk)
+            keep = valid_points(chunk)
             classes = np.asarray(chunk.classification)
             self.tally.classes += np.bincount(classes[keep], minlength=256)
             self.tally.usable += int(np.count_nonzero(keep))

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from scipy.spatial import Delaunay, QhullError
 
-from ...errors import InputError
+from ..errors import InputError
 
 ALPHA_SPACINGS = 2.0
 """Default alpha in mean point spacings. For points without order the share of Delaunay circles wider than
