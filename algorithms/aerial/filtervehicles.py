@@ -31,24 +31,24 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         self.declare_parameter(QgsProcessingParameterMultipleLayers(
             "ORTHOPHOTOS", tr("Orthophotos"), QgsProcessing.SourceType.TypeRaster), "Two or more rasters of the same "
             "ground, grey or red, green, blue, of 8 or 16 bit. The result lies on the first.")
-        self.add_choice("METHOD", "Vehicle filter", "Vote: what most of them agree on, which also keeps dark vehicles "
-                        "from winning over paint. Darkest: the one with the lowest sum of channels, as the "
+        self.add_choice("METHOD", "Vehicle filter", "Majority vote: what most of them agree on, which also keeps dark "
+                        "vehicles from winning over paint. Darkest: the one with the lowest sum of channels, as the "
                         "dissertation.", METHODS, "vote", advanced=True)
-        self.add_boolean("EVEN_EXPOSURE", "Even exposure", "Bring all to one brightness and contrast before they are "
-                         "compared.", True, advanced=True)
+        self.add_boolean("EVEN_EXPOSURE", "Gain compensation", "Bring all to one brightness and contrast before they "
+                         "are compared.", True, advanced=True)
         self.add_workers()
         self.add_raster_output("OUTPUT", "Orthophoto", "Without moving vehicles; 0 where there is no data.")
         self.add_number_output("SHARE_SEEN", "Share with data", "Share of the pixels that hold an image, 0 to 1.")
         self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.mosaic import Choice
+        from ...urbanmap_qgis.aerial.mosaic import PixelSelection
         from ...urbanmap_qgis.aerial.vehicle_filter import filter_vehicles
 
         layers = self.parameterAsLayerList(parameters, "ORTHOPHOTOS", context)
         if not layers:
             raise InputError(tr("{0}: no raster can be opened; check the files.").format(self.label_of("ORTHOPHOTOS")))
-        choice = Choice(self.parameterAsString(parameters, "METHOD", context),
+        choice = PixelSelection(self.parameterAsString(parameters, "METHOD", context),
                         self.parameterAsBool(parameters, "EVEN_EXPOSURE", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
         progress, shifts, crs = self.progress(feedback), [], crs_from(layers[0].crs())

@@ -18,7 +18,7 @@ class FrameShiftsOutput:
             "OUTPUT_SHIFTS", "Shifts between images", "Points on road markings that two overlapping images show, with "
             "the shift of the second against the first in metres (east, north; sigma of one place), and the median of "
             "the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.", optional=True)
-        self.add_number_output("LARGEST_SHIFT", "Largest shift", "Largest distance between the same road markings in "
+        self.add_number_output("LARGEST_SHIFT", "Maximum shift", "Largest distance between the same road markings in "
                                "two overlapping images, median over their places; no value where none are seen.", "m")
 
     def write_shifts(self, parameters, context, shifts, pixel, crs, progress) -> dict:

@@ -50,11 +50,11 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
                           100.0)
         self.add_boolean("FILTER_VEHICLES", "Filter vehicles", "Take each pixel so that moving vehicles go; otherwise "
                          "from the frame that looks down most steeply.", True)
-        self.add_choice("METHOD", "Vehicle filter", "Vote: what most frames agree on, which also keeps dark vehicles "
-                        "from winning over paint. Darkest: the frame with the lowest sum of channels, as the "
+        self.add_choice("METHOD", "Vehicle filter", "Majority vote: what most frames agree on, which also keeps dark "
+                        "vehicles from winning over paint. Darkest: the frame with the lowest sum of channels, as the "
                         "dissertation.", METHODS, "vote", advanced=True)
-        self.add_boolean("EVEN_EXPOSURE", "Even exposure", "Bring all frames to one brightness and contrast before "
-                         "they are compared.", True, advanced=True)
+        self.add_boolean("EVEN_EXPOSURE", "Gain compensation", "Bring all frames to one brightness and contrast "
+                         "before they are compared.", True, advanced=True)
         self.add_distance("HEIGHT_THRESHOLD", "Height threshold", "What stands higher than this above the ground, in "
                           "metres, hides ground; vehicles should not.", 5.0, 0.0, 100.0, advanced=True)
         self.add_choice("ANGLE_ORDER", "Order of the angles", "Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi "
@@ -65,8 +65,8 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_raster_output("OUTPUT", "Orthophoto", "Mosaic of the frames; 0 where there is no data.")
         self.add_raster_output("OUTPUT_COUNT", "Frames that see the ground", "How many frames see each pixel.",
                                optional=True)
-        self.add_number_output("SHARE_SEEN", "Share seen", "Share of the ground in the frames, outside buildings, that "
-                               "has an image, 0 to 1.")
+        self.add_number_output("SHARE_SEEN", "Visible share", "Share of the ground in the frames, outside buildings, "
+                               "that has an image, 0 to 1.")
         self.add_number_output("HOLE_AREA", "Area of holes", "Ground in the frames, outside buildings, that no frame "
                                "sees.", "m2")
         self.add_number_output("FRAMES_USED", "Frames used", "Frames that gave pixels.")
@@ -75,8 +75,8 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.aerial.camera import read_camera, read_exterior
         from ...urbanmap_qgis.aerial.frames import find_frames
-        from ...urbanmap_qgis.aerial.mosaic import Choice, Output
-        from ...urbanmap_qgis.aerial.orthorectification import OrthoSettings, Place, orthorectify
+        from ...urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
+        from ...urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, orthorectify
         from ...urbanmap_qgis.io.raster import RasterSampler
 
         progress = self.progress(feedback)
@@ -100,14 +100,14 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         if self.parameterAsBool(parameters, "FILTER_VEHICLES", context):
             method = self.parameterAsString(parameters, "METHOD", context)
         settings = OrthoSettings(self.parameterAsDouble(parameters, "RESOLUTION", context),
-                                 Choice(method, self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)),
+                                 PixelSelection(method, self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)),
                                  self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
         count = self.output_layer_path(parameters, "OUTPUT_COUNT", context)
-        place = Place(ground, surface, *self._buildings(parameters, context, outlines))
+        place = ElevationInputs(ground, surface, *self._buildings(parameters, context, outlines))
         shifts = []
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = orthorectify(frames, camera, place, Output(output, count), settings, progress.part(0.02, 0.98),
+            made = orthorectify(frames, camera, place, MosaicFiles(output, count), settings, progress.part(0.02, 0.98),
                                 shifts=shifts, executor=executor)
         progress.message(tr("{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.")
                          .format(made.used, 100 * made.share_seen, made.hidden_area))

@@ -43,9 +43,10 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                         unit="grey values")
         self.add_boolean("CLEAN", "Clean", "Leave out what is no paint by its width, contrast on both sides, shape and "
                          "surroundings; without it the result is the plain threshold of the paper.", True)
-        self.add_distance("MAX_WIDTH", "Widest stroke", "What is wider than this in every direction is no paint.", 0.8,
+        self.add_distance("MAX_WIDTH", "Maximum stroke width", "What is wider than this in every direction is no "
+                          "paint.", 0.8,
                           0.1, 5.0, advanced=True)
-        self.add_number("MIN_AREA", "Smallest marking", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
+        self.add_number("MIN_AREA", "Minimum marking area", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
                         advanced=True)
         self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
                         "frames of this orthophoto disagree; shown in the report.", optional=True)
@@ -87,7 +88,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from dataclasses import replace
 
-        from ...urbanmap_qgis.aerial.marking_files import Places, markings_from_orthophoto
+        from ...urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
         from ...urbanmap_qgis.aerial.road_markings import MarkingSettings
 
         progress = self.progress(feedback)
@@ -97,7 +98,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         rules = replace(plain.cleaning, max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
                         min_area=self.parameterAsDouble(parameters, "MIN_AREA", context))
         settings = replace(plain, cleaning=rules if self.parameterAsBool(parameters, "CLEAN", context) else None)
-        places = Places(self._polygons(parameters, "ROADS", context, progress.part(0.0, 0.02)),
+        places = SearchArea(self._polygons(parameters, "ROADS", context, progress.part(0.0, 0.02)),
                         self._polygons(parameters, "BUILDINGS", context, progress.part(0.02, 0.04)),
                         self.raster_path(parameters, "MASK", context))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
@@ -106,8 +107,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                                              metres_per_unit(crs), progress=progress.part(0.04, 0.9),
                                              executor=executor)
         self._tell(found, progress)
-        results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked,
-                   "SEARCHED_AREA": found.looked_at}
+        results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked_area,
+                   "SEARCHED_AREA": found.searched_area}
         report = self._report(parameters, context, found, plain.contrast)
         if report:
             results["OUTPUT_REPORT"] = report
@@ -119,10 +120,10 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         path = self.output_path(parameters, "OUTPUT_REPORT", context)
         if path is None:
             return None
-        from ...urbanmap_qgis.aerial.marking_report import Evidence, shares_of_views, write_marking_report
+        from ...urbanmap_qgis.aerial.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
 
         count = self.raster_path(parameters, "FRAME_COUNT", context)
-        evidence = Evidence(self._pairs(parameters, context), count and shares_of_views(count),
+        evidence = OrthophotoQuality(self._pairs(parameters, context), count and frame_count_shares(count),
                             bool(parameters.get("ROADS")), contrast)
         settings = self.settings_of({name: value for name, value in parameters.items() if name != "NOTE"})
         write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence, settings,
@@ -131,7 +132,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
     def _pairs(self, parameters, context):
         """Shifts by pairs of frames, from the points' layer; None where none was given."""
-        from ...urbanmap_qgis.aerial.marking_report import Pair
+        from ...urbanmap_qgis.aerial.marking_report import PairShift
 
         table = self.read_vector(parameters, "SHIFTS", context)
         if table is None:
@@ -142,7 +143,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
             raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
                 table.label, missing[0]))
         rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
-        return [Pair(*row[:-1], row[-1] == "apart") for row in rows]
+        return [PairShift(*row[:-1], row[-1] == "apart") for row in rows]
 
     def _polygons(self, parameters, name, context, progress):
         """Polygons of a layer in any projected CRS, repaired where invalid; None where none was given."""
@@ -158,7 +159,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         return list(shapely.make_valid(shapely.force_2d(present)))
 
     def _tell(self, found, progress):
-        if not found.looked_at:
+        if not found.searched_area:
             progress.warn(tr("Nothing of the orthophoto is left to look at: check that roads, buildings and hidden "
                              "areas lie where the image does; the mask is empty."))
         elif not len(found.polygons):

@@ -35,11 +35,11 @@ class SurfaceFromAls(UrbanMapAlgorithm):
                           "cloth. Smaller follows the ground closer; larger spans more.", 2.0, 0.1, 50.0, advanced=True)
         self.add_distance("CLOTH_THRESHOLD", "Cloth threshold", "Points within this height, in metres, above or "
                           "below the cloth are ground.", 0.2, 0.01, 5.0, advanced=True)
-        self.add_number("ITERATIONS", "Cloth iterations", "Most sweeps on each level of detail; the cloth stops "
-                        "earlier when it has settled.", 1000, 1, 100000, integer=True, advanced=True)
+        self.add_number("ITERATIONS", "Cloth iterations", "Maximum number of sweeps on each level of detail; the cloth "
+                        "stops earlier when it has converged.", 1000, 1, 100000, integer=True, advanced=True)
         self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "
                         "mountains.", 3, 1, 3, integer=True, advanced=True)
-        self.add_distance("MAX_EDGE", "Longest edge", "Triangles of the surface with a longer side in plan, in "
+        self.add_distance("MAX_EDGE", "Maximum edge length", "Triangles of the surface with a longer side in plan, in "
                           "metres, are left out, so that water and gaps stay empty; 0 keeps all.", 0.0, 0.0,
                           advanced=True)
         self.add_boolean("GROUND_IN_GAPS", "Ground in gaps", "Where triangles were left out, the surface takes the "

@@ -11,56 +11,56 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from urbanmap_qgis.aerial.camera import (
-    Camera,
     Distortion,
-    Pose,
-    angles_of,
+    ExteriorOrientation,
+    FrameCamera,
+    angles_from_usual_order,
     elementary_rotations,
-    from_usual_angles,
-    project,
-    rays,
+    frame_rays,
+    omega_phi_kappa,
+    project_to_frame,
     read_camera,
     read_exterior,
 )
 from urbanmap_qgis.errors import InputError
 
-CAMERA = Camera(100.0, 0.01, 1001, 801, (0.05, -0.03))
+CAMERA = FrameCamera(100.0, 0.01, 1001, 801, (0.05, -0.03))
 LENS = Distortion(-0.26, 0.10, -0.026, 2.6e-4, -7.3e-4, unit_mm=8.8)
-WIDE = Camera(8.8, 0.01, 1300, 900, (-0.02, -0.06), LENS)
+WIDE = FrameCamera(8.8, 0.01, 1300, 900, (-0.02, -0.06), LENS)
 angle = st.floats(-180, 180)
 tilt = st.floats(-80, 80)
 
 
 def test_vertical_camera_by_hand():
     """1000 m up, 1 pixel is 0.1 m: 30 m east and 20 m north are 300 pixels right and 200 up of the principal point."""
-    pose = Pose("a", 5000.0, -7000.0, 1000.0, 0.0, 0.0, 0.0)
-    column, row, in_front = project(CAMERA, pose, np.array([5030.0, -6980.0, 0.0]))
+    pose = ExteriorOrientation("a", 5000.0, -7000.0, 1000.0, 0.0, 0.0, 0.0)
+    column, row, in_front = project_to_frame(CAMERA, pose, np.array([5030.0, -6980.0, 0.0]))
     assert column == pytest.approx(500 + 5 + 300) and row == pytest.approx(400 + 3 - 200) and in_front
 
 
 def test_height_leans_outwards():
-    pose = Pose("a", 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0)
-    column, _, _ = project(CAMERA, pose, np.array([[30.0, 0.0, 0.0], [30.0, 0.0, 100.0]]))
+    pose = ExteriorOrientation("a", 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0)
+    column, _, _ = project_to_frame(CAMERA, pose, np.array([[30.0, 0.0, 0.0], [30.0, 0.0, 100.0]]))
     assert (column - 505) == pytest.approx([300, 300 * 1000 / 900])
 
 
 def test_heading_and_tilts_turn_the_way_of_the_paper():
     """Kappa turns the camera counterclockwise; positive omega looks north of the nadir, positive phi west."""
     north = np.array([0.0, 100.0, 0.0])
-    column, row, _ = project(CAMERA, Pose("a", 0, 0, 1000, 0, 0, 90), north)
+    column, row, _ = project_to_frame(CAMERA, ExteriorOrientation("a", 0, 0, 1000, 0, 0, 90), north)
     assert column == pytest.approx(1505) and row == pytest.approx(403)
     centre = (500 + 5, 400 + 3)
-    assert rays(CAMERA, Pose("a", 0, 0, 1000, 10, 0, 0), *centre)[1] > 0.17
-    assert rays(CAMERA, Pose("a", 0, 0, 1000, 0, 10, 0), *centre)[0] < -0.17
+    assert frame_rays(CAMERA, ExteriorOrientation("a", 0, 0, 1000, 10, 0, 0), *centre)[1] > 0.17
+    assert frame_rays(CAMERA, ExteriorOrientation("a", 0, 0, 1000, 0, 10, 0), *centre)[0] < -0.17
 
 
 @given(tilt, tilt, angle, st.sampled_from([CAMERA, WIDE]), st.floats(0, 1), st.floats(0, 1))
 def test_rays_lead_back_to_their_pixels(omega, phi, kappa, camera, across, down):
-    pose = Pose("a", -7000.0, -34000.0, 800.0, omega, phi, kappa)
+    pose = ExteriorOrientation("a", -7000.0, -34000.0, 800.0, omega, phi, kappa)
     column, row = across * camera.width - 0.5, down * camera.height - 0.5
-    ray = rays(camera, pose, column, row)
+    ray = frame_rays(camera, pose, column, row)
     assert np.linalg.norm(ray) == pytest.approx(1)
-    found = project(camera, pose, pose.centre + 500 * ray)
+    found = project_to_frame(camera, pose, pose.centre + 500 * ray)
     assert found[2] and found[0] == pytest.approx(column, abs=1e-5) and found[1] == pytest.approx(row, abs=1e-5)
 
 
@@ -75,21 +75,22 @@ def test_distortion_by_its_formula():
 
 def test_points_behind_and_beyond_the_fold_are_not_drawn():
     """With k1 = -1/3 the drawn radius r - r3/3 turns back at r = 1."""
-    camera = Camera(10.0, 0.01, 1000, 1000, distortion=Distortion(k1=-1 / 3, unit_mm=10.0))
+    camera = FrameCamera(10.0, 0.01, 1000, 1000, distortion=Distortion(k1=-1 / 3, unit_mm=10.0))
     assert camera.distortion.fold == pytest.approx(1)
     points = np.array([[0, 0, 200.0], [150, 0, 0], [90, 0, 0]])
-    column, _, in_front = project(camera, Pose("a", 0, 0, 100, 0, 0, 0), points)
+    column, _, in_front = project_to_frame(camera, ExteriorOrientation("a", 0, 0, 100, 0, 0, 0), points)
     assert in_front.tolist() == [False, False, True]
     assert np.isnan(column[:2]).all() and column[2] == pytest.approx(499.5 + 1000 * (0.9 - 0.9**3 / 3))
-    assert np.isnan(rays(camera, Pose("a", 0, 0, 100, 0, 0, 0), 499.5 + 700, 499.5)).all()
+    assert np.isnan(frame_rays(camera, ExteriorOrientation("a", 0, 0, 100, 0, 0, 0), 499.5 + 700, 499.5)).all()
 
 
 @given(tilt, tilt, angle)
 def test_usual_angles_give_the_same_rotation(omega, phi, kappa):
     first, second, third = elementary_rotations(omega, phi, kappa)
-    pose = Pose("a", 0, 0, 0, *from_usual_angles(omega, phi, kappa))
+    pose = ExteriorOrientation("a", 0, 0, 0, *angles_from_usual_order(omega, phi, kappa))
     assert pose.rotation == pytest.approx(third @ second @ first, abs=1e-9)
-    assert angles_of(Pose("a", 0, 0, 0, omega, phi, kappa).rotation) == pytest.approx((omega, phi, kappa), abs=1e-6)
+    rotation = ExteriorOrientation("a", 0, 0, 0, omega, phi, kappa).rotation
+    assert omega_phi_kappa(rotation) == pytest.approx((omega, phi, kappa), abs=1e-6)
 
 
 def write_json(tmp_path, **changes):
@@ -131,13 +132,13 @@ def write_poses(tmp_path, angles, header="image,x,y,z,omega,phi,kappa"):
 
 def test_exterior_file(tmp_path):
     poses = read_exterior(write_poses(tmp_path, [(0.5, -0.25, 182.0)]))
-    assert poses == [Pose("0.tif", 1.0, 2.0, 3.0, 0.5, -0.25, 182.0)]
+    assert poses == [ExteriorOrientation("0.tif", 1.0, 2.0, 3.0, 0.5, -0.25, 182.0)]
 
 
 def test_exterior_file_with_semicolons_and_more_columns(tmp_path):
     path = tmp_path / "a.txt"
     path.write_text("Kappa; image; X; Y; Z; omega; phi; time\n90; a.tif; 1; 2; 3; 0; 0.5; 7\n", encoding="utf-8")
-    assert read_exterior(path) == [Pose("a.tif", 1.0, 2.0, 3.0, 0.0, 0.5, 90.0)]
+    assert read_exterior(path) == [ExteriorOrientation("a.tif", 1.0, 2.0, 3.0, 0.0, 0.5, 90.0)]
 
 
 STRIPS = [(0.5, -0.3, 1.2), (-0.4, 0.2, 0.4), (0.3, 0.3, 181.6), (-0.6, 0.1, 179.2)]

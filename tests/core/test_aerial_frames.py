@@ -9,11 +9,11 @@ import pytest
 import rasterio
 from rasterio.errors import NotGeoreferencedWarning
 
-from urbanmap_qgis.aerial.camera import Camera, Pose
+from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera
 from urbanmap_qgis.aerial.frames import FrameImage, find_frames
 from urbanmap_qgis.errors import InputError
 
-CAMERA = Camera(100.0, 0.01, 60, 40)
+CAMERA = FrameCamera(100.0, 0.01, 60, 40)
 
 
 def write(path, dtype="uint8", bands=3, shape=(40, 60)):
@@ -26,7 +26,7 @@ def write(path, dtype="uint8", bands=3, shape=(40, 60)):
 
 
 def poses(*names):
-    return [Pose(name, float(number), 0, 0, 0, 0, 0) for number, name in enumerate(names)]
+    return [ExteriorOrientation(name, float(number), 0, 0, 0, 0, 0) for number, name in enumerate(names)]
 
 
 def test_frames_by_file_name_in_the_order_given(tmp_path):

@@ -5,10 +5,8 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.aerial.camera import Camera as FrameCamera
-from urbanmap_qgis.aerial.camera import Pose
-from urbanmap_qgis.aerial.camera import rays as frame_rays
-from urbanmap_qgis.aerial.frames import Frame
+from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, frame_rays
+from urbanmap_qgis.aerial.frames import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid_faces import solids_of
 from urbanmap_qgis.imagery.atlas import LARGEST, coarsest_step, drawn, pack
@@ -122,14 +120,14 @@ def test_a_wall_comes_back_undistorted_from_a_shaking_camera(tmp_path):
 def test_a_frame_textures_a_wall_too(tmp_path):
     camera = FrameCamera(50.0, 0.02, 1200, 900)
     # The camera looks due north, 40 m off: its y axis is up, its -z axis north (J eq. 1).
-    pose = Pose("f.png", CORNER[0] + 8, CORNER[1] - 40, CORNER[2] + 5, 90.0, 0.0, 0.0)
+    pose = ExteriorOrientation("f.png", CORNER[0] + 8, CORNER[1] - 40, CORNER[2] + 5, 90.0, 0.0, 0.0)
     ahead = frame_rays(camera, pose, np.array([599.5]), np.array([449.5]))[0]
     assert np.allclose(ahead, [0, 1, 0], atol=1e-9), "the test's own geometry"
     column, row = np.meshgrid(np.arange(1200.0), np.arange(900.0))
     direction = frame_rays(camera, pose, column.ravel(), row.ravel())
     colour = np.nan_to_num(wall_colour(*met(np.tile(pose.centre, (len(direction), 1)), direction)))
     cv2.imwrite(str(tmp_path / "f.png"), np.rint(colour.reshape(900, 1200, 3)[:, :, ::-1]).astype(np.uint8))
-    source = FrameSource(0, "f.png", Frame(tmp_path / "f.png", pose), camera)
+    source = FrameSource(0, "f.png", AerialFrame(tmp_path / "f.png", pose), camera)
     made, = texture_buildings([Building(1, HOUSE)], [source])
     image, record = south_texture(made)
     off_right, off_high = place_errors(image)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.aerial.frame_shifts import apart, frame_shifts, shift_columns
-from urbanmap_qgis.aerial.mosaic import View
+from urbanmap_qgis.aerial.mosaic import GroundView
 from urbanmap_qgis.geometry.grid import Grid
 
 GRID = Grid(0.0, 100.0, 0.1, 400, 500)
@@ -28,7 +28,7 @@ class Painted:
             image = np.maximum(image, 60.0 + self._light * covered[0] * covered[1])
         values = np.clip(image, 0, 255).astype(np.float32)[..., None]
         seen = np.ones(grid.shape, bool)
-        return View(values, seen, seen, np.zeros(grid.shape, np.float32))
+        return GroundView(values, seen, seen, np.zeros(grid.shape, np.float32))
 
 
 def test_a_displaced_frame_is_found():

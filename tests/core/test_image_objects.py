@@ -4,10 +4,8 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.aerial.camera import Camera as FrameCamera
-from urbanmap_qgis.aerial.camera import Pose
-from urbanmap_qgis.aerial.camera import project as project_frame
-from urbanmap_qgis.aerial.frames import Frame
+from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, project_to_frame
+from urbanmap_qgis.aerial.frames import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.imagery.image_outlines import image_outlines
 from urbanmap_qgis.imagery.object_stage import measure
@@ -142,11 +140,12 @@ def test_an_outline_without_points_says_so(source):
 
 def test_a_frame_gives_objects_too():
     rng = np.random.default_rng(6)
-    camera, pose = FrameCamera(80.0, 0.005, 4000, 3000), Pose("f", *(PLACE + np.array([0, 0, 600.0])), 0.0, 0.0, 0.0)
-    source = FrameSource(0, "f.tif", Frame("f.tif", pose), camera)
+    camera = FrameCamera(80.0, 0.005, 4000, 3000)
+    pose = ExteriorOrientation("f", *(PLACE + np.array([0, 0, 600.0])), 0.0, 0.0, 0.0)
+    source = FrameSource(0, "f.tif", AerialFrame("f.tif", pose), camera)
     roof = surface(rng, PLACE, np.array([12.0, 0, 0]), np.array([0, 9.0, 0]), spacing=0.3)
     true = PLACE + np.array([[1.0, 1, 0], [11, 1, 0], [11, 8, 0], [1, 8, 0]])
-    column, row, _ = project_frame(camera, pose, true)
+    column, row, _ = project_to_frame(camera, pose, true)
     outlines = image_outlines([shapely.Polygon(np.column_stack([column + 0.5, -row - 0.5]))], ["f"], [source])
     made = measure(outlines[0], outline_points(outlines, [roof], 50.0)[0])
     assert np.allclose(shapely.get_coordinates(made.geometry, include_z=True)[:4], true, atol=0.02)

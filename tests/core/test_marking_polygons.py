@@ -13,8 +13,14 @@ from hypothesis import strategies as st
 from pyproj import CRS
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.marking_polygons import merge_pieces, pieces_of_tile, with_heights
-from urbanmap_qgis.aerial.road_markings import Markings, MarkingSettings, find_markings, levels_of, paint_brightness
+from urbanmap_qgis.aerial.marking_polygons import merge_tile_polygons, tile_polygons, with_heights
+from urbanmap_qgis.aerial.road_markings import (
+    Markings,
+    MarkingSettings,
+    find_markings,
+    level_adjustment_of,
+    paint_brightness,
+)
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import RasterSampler, write_raster
 
@@ -35,7 +41,7 @@ def drawn(shapes, rows=160, columns=160, fine=8):
 
 def found_in(bands, tile=None):
     everywhere = np.ones(bands.shape[1:], bool)
-    levels = levels_of(paint_brightness(bands).ravel())
+    levels = level_adjustment_of(paint_brightness(bands).ravel())
     markings = find_markings(bands, everywhere, None, PIXEL, levels, MarkingSettings())
     return polygons_of(markings, tile)
 
@@ -44,10 +50,10 @@ def polygons_of(markings, tile=None):
     rows, columns = markings.mask.shape
     tile = tile or max(rows, columns)
     window = slice(0, rows), slice(0, columns)
-    pieces = [pieces_of_tile(markings, window, slice(row, min(row + tile, rows)),
+    pieces = [tile_polygons(markings, window, slice(row, min(row + tile, rows)),
                              slice(col, min(col + tile, columns)), PLACE)
               for row in range(0, rows, tile) for col in range(0, columns, tile)]
-    return merge_pieces(pieces, PLACE, 1.0, 0.0, tempfile.gettempdir())
+    return merge_tile_polygons(pieces, PLACE, 1.0, 0.0, tempfile.gettempdir())
 
 
 def turned_box(x, y, length, width, degrees):

@@ -11,11 +11,17 @@ import rasterio
 import shapely
 from rasterio.transform import from_origin
 
-from urbanmap_qgis.aerial.marking_files import FoundMarkings
+from urbanmap_qgis.aerial.marking_files import MarkingResult
 from urbanmap_qgis.aerial.marking_polygons import MarkingPolygons
-from urbanmap_qgis.aerial.marking_report import Evidence, Pair, doubts_of, shares_of_views, write_marking_report
+from urbanmap_qgis.aerial.marking_report import (
+    OrthophotoQuality,
+    PairShift,
+    frame_count_shares,
+    quality_warnings,
+    write_marking_report,
+)
 
-SURE = Evidence([Pair("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, False)], [0.2, 0.05, 0.25, 0.5], True, 17.0)
+SURE = OrthophotoQuality([PairShift("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, False)], [0.2, 0.05, 0.25, 0.5], True, 17.0)
 
 
 @pytest.fixture
@@ -23,7 +29,7 @@ def found():
     boxes = np.array([shapely.box(10 * k, 5, 10 * k + 3, 5.2) for k in range(4)], object)
     colours = np.array(["white", "white", "white", "yellow"], object)
     polygons = MarkingPolygons(boxes, np.full(4, 0.6), np.full(4, 3.0), np.full(4, 0.2), np.full(4, 80.0), colours)
-    return FoundMarkings(polygons, 0.12, 500.0, 2.4)
+    return MarkingResult(polygons, 0.12, 500.0, 2.4)
 
 
 @pytest.fixture
@@ -37,29 +43,29 @@ def orthophoto(tmp_path):
 
 
 def test_nothing_to_doubt(found):
-    assert doubts_of(found, SURE) == []
+    assert quality_warnings(found, SURE) == []
 
 
 @pytest.mark.parametrize(("change", "words"), [
-    ({"pairs": [Pair("a.tif", "b.tif", 0.3, -0.4, 0.01, 9, True)]}, "a.tif and b.tif lie 0.50 m apart"),
+    ({"pairs": [PairShift("a.tif", "b.tif", 0.3, -0.4, 0.01, 9, True)]}, "a.tif and b.tif lie 0.50 m apart"),
     ({"pairs": []}, "a wrong orientation would not show"),
     ({"roads": False}, "No roads were given"),
     ({"views": [0.5, 0.25, 0.15, 0.1]}, "50% of the ground in the image is seen by one frame only"),
     ({"contrast": 70.0}, "100% of the markings hardly stand out"),
 ])
 def test_each_doubt_is_told(found, change, words):
-    [doubt] = doubts_of(found, replace(SURE, **change))
+    [doubt] = quality_warnings(found, replace(SURE, **change))
     assert words in doubt
 
 
 def test_coarse_pixels_are_told(found):
-    assert any("0.30 m" in doubt for doubt in doubts_of(replace(found, pixel=0.3), SURE))
+    assert any("0.30 m" in doubt for doubt in quality_warnings(replace(found, pixel=0.3), SURE))
 
 
 def test_an_empty_result_is_told(found, orthophoto, tmp_path):
     empty = np.zeros(0)
     none = MarkingPolygons(np.zeros(0, object), empty, empty, empty, empty, np.zeros(0, object))
-    nothing = replace(found, polygons=none, marked=0.0)
+    nothing = replace(found, polygons=none, marked_area=0.0)
     write_marking_report(tmp_path / "r.html", orthophoto, nothing, replace(SURE, pairs=None, views=None), {})
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "No marking was found" in page and page.count("data:image/png") == 1
@@ -80,4 +86,4 @@ def test_shares_of_views(tmp_path):
     with rasterio.open(tmp_path / "n.tif", "w", driver="GTiff", width=4, height=2, count=1, dtype="uint8",
                        transform=from_origin(0, 0, 1, 1)) as target:
         target.write(counts, 1)
-    assert shares_of_views(tmp_path / "n.tif") == [0.25, 0.25, 0.125, 0.375]
+    assert frame_count_shares(tmp_path / "n.tif") == [0.25, 0.25, 0.125, 0.375]

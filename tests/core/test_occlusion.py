@@ -11,10 +11,10 @@ from rasterio.errors import NotGeoreferencedWarning
 from shapely.geometry import box
 
 from urbanmap_qgis.aerial import occlusion
-from urbanmap_qgis.aerial.camera import Camera, Distortion, Pose, project
+from urbanmap_qgis.aerial.camera import Distortion, ExteriorOrientation, FrameCamera, project_to_frame
+from urbanmap_qgis.aerial.normalised_surface import NormalisedSurface, steepened_walls, wall_offsets, with_low_parts
 from urbanmap_qgis.aerial.occlusion import OcclusionSettings, occlusion_map, occlusion_mask
-from urbanmap_qgis.aerial.raised_surface import RaisedSurface, steep_walls, wall_shifts, with_low_parts
-from urbanmap_qgis.aerial.silhouette import Sides, fill, surface_sides
+from urbanmap_qgis.aerial.silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
@@ -22,13 +22,13 @@ from urbanmap_qgis.progress import Progress
 
 WKT = rasterio.crs.CRS.from_epsg(6677).to_wkt()
 GRID = Grid(-100.0, 100.0, 0.5, 400, 400)
-CAMERA = Camera(100.0, 0.02, 900, 800)
-NADIR = Pose("frame.tif", 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0)
+CAMERA = FrameCamera(100.0, 0.02, 900, 800)
+NADIR = ExteriorOrientation("frame.tif", 0.0, 0.0, 1000.0, 0.0, 0.0, 0.0)
 STRICT = OcclusionSettings(low_parts=False)
 
 
 def covered_by(corners, width, height):
-    """Pixels whose centres lie in a triangle (3, 2) of columns and rows; sides as in `fill`."""
+    """Pixels whose centres lie in a triangle (3, 2) of columns and rows; sides as in `fill_silhouette`."""
     columns, rows = np.meshgrid(np.arange(width), np.arange(height))
     (a, b, c), inside = corners, np.ones((height, width), bool)
     for start, stop in ((a, b), (b, c), (c, a)):
@@ -53,35 +53,35 @@ def test_outlines_enclose_the_union_of_the_triangles_that_face_the_camera(seed):
         for triangle in ((nw, sw, se), (nw, se, ne)) if falling else ((nw, sw, ne), (sw, se, ne)):
             if any(high[vertex] for vertex in triangle):
                 expected |= covered_by([(column[vertex], row[vertex]) for vertex in triangle], 35, 30)
-    sides = surface_sides(column, row, z, high)
-    assert (fill(sides, 35, 0, 30) == expected).all()
+    sides = silhouette_edges(column, row, z, high)
+    assert (fill_silhouette(sides, 35, 0, 30) == expected).all()
     near = sides.within(35, 30)
-    assert (np.concatenate([fill(near, 35, top, 10) for top in (0, 10, 20)]) == expected).all()
+    assert (np.concatenate([fill_silhouette(near, 35, top, 10) for top in (0, 10, 20)]) == expected).all()
 
 
 def test_no_sides_enclose_nothing():
-    assert not fill(Sides.joined([]), 10, 0, 5).any()
+    assert not fill_silhouette(SilhouetteEdges.joined([]), 10, 0, 5).any()
 
 
 def test_flat_raised_block_leaves_only_its_border():
     column, row = np.meshgrid(np.arange(50.0), np.arange(40.0))
-    sides = surface_sides(column, row, np.zeros((40, 50)), np.ones((40, 50), bool))
+    sides = silhouette_edges(column, row, np.zeros((40, 50)), np.ones((40, 50), bool))
     assert len(sides) == 2 * (49 + 39)
-    assert fill(sides, 60, 0, 50).sum() == 49 * 39
+    assert fill_silhouette(sides, 60, 0, 50).sum() == 49 * 39
 
 
 def test_walls_become_steep_and_roofs_stay():
     profile = np.array([[0, 0, 0, 3, 8, 10, 10.5, np.nan, 10]] * 3, np.float32)
-    assert steep_walls(profile)[1].tolist()[:7] == [0, 0, 0, 0, 10, 10, 10.5]
-    assert np.isnan(steep_walls(profile)[1, 7])
+    assert steepened_walls(profile)[1].tolist()[:7] == [0, 0, 0, 0, 10, 10, 10.5]
+    assert np.isnan(steepened_walls(profile)[1, 7])
 
 
 def test_walls_stand_between_raised_and_low_cells():
     high = np.zeros((5, 5), bool)
     high[:, 3:] = True
-    east, north = wall_shifts(high, 2.0)
+    east, north = wall_offsets(high, 2.0)
     assert east[2].tolist() == pytest.approx([0, 0, 1, -0.7, 0]) and not north.any()
-    east, north = wall_shifts(high.T, 2.0)
+    east, north = wall_offsets(high.T, 2.0)
     assert north[:, 2].tolist() == pytest.approx([0, 0, -1, 0.7, 0]) and not east.any()
 
 
@@ -108,7 +108,7 @@ def with_box(height, x0=50.0, x1=60.0, y0=-5.0, y1=5.0, ground=0.0):
 
 
 def mask_of(paths, settings=STRICT, footprints=(), camera=CAMERA, pose=NADIR):
-    with RaisedSurface(*paths) as surface:
+    with NormalisedSurface(*paths) as surface:
         return occlusion_mask(camera, pose, surface, settings, footprints)
 
 
@@ -126,11 +126,11 @@ def test_box_hides_what_its_roof_leans_over(tmp_path):
 
 def test_walls_are_masked_from_the_foot_up(tmp_path):
     """A camera tilted by 40 degrees sees the whole southern wall of a box."""
-    pose = Pose("oblique.tif", 55.0, -900.0, 1000.0, 41.0, 0.0, 0.0)
+    pose = ExteriorOrientation("oblique.tif", 55.0, -900.0, 1000.0, 41.0, 0.0, 0.0)
     mask = mask_of(write_town(tmp_path, with_box(40.0)), pose=pose)
-    column, row, _ = project(CAMERA, pose, np.array([[55, -5, h] for h in (0.3, 10, 20, 30, 39)], float))
+    column, row, _ = project_to_frame(CAMERA, pose, np.array([[55, -5, h] for h in (0.3, 10, 20, 30, 39)], float))
     assert mask[np.round(row).astype(int), np.round(column).astype(int)].all()
-    column, row, _ = project(CAMERA, pose, np.array([[55.0, -5.5, 0.0], [55.0, 60.0, 0.0]]))
+    column, row, _ = project_to_frame(CAMERA, pose, np.array([[55.0, -5.5, 0.0], [55.0, 60.0, 0.0]]))
     assert not mask[np.round(row).astype(int), np.round(column).astype(int)].any()
 
 
@@ -151,7 +151,7 @@ def test_masks_do_not_depend_on_the_strips(tmp_path, monkeypatch):
     z = np.kron(rng.choice([0, 3, 8, 25], (20, 20)), np.ones((20, 20))) + rng.normal(0, 0.1, GRID.shape)
     paths = write_town(tmp_path, z)
     outlines = [box(-60, -60, -20.2, -10.7), box(10, 20, 40, 50)]
-    camera = Camera(100.0, 0.02, 900, 800, distortion=Distortion(k1=-1e-4))
+    camera = FrameCamera(100.0, 0.02, 900, 800, distortion=Distortion(k1=-1e-4))
     whole = mask_of(paths, OcclusionSettings(), outlines, camera)
     monkeypatch.setattr(occlusion, "_STRIP_VERTICES", 400 * 7)
     monkeypatch.setattr(occlusion, "_STRIP_ROWS", 33)
@@ -161,7 +161,7 @@ def test_masks_do_not_depend_on_the_strips(tmp_path, monkeypatch):
 
 def test_distortion_moves_the_mask(tmp_path):
     paths = write_town(tmp_path, with_box(20.0))
-    bent = Camera(100.0, 0.02, 900, 800, distortion=Distortion(k1=0.1, unit_mm=100.0))
+    bent = FrameCamera(100.0, 0.02, 900, 800, distortion=Distortion(k1=0.1, unit_mm=100.0))
     for camera, factor in ((CAMERA, 1.0), (bent, 1 + 0.1 * 0.05**2)):
         first = np.flatnonzero(mask_of(paths, camera=camera)[399])[0]
         assert first == pytest.approx(449.5 + 250 * factor, abs=1)
@@ -193,7 +193,7 @@ def test_files_and_figures(tmp_path):
 
 def test_frame_partly_beyond_the_surface(tmp_path):
     warnings = []
-    pose = Pose("edge.tif", 100.0, 0.0, 1000.0, 0.0, 0.0, 0.0)
+    pose = ExteriorOrientation("edge.tif", 100.0, 0.0, 1000.0, 0.0, 0.0, 0.0)
     made = occlusion_map(CAMERA, pose, *write_town(tmp_path, with_box(20.0)), tmp_path / "o.tif",
                          progress=Progress(warn=warnings.append))
     assert made.uncovered_share == pytest.approx(0.5, abs=0.02)
@@ -202,8 +202,9 @@ def test_frame_partly_beyond_the_surface(tmp_path):
 
 def test_refusals(tmp_path):
     paths = write_town(tmp_path, with_box(20.0))
-    for pose in (Pose("far.tif", 9000.0, 0, 1000.0, 0, 0, 0), Pose("under.tif", 0, 0, -100.0, 0, 0, 0),
-                 Pose("up.tif", 0, 0, 1000.0, 180, 0, 0)):
+    for pose in (ExteriorOrientation("far.tif", 9000.0, 0, 1000.0, 0, 0, 0),
+                 ExteriorOrientation("under.tif", 0, 0, -100.0, 0, 0, 0),
+                 ExteriorOrientation("up.tif", 0, 0, 1000.0, 180, 0, 0)):
         with pytest.raises(InputError, match=pose.image):
             occlusion_map(CAMERA, pose, *paths, tmp_path / "o.tif")
     with pytest.raises(OutputError, match="does not exist"):

@@ -12,18 +12,18 @@ import pytest
 import rasterio
 import shapely
 
-from urbanmap_qgis.aerial.camera import Camera, Pose, rays
+from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, frame_rays
 from urbanmap_qgis.aerial.frame_shifts import FrameShift
-from urbanmap_qgis.aerial.frames import Frame
-from urbanmap_qgis.aerial.mosaic import Choice, Output
-from urbanmap_qgis.aerial.orthorectification import OrthoSettings, Place, footprint, orthorectify
+from urbanmap_qgis.aerial.frames import AerialFrame
+from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
+from urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, frame_footprint, orthorectify
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.progress import Progress
 
 CRS = rasterio.crs.CRS.from_epsg(6677).to_wkt()
-CAMERA = Camera(30.0, 0.02, 360, 300, (0.1, -0.05))
+CAMERA = FrameCamera(30.0, 0.02, 360, 300, (0.1, -0.05))
 GROUND = Grid(-60.0, 60.0, 0.5, 240, 240)
 HEIGHT = 5.0
 BLOCK = (-8.0, -8.0, 8.0, 8.0)
@@ -32,7 +32,8 @@ TOP = 30.0
 
 def lay(frames, camera, ground, output, count=None, surface=None, outlines=(), heights=None, **more):
     """Orthorectify with places given one by one."""
-    return orthorectify(frames, camera, Place(ground, surface, outlines, heights), Output(output, count), **more)
+    place = ElevationInputs(ground, surface, outlines, heights)
+    return orthorectify(frames, camera, place, MosaicFiles(output, count), **more)
 
 
 def paint(x, y):
@@ -42,7 +43,7 @@ def paint(x, y):
 
 def photograph(pose, block=True, gain=1.0, light=250.0):
     """What the camera takes of plain and block, (rows, columns, 3) uint8."""
-    direction = rays(CAMERA, pose, *np.meshgrid(np.arange(CAMERA.width), np.arange(CAMERA.height)))
+    direction = frame_rays(CAMERA, pose, *np.meshgrid(np.arange(CAMERA.width), np.arange(CAMERA.height)))
     near, far = np.full(direction.shape[:2], -np.inf), np.full(direction.shape[:2], np.inf)
     for axis, (low, high) in enumerate(((BLOCK[0], BLOCK[2]), (BLOCK[1], BLOCK[3]), (HEIGHT, TOP))):
         with np.errstate(divide="ignore"):
@@ -63,8 +64,9 @@ def write_frame(path, image):
     return path
 
 
-POSES = (Pose("東.tif", 25.0, 3.0, 305.0, 1.5, -2.0, 10.0), Pose("b.tif", -25.0, -4.0, 305.0, -1.0, 1.0, 170.0),
-         Pose("c.tif", 2.0, 24.0, 300.0, 0.5, 0.5, -95.0))
+POSES = (ExteriorOrientation("東.tif", 25.0, 3.0, 305.0, 1.5, -2.0, 10.0),
+         ExteriorOrientation("b.tif", -25.0, -4.0, 305.0, -1.0, 1.0, 170.0),
+         ExteriorOrientation("c.tif", 2.0, 24.0, 300.0, 0.5, 0.5, -95.0))
 
 
 @pytest.fixture
@@ -77,7 +79,7 @@ def place(tmp_path):
     write_raster(surface, np.where(block, TOP, HEIGHT).astype(np.float32), GROUND, CRS)
 
     def frames(poses=POSES, **how):
-        return [Frame(write_frame(tmp_path / pose.image, photograph(pose, **how)), pose) for pose in poses]
+        return [AerialFrame(write_frame(tmp_path / pose.image, photograph(pose, **how)), pose) for pose in poses]
     return ground, surface, frames, tmp_path / "正射.tif"
 
 
@@ -96,7 +98,7 @@ def test_ground_is_where_it_is_and_the_block_is_out(place, method):
     ground, surface, frames, output = place
     count = output.with_name("count.tif")
     made = lay(frames(), CAMERA, ground, output, count, surface,
-                        settings=OrthoSettings(0.2, Choice(method)))
+                        settings=OrthoSettings(0.2, PixelSelection(method)))
     values, x, y = read(output)
     seen = (values > 0).all(axis=0)
     wrong = np.abs(values - paint(x, y)).max(axis=0) > 6
@@ -114,7 +116,7 @@ def test_ground_is_where_it_is_and_the_block_is_out(place, method):
 
 def test_position_to_a_tenth_of_a_pixel(place):
     ground, _, frames, output = place
-    lay(frames(block=False), CAMERA, ground, output, settings=OrthoSettings(0.2, Choice("nadir", even=False)))
+    lay(frames(block=False), CAMERA, ground, output, settings=OrthoSettings(0.2, PixelSelection("nadir", even=False)))
     values, x, y = read(output)
     seen = (values > 0).all(axis=0)
     error = values[0].astype(float) - paint(x, y)
@@ -130,7 +132,7 @@ def test_hidden_ground_comes_from_another_frame(place):
         made = lay(frames(poses), CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2))
         values, x, y = read(output)
         return made, (values[0] > 0)[(x > -9.4) & (x < -8.7) & (np.abs(y) < 6)].mean()
-    east = Pose("d.tif", 18.0, 0.0, 305.0, 0.0, 0.0, 0.0)
+    east = ExteriorOrientation("d.tif", 18.0, 0.0, 305.0, 0.0, 0.0, 0.0)
     one, share = seen_behind_the_block([east])
     assert share < 0.1 and one.hidden_area > 8
     assert seen_behind_the_block([east, *POSES])[1] > 0.95
@@ -139,7 +141,7 @@ def test_hidden_ground_comes_from_another_frame(place):
 def test_exposure_is_evened(place):
     ground, surface, frames, output = place
     pair = [*frames(POSES[:1]), *frames(POSES[1:2], gain=0.8)]
-    lay(pair, CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2, Choice("nadir")))
+    lay(pair, CAMERA, ground, output, surface=surface, settings=OrthoSettings(0.2, PixelSelection("nadir")))
     values, x, y = read(output)
     seen = (values[0] > 0) & ~((np.abs(x) < 10) & (np.abs(y) < 10))
     ratio = values[0][seen] / paint(x, y)[seen]
@@ -168,7 +170,7 @@ def test_own_resolution_and_same_output_twice(place):
 
 def test_frames_elsewhere(place):
     ground, surface, frames, output = place
-    far = Pose("far.tif", 5000.0, 0.0, 305.0, 0.0, 0.0, 0.0)
+    far = ExteriorOrientation("far.tif", 5000.0, 0.0, 305.0, 0.0, 0.0, 0.0)
     with pytest.raises(InsufficientDataError, match="same place"):
         lay(frames([far]), CAMERA, ground, output, surface=surface)
     warnings = []
@@ -198,10 +200,10 @@ def test_grey_16_bit(place):
 
 
 def test_footprint_of_a_level_frame():
-    camera = Camera(50.0, 0.01, 1000, 800)
-    box = footprint(camera, Pose("a", 100.0, 200.0, 510.0, 0.0, 0.0, 0.0), 10.0, 10.0)
+    camera = FrameCamera(50.0, 0.01, 1000, 800)
+    box = frame_footprint(camera, ExteriorOrientation("a", 100.0, 200.0, 510.0, 0.0, 0.0, 0.0), 10.0, 10.0)
     assert box == pytest.approx((50.0, 160.0, 150.0, 240.0))
-    assert footprint(camera, Pose("a", 0.0, 0.0, 500.0, 180.0, 0.0, 0.0), 0.0, 0.0) is None
+    assert frame_footprint(camera, ExteriorOrientation("a", 0.0, 0.0, 500.0, 180.0, 0.0, 0.0), 0.0, 0.0) is None
 
 
 def test_a_displaced_frame_is_told(place, monkeypatch):
@@ -262,7 +264,7 @@ def test_borders_of_a_frame_are_not_ground(place, how):
     if how == "alpha":
         image = np.concatenate((image, np.where(cut, 0, 255).astype(np.uint8)[..., None]), axis=-1)
     write_frame(given[0].path, image)
-    made = lay(given, CAMERA, ground, output, settings=OrthoSettings(0.2, Choice("nadir", even=False)))
+    made = lay(given, CAMERA, ground, output, settings=OrthoSettings(0.2, PixelSelection("nadir", even=False)))
     assert made.pixels_seen / whole == pytest.approx((~cut).mean(), abs=0.05)
     values, x, y = read(output)
     assert np.abs(values[0][values[0] > 0] - paint(x, y)[values[0] > 0]).max() < 6

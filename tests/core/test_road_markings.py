@@ -14,9 +14,9 @@ from pyproj import CRS
 from rasterio.enums import ColorInterp
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.marking_files import Places, markings_from_orthophoto
+from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
 from urbanmap_qgis.aerial.marking_filter import CleanSettings
-from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, levels_of, paint_brightness
+from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, level_adjustment_of, paint_brightness
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress
 
@@ -72,7 +72,7 @@ def scores(found, truth):
 
 def search(bands, settings, roads=None):
     everywhere = np.ones(bands.shape[1:], dtype=bool)
-    levels = levels_of(paint_brightness(bands).ravel())
+    levels = level_adjustment_of(paint_brightness(bands).ravel())
     return find_markings(bands, everywhere, roads, PIXEL, levels, settings)
 
 
@@ -144,7 +144,7 @@ def test_result_does_not_depend_on_the_cut(tmp_path, tile):
 def test_workers_make_the_same_file(tmp_path, kind):
     bands, _white, _yellow = street(500, 600)
     path = write(tmp_path / "正射.tif", bands)
-    places = Places(roads=[shapely.box(X0, Y0 - 40, X0 + 70, Y0)])
+    places = SearchArea(roads=[shapely.box(X0, Y0 - 40, X0 + 70, Y0)])
     alone = markings_from_orthophoto(path, tmp_path / "alone.tif", places, tile=160)
     pool = ThreadPoolExecutor(2) if kind == "threads" else ProcessPoolExecutor(
         2, mp_context=multiprocessing.get_context("spawn"))
@@ -187,7 +187,7 @@ def test_no_data_is_not_looked_at(tmp_path):
     bands = np.maximum(np.round(bands), 1)
     bands[:, 30:150, 80:90] = 0
     found = markings_from_orthophoto(write(tmp_path / "a.tif", bands, nodata=0), tmp_path / "m.tif")
-    assert found.looked_at == pytest.approx((bands[0].size - 1200) * PIXEL ** 2)
+    assert found.searched_area == pytest.approx((bands[0].size - 1200) * PIXEL ** 2)
     mask = read_mask(tmp_path / "m.tif")
     assert not mask[30:150, 80:90].any() and scores(mask[:160], white[:160] & (bands[0, :160] > 0))[1] > 0.95
 
@@ -199,7 +199,8 @@ def test_limits_roads_buildings_and_mask(tmp_path):
     hidden = np.zeros((1, 80, 105))
     hidden[:, :, :25] = 255
     coarse = write(tmp_path / "hidden.tif", hidden, Affine(4 * PIXEL, 0, X0, 0, -4 * PIXEL, Y0))
-    runs = {"roads": Places(roads=[half]), "buildings": Places(buildings=[half]), "mask": Places(mask=coarse)}
+    runs = {"roads": SearchArea(roads=[half]), "buildings": SearchArea(buildings=[half]),
+            "mask": SearchArea(mask=coarse)}
     masks = {}
     for name, places in runs.items():
         markings_from_orthophoto(path, tmp_path / f"{name}.tif", places)
@@ -240,9 +241,9 @@ def test_fine_pixels_are_taken_together(tmp_path):
 def test_nothing_to_find(tmp_path):
     path = write(tmp_path / "a.tif", np.full((3, 200, 200), 90.0))
     found = markings_from_orthophoto(path, tmp_path / "m.tif")
-    assert not len(found.polygons) and found.marked == 0 and not read_mask(tmp_path / "m.tif").any()
-    away = markings_from_orthophoto(path, tmp_path / "m.tif", Places(roads=[shapely.box(0, 0, 1, 1)]))
-    assert away.looked_at == 0 and not read_mask(tmp_path / "m.tif").any()
+    assert not len(found.polygons) and found.marked_area == 0 and not read_mask(tmp_path / "m.tif").any()
+    away = markings_from_orthophoto(path, tmp_path / "m.tif", SearchArea(roads=[shapely.box(0, 0, 1, 1)]))
+    assert away.searched_area == 0 and not read_mask(tmp_path / "m.tif").any()
 
 
 def test_bad_input(tmp_path):
@@ -256,7 +257,7 @@ def test_bad_input(tmp_path):
             ("colour table", palette, None),
             ("cannot be seen", write(tmp_path / "coarse.tif", flat, Affine(2, 0, X0, 0, -2, Y0)), None),
             ("not square", write(tmp_path / "long.tif", flat, Affine(0.1, 0, X0, 0, -0.2, Y0)), None),
-            ("does not reach", write(tmp_path / "a.tif", flat), Places(mask=other))):
+            ("does not reach", write(tmp_path / "a.tif", flat), SearchArea(mask=other))):
         with pytest.raises(InputError, match=words):
             markings_from_orthophoto(path, out, places)
         assert not out.exists()
@@ -265,7 +266,7 @@ def test_bad_input(tmp_path):
 def test_a_mask_that_does_not_cover_is_told(tmp_path):
     warnings = []
     part = write(tmp_path / "part.tif", np.zeros((1, 20, 20)))
-    markings_from_orthophoto(write(tmp_path / "a.tif", street()[0]), tmp_path / "m.tif", Places(mask=part),
+    markings_from_orthophoto(write(tmp_path / "a.tif", street()[0]), tmp_path / "m.tif", SearchArea(mask=part),
                              progress=Progress(warn=warnings.append))
     assert len(warnings) == 1 and "does not cover" in warnings[0]
 

@@ -8,7 +8,7 @@ import shapely
 from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial import marking_polygons
-from urbanmap_qgis.aerial.marking_polygons import PolygonPieces, merge_pieces
+from urbanmap_qgis.aerial.marking_polygons import TilePolygons, merge_tile_polygons
 from urbanmap_qgis.aerial.stored_polygons import StoredPolygons, StoredRows, batches
 
 SIDE, ROWS = 100, 12
@@ -73,7 +73,7 @@ def tile_of(row, line):
     box = shapely.bounds(parts)
     measures = np.column_stack([shapely.area(parts), shapely.length(parts), -box[:, 1] - 0.5, box[:, 0] + 0.5])
     pixels = shapely.area(parts)
-    return PolygonPieces(parts, seam, pixels, 50.0 * pixels, np.zeros(4), measures, top)
+    return TilePolygons(parts, seam, pixels, 50.0 * pixels, np.zeros(4), measures, top)
 
 
 def test_markings_are_joined_and_leave_the_memory(tmp_path, monkeypatch):
@@ -86,7 +86,7 @@ def test_markings_are_joined_and_leave_the_memory(tmp_path, monkeypatch):
         return left, done
 
     monkeypatch.setattr(marking_polygons, "_closed", watched)
-    found = merge_pieces((tile_of(row, row < ROWS - 1) for row in range(ROWS)), NORTH_UP, 1.0, 0.0, tmp_path)
+    found = merge_tile_polygons((tile_of(row, row < ROWS - 1) for row in range(ROWS)), NORTH_UP, 1.0, 0.0, tmp_path)
     # Whole markings, those over a seam, the ends at the image's rims, and one line.
     assert len(found) == ROWS + (ROWS - 1) + 2 + 1
     assert np.array_equal(np.sort(found.area)[-1:], [(ROWS - 1) * SIDE + 50])
@@ -101,8 +101,8 @@ def test_markings_are_joined_and_leave_the_memory(tmp_path, monkeypatch):
 
 def test_a_markings_outline_does_not_depend_on_its_neighbours(tmp_path):
     pair = [tile_of(row, False) for row in range(2)]
-    alone = merge_pieces(pair, NORTH_UP, 1.0, 0.0, tmp_path)
-    among = merge_pieces([tile_of(row, False) for row in range(5)], NORTH_UP, 1.0, 0.0, tmp_path)
+    alone = merge_tile_polygons(pair, NORTH_UP, 1.0, 0.0, tmp_path)
+    among = merge_tile_polygons([tile_of(row, False) for row in range(5)], NORTH_UP, 1.0, 0.0, tmp_path)
     first = [outline for outline in alone.polygons if outline.bounds[3] > -101.5 and outline.area == pytest.approx(18)]
     again = [outline for outline in among.polygons if outline.bounds[3] > -101.5 and outline.area == pytest.approx(18)]
     assert len(first) == len(again) == 1 and first[0].equals_exact(again[0], 0)

@@ -7,7 +7,7 @@ import pytest
 import rasterio
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.mosaic import Choice
+from urbanmap_qgis.aerial.mosaic import PixelSelection
 from urbanmap_qgis.aerial.vehicle_filter import filter_vehicles
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.progress import Progress
@@ -50,7 +50,7 @@ def test_three_orthophotos_on_one_grid(tmp_path, dark):
 
 def test_darkest_is_the_papers(tmp_path):
     paths = [write(tmp_path / f"{k}.tif", vehicle=(6 + 7 * k, -10, 250)) for k in range(2)]
-    filter_vehicles(paths, tmp_path / "out.tif", Choice("darkest"))
+    filter_vehicles(paths, tmp_path / "out.tif", PixelSelection("darkest"))
     values, truth = read(tmp_path / "out.tif")
     assert np.abs(values - truth).max() < 2
 
@@ -73,7 +73,7 @@ def test_position_is_kept_when_resampled(tmp_path):
         image[:, 20:100, 20:120] = 0
         source.write(image)
     filter_vehicles([first, write(tmp_path / "b.tif", (200, 250), -5.03, 3.01, 0.19)], tmp_path / "out.tif",
-                    Choice("vote", even=False))
+                    PixelSelection("vote", even=False))
     values, truth = read(tmp_path / "out.tif")
     assert np.abs(values - truth)[:, 20:100, 20:120].max() < 2
 

@@ -12,10 +12,10 @@ import rasterio
 from rasterio.errors import NotGeoreferencedWarning
 from scipy.ndimage import map_coordinates
 
-from urbanmap_qgis.aerial.camera import project, rays, read_camera, read_exterior
+from urbanmap_qgis.aerial.camera import frame_rays, project_to_frame, read_camera, read_exterior
 from urbanmap_qgis.aerial.frames import FrameImage, find_frames
+from urbanmap_qgis.aerial.normalised_surface import NormalisedSurface
 from urbanmap_qgis.aerial.occlusion import occlusion_mask
-from urbanmap_qgis.aerial.raised_surface import RaisedSurface
 from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import read_raster
 from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
@@ -40,7 +40,7 @@ def heights(tmp_path_factory):
 def looks_at(camera, pose, bounds, level):
     """Pixels (rows, columns) that see nothing outside the bounds between 3 m below the level and the highest roof."""
     column, row = np.meshgrid(np.arange(0, camera.width, 4), np.arange(0, camera.height, 4))
-    ray = rays(camera, pose, column, row)
+    ray = frame_rays(camera, pose, column, row)
     seen = np.ones(column.shape, bool)
     for height in (level - 3, level + HIGHEST):
         distance = (height - pose.z) / ray[..., 2]
@@ -53,7 +53,7 @@ def looks_at(camera, pose, bounds, level):
 def test_mask_against_the_truth(heights, number):
     """IoU of what shows buildings or hides behind them; trees, which are as high but no buildings, left out."""
     camera, pose = read_camera(CITY / "aerial" / "camera.json"), read_exterior(CITY / "aerial" / "exterior.csv")[number]
-    with RaisedSurface(*heights) as surface:
+    with NormalisedSurface(*heights) as surface:
         mask = occlusion_mask(camera, pose, surface)
         level = float(np.nanmedian(surface.ground.read(slice(0, 200), slice(0, 200))))
         seen = looks_at(camera, pose, surface.grid.bounds, level)
@@ -106,7 +106,7 @@ def patch_of(camera, pose, image, grid, dsm, x0, y0):
     steps = np.arange(-SEARCH * STEP, PATCH + SEARCH * STEP, STEP)
     x, y = np.meshgrid(x0 + steps, y0 + steps)
     z = sample(grid, dsm, x.ravel(), y.ravel())
-    column, row, in_front = project(camera, pose, np.stack([x.ravel(), y.ravel(), z], axis=-1))
+    column, row, in_front = project_to_frame(camera, pose, np.stack([x.ravel(), y.ravel(), z], axis=-1))
     inside = in_front & (column >= 0) & (row >= 0) & (column <= camera.width - 1) & (row <= camera.height - 1)
     if not inside.all():
         return None

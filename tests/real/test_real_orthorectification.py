@@ -10,12 +10,12 @@ import pytest
 
 from urbanmap_qgis.aerial.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.frames import find_frames
-from urbanmap_qgis.aerial.mosaic import Choice, Output
+from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
 from urbanmap_qgis.aerial.orthorectification import (
-    FrameOnGround,
+    ElevationInputs,
     FramePixels,
+    OrthorectifiedFrame,
     OrthoSettings,
-    Place,
     Terrain,
     orthorectify,
 )
@@ -62,7 +62,7 @@ def test_frames_fall_on_each_other(flight):
     frames, camera, surface = flight
     with RasterSampler(surface) as ground, FramePixels(frames, camera) as pixels:
         terrain = Terrain(ground)
-        sources = [FrameOnGround(frame, pixels, terrain) for frame in frames]
+        sources = [OrthorectifiedFrame(frame, pixels, terrain) for frame in frames]
         x_min, y_min, x_max, y_max = ground.grid.bounds
         grid = Grid.covering(x_min + 30, y_min + 30, x_max - 30, y_max - 30, CELL)
         views = [source.view(grid) for source in sources]
@@ -75,7 +75,7 @@ def test_frames_fall_on_each_other(flight):
 
 def test_mosaic(flight, tmp_path):
     frames, camera, surface = flight
-    made = orthorectify(frames, camera, Place(surface, surface), Output(tmp_path / "mosaic.tif"),
-                        settings=OrthoSettings(0.3, Choice("vote")))
+    made = orthorectify(frames, camera, ElevationInputs(surface, surface), MosaicFiles(tmp_path / "mosaic.tif"),
+                        settings=OrthoSettings(0.3, PixelSelection("vote")))
     assert made.used == 3 and made.share_seen > 0.6
-    assert np.abs(np.log(made.exposure.gain)).max() < 0.5
+    assert np.abs(np.log(made.gain_compensation.gain)).max() < 0.5

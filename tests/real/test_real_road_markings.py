@@ -11,8 +11,8 @@ import pytest
 import rasterio
 from rasterio.features import rasterize
 
-from urbanmap_qgis.aerial.marking_files import Places, markings_from_orthophoto
-from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, levels_of, paint_brightness
+from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, level_adjustment_of, paint_brightness
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 CITY = DATA / "city"
@@ -35,7 +35,7 @@ def geometries(path, layer, kind=None):
 def test_city(tmp_path):
     roads = geometries(CITY / "truth" / "areas.gpkg", "areas", "carriageway")
     hidden = CITY / "truth" / "occlusion" / "ortho.tif"
-    places = Places(roads=roads, mask=hidden)
+    places = SearchArea(roads=roads, mask=hidden)
     found = markings_from_orthophoto(CITY / "aerial" / "ortho.tif", tmp_path / "m.tif", places)
     with rasterio.open(tmp_path / "m.tif") as source:
         mask, place = source.read(1) > 0, source.transform
@@ -59,7 +59,7 @@ def test_drone(name):
     pixels = cv2.imdecode(np.fromfile(DRONE / f"{name}.JPG", np.uint8), cv2.IMREAD_COLOR)
     bands = np.ascontiguousarray(np.moveaxis(pixels[..., ::-1], 2, 0))
     everywhere = np.ones(pixels.shape[:2], dtype=bool)
-    levels = levels_of(paint_brightness(bands).ravel())
+    levels = level_adjustment_of(paint_brightness(bands).ravel())
     mask = find_markings(bands, everywhere, None, 0.03, levels, MarkingSettings()).mask
     labelled = json.loads((DRONE / f"{name}.json").read_text(encoding="utf-8"))["shapes"]
     truth = np.zeros(mask.shape, np.uint8)

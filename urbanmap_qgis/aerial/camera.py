@@ -84,7 +84,7 @@ class Distortion:
 
 
 @dataclass(frozen=True)
-class Camera:
+class FrameCamera:
     """A calibrated frame camera.
 
     Attributes
@@ -111,7 +111,7 @@ class Camera:
 
 
 @dataclass(frozen=True)
-class Pose:
+class ExteriorOrientation:
     """Exterior orientation of a frame: projection centre (m), angles (degrees); d = R_omega R_phi R_kappa (X - C)."""
 
     image: str
@@ -142,20 +142,20 @@ def elementary_rotations(omega: float, phi: float, kappa: float) -> tuple[np.nda
             np.array([[ck, sk, 0], [-sk, ck, 0], [0, 0, 1]]))
 
 
-def angles_of(rotation: np.ndarray) -> tuple[float, float, float]:
+def omega_phi_kappa(rotation: np.ndarray) -> tuple[float, float, float]:
     """omega, phi, kappa in degrees of a rotation (3, 3) = R_omega R_phi R_kappa."""
     return (math.degrees(math.atan2(rotation[1, 2], rotation[2, 2])),
             math.degrees(math.asin(min(max(-rotation[0, 2], -1.0), 1.0))),
             math.degrees(math.atan2(rotation[0, 1], rotation[0, 0])))
 
 
-def from_usual_angles(omega: float, phi: float, kappa: float) -> tuple[float, float, float]:
+def angles_from_usual_order(omega: float, phi: float, kappa: float) -> tuple[float, float, float]:
     """Angles of J eq. 1 from those of most bundle adjustments, R_kappa R_phi R_omega; all degrees."""
     first, second, third = elementary_rotations(omega, phi, kappa)
-    return angles_of(third @ second @ first)
+    return omega_phi_kappa(third @ second @ first)
 
 
-def read_camera(path: str | os.PathLike) -> Camera:
+def read_camera(path: str | os.PathLike) -> FrameCamera:
     """The camera of a JSON file (design: frames).
 
     Raises
@@ -174,7 +174,7 @@ def read_camera(path: str | os.PathLike) -> Camera:
     if not isinstance(point, list) or len(point) != 2:
         raise InputError(f"principal_point_mm in {path.name} must be two numbers: x0 and y0 in millimetres.")
     named = {"x0": point[0], "y0": point[1]}
-    return Camera(focal, _number(values, "pixel_pitch_mm", path),
+    return FrameCamera(focal, _number(values, "pixel_pitch_mm", path),
                   int(_number(values, "image_width", path)), int(_number(values, "image_height", path)),
                   (_number(named, "x0", path), _number(named, "y0", path)),
                   _distortion(values.get("distortion"), focal, path))
@@ -200,7 +200,8 @@ def _distortion(values: object, focal: float, path: Path) -> Distortion:
     return Distortion(**coefficients, unit_mm=focal if units == "focal" else 1.0)
 
 
-def project(camera: Camera, pose: Pose, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def project_to_frame(camera: FrameCamera, pose: ExteriorOrientation,
+                     points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Where world points appear in a frame (J eq. 1 to 3); column 0, row 0 is the centre of the first pixel.
 
     Parameters
@@ -226,7 +227,7 @@ def project(camera: Camera, pose: Pose, points: np.ndarray) -> tuple[np.ndarray,
     return np.where(in_front, column, np.nan), np.where(in_front, row, np.nan), in_front
 
 
-def _to_image(pose: Pose, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _to_image(pose: ExteriorOrientation, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """dx / dz, dy / dz (NaN behind the camera) and whether the points lie in front."""
     points = np.asarray(points, dtype=np.float64)
     x, y, z = points[..., 0] - pose.x, points[..., 1] - pose.y, points[..., 2] - pose.z
@@ -237,7 +238,7 @@ def _to_image(pose: Pose, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, n
     return right / depth, up / depth, in_front
 
 
-def rays(camera: Camera, pose: Pose, column: np.ndarray, row: np.ndarray) -> np.ndarray:
+def frame_rays(camera: FrameCamera, pose: ExteriorOrientation, column: np.ndarray, row: np.ndarray) -> np.ndarray:
     """World directions (..., 3), of length 1, in which pixels look from the projection centre.
 
     Directions of pixels that no ray reaches (beyond the reach of the distortion) are NaN.
@@ -252,7 +253,7 @@ def rays(camera: Camera, pose: Pose, column: np.ndarray, row: np.ndarray) -> np.
     return d / np.linalg.norm(d, axis=-1, keepdims=True) @ pose.rotation
 
 
-def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str = "papers") -> list[Pose]:
+def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str = "papers") -> list[ExteriorOrientation]:
     """Poses of a CSV file with the columns image, x, y, z, omega, phi, kappa (further ones are ignored).
 
     Parameters
@@ -275,7 +276,8 @@ def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str =
     poses = []
     for name, row in zip(names, numbers.tolist()):
         angles = tuple(angle * scale[unit] for angle in row[3:])
-        poses.append(Pose(name, *row[:3], *(from_usual_angles(*angles) if order == "usual" else angles)))
+        poses.append(ExteriorOrientation(name, *row[:3],
+                                         *(angles_from_usual_order(*angles) if order == "usual" else angles)))
     return poses
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..geometry.grid import Grid
 from ..progress import SILENT, Progress
-from .mosaic import Source, View, reaching, tiles
+from .mosaic import GroundView, ViewSource, reaching, tiles
 
 PATCH = 64
 """Pixels, side of the patches compared."""
@@ -22,12 +22,12 @@ PATCH = 64
 _TILES = 8
 _NARROW = 11  # pixels: wider things are no markings
 _CONTRAST = 0.12  # of the brightest: what a marking stands out by at least
-_FEWEST_BRIGHT = 0.01
+_MIN_BRIGHT_SHARE = 0.01
 _CLEAR_PEAK = 0.3
-_FEWEST_PATCHES = 5
+_MIN_PATCHES = 5
 
 
-_MOST_WARNED = 5
+_MAX_WARNINGS = 5
 _OVERLAP = 4  # patches overlap by half in both directions: so many of them speak of the same ground
 
 
@@ -114,15 +114,15 @@ def apart(shift: FrameShift, pixel: float) -> bool:
 def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progress) -> None:
     """Warn of the pairs that are apart, the worst first."""
     bad = sorted((shift for shift in shifts if apart(shift, pixel)), key=lambda shift: -shift.length)
-    for shift in bad[:_MOST_WARNED]:
+    for shift in bad[:_MAX_WARNINGS]:
         progress.warn(f"{shift.first} and {shift.second} lie {shift.length:.2f} m apart on the road markings (east "
                       f"{shift.east:.2f}, north {shift.north:.2f}, sigma {shift.sigma:.2f}; {shift.patches} places): "
                       "check their orientation and the ground.")
-    if len(bad) > _MOST_WARNED:
-        progress.warn(f"{len(bad) - _MOST_WARNED} more pairs of images lie more than a pixel apart.")
+    if len(bad) > _MAX_WARNINGS:
+        progress.warn(f"{len(bad) - _MAX_WARNINGS} more pairs of images lie more than a pixel apart.")
 
 
-def frame_shifts(sources: Sequence[Source], grid: Grid, progress: Progress = SILENT,
+def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress = SILENT,
                  metres: float = 1.0) -> list[FrameShift]:
     """Shifts between all pairs of sources that share at least five patches with markings, in the sources' order.
 
@@ -144,12 +144,12 @@ def frame_shifts(sources: Sequence[Source], grid: Grid, progress: Progress = SIL
     result = []
     for (first, second), parts in sorted(found.items()):
         patches = np.concatenate(parts)
-        if len(patches) >= _FEWEST_PATCHES:
+        if len(patches) >= _MIN_PATCHES:
             result.append(FrameShift(sources[first].name, sources[second].name, patches[:, :2], patches[:, 2:]))
     return result
 
 
-def _markings(view: View) -> np.ndarray:
+def _markings(view: GroundView) -> np.ndarray:
     """What is brighter than its surroundings and narrow, as a share of the brightest, float32."""
     grey = view.values.mean(axis=-1)
     return cv2.morphologyEx(grey, cv2.MORPH_TOPHAT, np.ones((_NARROW, _NARROW), np.uint8)) / max(grey.max(), 1.0)
@@ -166,7 +166,7 @@ def _patch_shifts(first: np.ndarray, second: np.ndarray, both: np.ndarray) -> np
             if not both[part].all():
                 continue
             a, b = first[part].copy(), second[part].copy()  # phaseCorrelate lays the window on what it is given
-            if min((a > _CONTRAST).mean(), (b > _CONTRAST).mean()) < _FEWEST_BRIGHT:
+            if min((a > _CONTRAST).mean(), (b > _CONTRAST).mean()) < _MIN_BRIGHT_SHARE:
                 continue
             shift, peak = cv2.phaseCorrelate(a, b, window)
             if peak > _CLEAR_PEAK:

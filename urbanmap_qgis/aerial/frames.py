@@ -16,20 +16,20 @@ from rasterio.windows import Window
 
 from ..errors import InputError
 from ..io.raster import own_gdal
-from .camera import Camera, Pose
+from .camera import ExteriorOrientation, FrameCamera
 
 _NAMED = 5
 
 
 @dataclass(frozen=True)
-class Frame:
+class AerialFrame:
     """An image file and its exterior orientation."""
 
     path: Path
-    pose: Pose
+    pose: ExteriorOrientation
 
 
-def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[Pose]) -> list[Frame]:
+def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[ExteriorOrientation]) -> list[AerialFrame]:
     """Frames in the order given, with their poses found by the file's name.
 
     Names are compared without regard to case; a pose without a suffix (`0018`) stands for any image of that stem.
@@ -43,7 +43,7 @@ def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[Pose]) -> l
     InputError : an image has no pose, a folder lacks an image, or a file comes twice.
     """
     by_name = {Path(pose.image.replace("\\", "/")).name.casefold(): pose for pose in poses}
-    frames: list[Frame] = []
+    frames: list[AerialFrame] = []
     for given in map(Path, images):
         if given.is_dir():
             frames += _frames_of_folder(given, poses)
@@ -51,7 +51,7 @@ def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[Pose]) -> l
         pose = by_name.get(given.name.casefold()) or by_name.get(given.stem.casefold())
         if pose is None:
             raise InputError(f"The exterior orientation has no line for {given.name}: add it, or leave the frame out.")
-        frames.append(Frame(given, pose))
+        frames.append(AerialFrame(given, pose))
     names = [frame.path.resolve() for frame in frames]
     twice = next((path for k, path in enumerate(names) if path in names[:k]), None)
     if twice:
@@ -59,7 +59,7 @@ def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[Pose]) -> l
     return frames
 
 
-def _frames_of_folder(folder: Path, poses: Sequence[Pose]) -> list[Frame]:
+def _frames_of_folder(folder: Path, poses: Sequence[ExteriorOrientation]) -> list[AerialFrame]:
     """Frames of all poses, whose images must lie in the folder."""
     files = [path for path in sorted(folder.iterdir()) if path.is_file()]
     by_stem = {path.stem.casefold(): path for path in reversed(files)
@@ -72,7 +72,7 @@ def _frames_of_folder(folder: Path, poses: Sequence[Pose]) -> list[Frame]:
         if path is None:
             missing.append(pose.image)
         else:
-            frames.append(Frame(path, pose))
+            frames.append(AerialFrame(path, pose))
     if missing:
         more = f" and {len(missing) - _NAMED} more" if len(missing) > _NAMED else ""
         raise InputError(f"Images of the exterior orientation are not in {folder.name}: {', '.join(missing[:_NAMED])}"
@@ -93,7 +93,7 @@ class FrameImage:
     InputError : the file is no image, its size is not the camera's, or it is neither 8 nor 16 bit.
     """
 
-    def __init__(self, path: str | os.PathLike, camera: Camera):
+    def __init__(self, path: str | os.PathLike, camera: FrameCamera):
         self.path = Path(path)
         try:
             with own_gdal(), warnings.catch_warnings():
@@ -108,7 +108,7 @@ class FrameImage:
             self._source.close()
             raise InputError(problem)
 
-    def _problem(self, camera: Camera) -> str:
+    def _problem(self, camera: FrameCamera) -> str:
         if (self.width, self.height) != (camera.width, camera.height):
             return (f"{self.path.name} has {self.width} x {self.height} pixels but the camera {camera.width} x "
                     f"{camera.height}: choose the camera file of these frames.")

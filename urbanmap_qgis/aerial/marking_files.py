@@ -28,14 +28,22 @@ from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from .marking_filter import coarse_step
-from .marking_polygons import CACHE, MarkingPolygons, PolygonPieces, merge_pieces, pieces_of_tile
-from .road_markings import Levels, Markings, MarkingSettings, find_markings, levels_of, paint_brightness, reach_pixels
-from .shared_sources import Shared, shared
+from .marking_polygons import CACHE, MarkingPolygons, TilePolygons, merge_tile_polygons, tile_polygons
+from .road_markings import (
+    LevelAdjustment,
+    Markings,
+    MarkingSettings,
+    find_markings,
+    level_adjustment_of,
+    margin_pixels,
+    paint_brightness,
+)
+from .worker_resources import WorkerResource, worker_resource
 
-FINEST = 0.05
+MIN_PIXEL = 0.05
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
 
-COARSEST = 0.5
+MAX_PIXEL = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
 
 _TILE = 2048
@@ -44,8 +52,8 @@ _SAMPLE_SIDE = 128
 
 
 @dataclass(frozen=True)
-class Places:
-    """Where markings are looked for; shapely polygons in the orthophoto's CRS, and a raster file.
+class SearchArea:
+    """Where markings are searched for; shapely polygons in the orthophoto's CRS, and a raster file.
 
     Parameters
     ----------
@@ -58,25 +66,26 @@ class Places:
 
 
 @dataclass(frozen=True)
-class FoundMarkings:
+class MarkingResult:
     """What was found.
 
     Attributes
     ----------
-    polygons : markings with their attributes. pixel : side, m. looked_at : m2 of the image that could have shown some.
-    marked : m2 of paint in the mask.
+    polygons : markings with their attributes. pixel : side, m. searched_area : m2 of the image that could have shown
+        some.
+    marked_area : m2 of paint in the mask.
     """
 
     polygons: MarkingPolygons
     pixel: float
-    looked_at: float
-    marked: float
+    searched_area: float
+    marked_area: float
 
 
-class _Scene:
+class _OrthophotoReader:
     """Open orthophoto and what limits the search; reads pieces of them by blocks of `factor` pixels."""
 
-    def __init__(self, path: str | os.PathLike, places: Places, metres_per_unit: float, stack: ExitStack):
+    def __init__(self, path: str | os.PathLike, places: SearchArea, metres_per_unit: float, stack: ExitStack):
         self.path = Path(path)
         try:
             self.source = stack.enter_context(rasterio.open(self.path))
@@ -88,10 +97,10 @@ class _Scene:
         if not 0.9 < across / down < 1.1 or abs(place.a * place.b + place.d * place.e) > 0.1 * across * down:
             raise InputError(f"{self.path.name} has pixels that are not square: warp it to square pixels first.")
         self.own_pixel = math.sqrt(across * down) * metres_per_unit
-        if self.own_pixel > COARSEST:
+        if self.own_pixel > MAX_PIXEL:
             raise InputError(f"{self.path.name} has pixels of {self.own_pixel:.2f} m, in which road markings cannot be "
-                             f"seen: use an orthophoto of {COARSEST} m or finer.")
-        self.factor = max(int(FINEST / self.own_pixel), 1)
+                             f"seen: use an orthophoto of {MAX_PIXEL} m or finer.")
+        self.factor = max(int(MIN_PIXEL / self.own_pixel), 1)
         self.pixel = self.own_pixel * self.factor
         self.rows = -(-self.source.height // self.factor)
         self.columns = -(-self.source.width // self.factor)
@@ -165,10 +174,10 @@ def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:
     return plain[:3] if len(plain) >= 3 else plain[:1]
 
 
-def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike, places: Places | None = None,
+def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike, places: SearchArea | None = None,
                              settings: MarkingSettings | None = None, metres_per_unit: float = 1.0,
                              tile: int = _TILE, progress: Progress = SILENT,
-                             executor: Executor | None = None) -> FoundMarkings:
+                             executor: Executor | None = None) -> MarkingResult:
     """Find the road markings of an orthophoto; write a mask (uint8, 255 = marking) on the orthophoto's pixels.
 
     Only a tile and its surroundings are in memory for each worker; outlines wait in a file beside `output` that
@@ -180,9 +189,9 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     ------
     InputError : the orthophoto or the mask cannot be used. OutputError : the mask cannot be written.
     """
-    settings, places = settings or MarkingSettings(), places or Places()
+    settings, places = settings or MarkingSettings(), places or SearchArea()
     with own_gdal(CACHE), ExitStack() as stack:
-        opener = partial(_Scene, path, places, metres_per_unit)
+        opener = partial(_OrthophotoReader, path, places, metres_per_unit)
         scene = opener(stack)
         if not scene.mask_covers():
             progress.warn(f"{Path(places.mask).name} does not cover all of {scene.path.name}: where it does not, "
@@ -191,7 +200,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
-        given = scene if executor is None else stack.enter_context(shared(opener))
+        given = scene if executor is None else stack.enter_context(worker_resource(opener))
         try:
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
@@ -207,12 +216,13 @@ class _TileFound:
     rows: slice
     columns: slice
     mask: np.ndarray
-    pieces: PolygonPieces | None
-    looked_at: int
+    pieces: TilePolygons | None
+    searched_area: int
 
 
-def _found_in_tiles(given: _Scene | Shared, scene: _Scene, levels: Levels | None, settings: MarkingSettings, tile: int,
-                    progress: Progress, executor: Executor | None) -> Iterator[_TileFound]:
+def _found_in_tiles(given: _OrthophotoReader | WorkerResource, scene: _OrthophotoReader,
+                    levels: LevelAdjustment | None, settings: MarkingSettings, tile: int, progress: Progress,
+                    executor: Executor | None) -> Iterator[_TileFound]:
     """Work on all tiles, here or on the executor."""
     step = coarse_step(settings.cleaning.vehicle_width / scene.pixel) if settings.cleaning else 1
 
@@ -225,46 +235,46 @@ def _found_in_tiles(given: _Scene | Shared, scene: _Scene, levels: Levels | None
     return in_order(work, places(), executor, progress.check)
 
 
-def _tile_found(given: _Scene | Shared, levels: Levels | None, settings: MarkingSettings, step: int,
-                place: tuple[slice, slice]) -> _TileFound:
+def _tile_found(given: _OrthophotoReader | WorkerResource, levels: LevelAdjustment | None, settings: MarkingSettings,
+                step: int, place: tuple[slice, slice]) -> _TileFound:
     rows, columns = place
     if levels is None:
         nothing = np.zeros((rows.stop - rows.start, columns.stop - columns.start), bool)
         return _TileFound(rows, columns, nothing, None, 0)
     with own_gdal(CACHE):
-        scene = given.get() if isinstance(given, Shared) else given
+        scene = given.get() if isinstance(given, WorkerResource) else given
         markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
     own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
                 columns.start - window[1].start:columns.stop - window[1].start]
     mask = markings.mask[own].copy()
-    pieces = pieces_of_tile(markings, window, rows, columns, scene.transform) if mask.any() else None
+    pieces = tile_polygons(markings, window, rows, columns, scene.transform) if mask.any() else None
     return _TileFound(rows, columns, mask, pieces, int(allowed[own].sum()))
 
 
-def _gathered(found: Iterator[_TileFound], scene: _Scene, settings: MarkingSettings,
-              target: rasterio.io.DatasetWriter, metres_per_unit: float) -> FoundMarkings:
+def _gathered(found: Iterator[_TileFound], scene: _OrthophotoReader, settings: MarkingSettings,
+              target: rasterio.io.DatasetWriter, metres_per_unit: float) -> MarkingResult:
     """Write the masks and join the outlines of all tiles."""
-    looked_at = marked = 0
+    searched_area = marked = 0
 
-    def pieces() -> Iterator[PolygonPieces]:
-        nonlocal looked_at, marked
+    def pieces() -> Iterator[TilePolygons]:
+        nonlocal searched_area, marked
         for part in found:
-            looked_at += part.looked_at
+            searched_area += part.searched_area
             marked += int(part.mask.sum())
             _write(target, part.mask, part.rows, part.columns, scene.factor)
             if part.pieces is not None:
                 yield part.pieces
 
     cell = scene.pixel ** 2
-    smallest = settings.cleaning.min_area if settings.cleaning else 0.0
-    polygons = merge_pieces(pieces(), scene.transform, metres_per_unit, smallest, Path(target.name).parent)
-    return FoundMarkings(polygons, scene.own_pixel, looked_at * cell, marked * cell)
+    min_area = settings.cleaning.min_area if settings.cleaning else 0.0
+    polygons = merge_tile_polygons(pieces(), scene.transform, metres_per_unit, min_area, Path(target.name).parent)
+    return MarkingResult(polygons, scene.own_pixel, searched_area * cell, marked * cell)
 
 
-def _tile_markings(scene: _Scene, rows: slice, columns: slice, levels: Levels, settings: MarkingSettings, step: int
-                   ) -> tuple[Markings, np.ndarray, tuple[slice, slice]]:
+def _tile_markings(scene: _OrthophotoReader, rows: slice, columns: slice, levels: LevelAdjustment,
+                   settings: MarkingSettings, step: int ) -> tuple[Markings, np.ndarray, tuple[slice, slice]]:
     """Markings of a tile with its surroundings, where they may be, and rows and columns of both."""
-    around = -(-reach_pixels(scene.pixel, settings) // step) * step
+    around = -(-margin_pixels(scene.pixel, settings) // step) * step
     window = (slice(max(rows.start - around, 0), min(rows.stop + around, scene.rows)),
               slice(max(columns.start - around, 0), min(columns.stop + around, scene.columns)))
     bands, seen, roads = scene.read(*window)
@@ -275,7 +285,7 @@ def _tile_markings(scene: _Scene, rows: slice, columns: slice, levels: Levels, s
     return find_markings(bands, seen, roads, scene.pixel, levels, settings), allowed, window
 
 
-def _tiles(scene: _Scene, side: int) -> Iterator[tuple[slice, slice, float]]:
+def _tiles(scene: _OrthophotoReader, side: int) -> Iterator[tuple[slice, slice, float]]:
     """Rows and columns of every tile, and the fraction done before it."""
     down, across = -(-scene.rows // side), -(-scene.columns // side)
     for number in range(down * across):
@@ -292,7 +302,7 @@ def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, col
     target.write(values, 1, window=Window(column, row, values.shape[1], values.shape[0]))
 
 
-def _levels(scene: _Scene, progress: Progress) -> Levels | None:
+def _levels(scene: _OrthophotoReader, progress: Progress) -> LevelAdjustment | None:
     """Levels from small pieces spread over the image; None where there is nothing to look at.
 
     They are taken once for the whole image, so that tiles do not differ.
@@ -308,7 +318,7 @@ def _levels(scene: _Scene, progress: Progress) -> Levels | None:
             allowed = seen if roads is None else seen & roads
             values.append(paint_brightness(bands)[allowed])
     values = np.concatenate(values)
-    return levels_of(values) if len(values) else None
+    return level_adjustment_of(values) if len(values) else None
 
 
 def _spread(length: int, side: int) -> list[int]:

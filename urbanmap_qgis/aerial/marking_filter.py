@@ -1,7 +1,7 @@
 """What is bright but no road marking: edges of paving and roofs, vehicles, specks (after J 3.2.2).
 
 Rules look at brightness within a few metres and at connected pixels of limited size, so that the result of a tile
-does not depend on how an image is cut: pieces of `longest` or more are judged by the local rules alone.
+does not depend on how an image is cut: pieces of `max_length` or more are judged by the local rules alone.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ class CleanSettings:
     Parameters
     ----------
     max_width : strokes of paint are narrower; what is wider in both directions (paving, roofs, vehicles) is ground.
-    stand_out : paint is this many thresholds brighter than the ground on both sides.
+    top_hat_ratio : paint is this many thresholds brighter than the ground on both sides.
     min_area : smaller pieces are specks. min_length : shorter pieces too.
     vehicle_width, vehicle_area : widest and smallest bright body that counts as a vehicle.
     vehicle_gap, vehicle_share : short pieces with this share this near to a vehicle belong to it. line_length : longer
     ones are lines beside it.
     wear_gap : flakes of worn paint this near to each other are one piece.
     border_share : pieces with this share of pixels along the edge of what is hidden are roof edges that a mask left.
-    longest : pieces of this length or more are not judged by their shape.
+    max_length : pieces of this length or more are not judged by their shape.
     """
 
     max_width: float = 0.8
-    stand_out: float = 1.4
+    top_hat_ratio: float = 1.4
     min_area: float = 0.06
     min_length: float = 0.4
     vehicle_width: float = 3.2
@@ -40,21 +40,21 @@ class CleanSettings:
     line_length: float = 2.5
     wear_gap: float = 0.36
     border_share: float = 0.6
-    longest: float = 12.0
+    max_length: float = 12.0
 
     @property
     def reach(self) -> float:
         """How far, m, the result at a pixel looks round itself."""
-        return 2 * self.longest + 2 * self.max_width + 2 * self.vehicle_width + self.vehicle_gap
+        return 2 * self.max_length + 2 * self.max_width + 2 * self.vehicle_width + self.vehicle_gap
 
 
-def disc(diameter: float, pixel: float) -> np.ndarray:
+def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
     """Round structuring element of a diameter in m, at least 3 pixels."""
     side = max(round(diameter / pixel) | 1, 3)
     return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
 
 
-def clean(core: np.ndarray, image: np.ndarray, road: np.ndarray, threshold: np.ndarray, seen: np.ndarray,
+def remove_non_markings(core: np.ndarray, image: np.ndarray, road: np.ndarray, threshold: np.ndarray, seen: np.ndarray,
           pixel: float, settings: CleanSettings) -> np.ndarray:
     """Pixels of `core` that are paint.
 
@@ -64,22 +64,22 @@ def clean(core: np.ndarray, image: np.ndarray, road: np.ndarray, threshold: np.n
     narrower than `max_width`. threshold : grey values that paint stands out by. seen : bool, where ground is
     seen.
     """
-    narrow = core & (image - road > settings.stand_out * threshold)
-    vehicles = vehicle_surroundings(road, threshold, pixel, settings)
+    narrow = core & (image - road > settings.top_hat_ratio * threshold)
+    vehicles = vehicle_zones(road, threshold, pixel, settings)
     inner = cv2.erode(seen.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
-    return judged_pieces(narrow, vehicles, seen & ~inner, pixel, settings)
+    return filtered_components(narrow, vehicles, seen & ~inner, pixel, settings)
 
 
-def vehicle_surroundings(road: np.ndarray, threshold: np.ndarray, pixel: float,
+def vehicle_zones(road: np.ndarray, threshold: np.ndarray, pixel: float,
                          settings: CleanSettings) -> np.ndarray:
     """Bright bodies as large as a vehicle and what is near to them, bool (rows, columns)."""
     around = _opened_coarsely(road, disc_pixel=settings.vehicle_width / pixel)
-    bodies = (road - around > settings.stand_out * threshold).astype(np.uint8)
+    bodies = (road - around > settings.top_hat_ratio * threshold).astype(np.uint8)
     _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(bodies, connectivity=4)
     length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
-    vehicle = (boxes[:, cv2.CC_STAT_AREA] * pixel ** 2 >= settings.vehicle_area) & (length < settings.longest)
+    vehicle = (boxes[:, cv2.CC_STAT_AREA] * pixel ** 2 >= settings.vehicle_area) & (length < settings.max_length)
     vehicle[0] = False
-    return cv2.dilate(vehicle[labels].astype(np.uint8), disc(2 * settings.vehicle_gap, pixel)) > 0
+    return cv2.dilate(vehicle[labels].astype(np.uint8), disc_kernel(2 * settings.vehicle_gap, pixel)) > 0
 
 
 def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> np.ndarray:
@@ -90,7 +90,8 @@ def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> np.ndarray:
     step = coarse_step(disc_pixel)
     small = cv2.erode(image, np.ones((step, step), np.uint8), anchor=(0, 0),
                       borderType=cv2.BORDER_REPLICATE)[::step, ::step]
-    small = cv2.morphologyEx(small, cv2.MORPH_OPEN, disc(disc_pixel / step, 1.0), borderType=cv2.BORDER_REPLICATE)
+    small = cv2.morphologyEx(small, cv2.MORPH_OPEN, disc_kernel(disc_pixel / step, 1.0),
+                             borderType=cv2.BORDER_REPLICATE)
     return np.repeat(np.repeat(small, step, axis=0), step, axis=1)[:image.shape[0], :image.shape[1]]
 
 
@@ -99,13 +100,13 @@ def coarse_step(disc_pixel: float) -> int:
     return max(int(disc_pixel / 13), 1)
 
 
-def judged_pieces(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, pixel: float,
+def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, pixel: float,
                   settings: CleanSettings) -> np.ndarray:
     """Pieces of `mask` that are large enough, no short ones at a vehicle, and not just along a border.
 
     `vehicles` and `border` are bool (rows, columns): near to a vehicle, and at the edge of what is hidden.
     """
-    joined = cv2.dilate(mask.astype(np.uint8), disc(settings.wear_gap, pixel))
+    joined = cv2.dilate(mask.astype(np.uint8), disc_kernel(settings.wear_gap, pixel))
     count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
     labels = np.where(mask, labels, 0)
     size, at_vehicle, at_border = (np.bincount(labels[part], minlength=count) for part in
@@ -115,6 +116,6 @@ def judged_pieces(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, pi
     kept = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
     kept &= (at_vehicle < settings.vehicle_share * size) | (own_length > settings.line_length)
     kept &= at_border < settings.border_share * size
-    kept |= length >= settings.longest
+    kept |= length >= settings.max_length
     kept[0] = False
     return kept[labels]

@@ -37,7 +37,7 @@ _SIMPLIFIED = 0.05
 
 
 @dataclass(frozen=True)
-class PolygonPieces:
+class TilePolygons:
     """Polygons of a tile in pixels (x = column, y = row, whole numbers at centres), and sums over their pixels.
 
     Attributes
@@ -79,8 +79,8 @@ class MarkingPolygons:
         return len(self.polygons)
 
 
-def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice, columns: slice,
-                   transform: Affine) -> PolygonPieces:
+def tile_polygons(markings: Markings, window: tuple[slice, slice], rows: slice, columns: slice,
+                   transform: Affine) -> TilePolygons:
     """Outlines of the markings of a tile.
 
     Parameters
@@ -110,7 +110,7 @@ def pieces_of_tile(markings: Markings, window: tuple[slice, slice], rows: slice,
     moved = shapely.transform(polygons, lambda points: points + np.array([columns.start, rows.start]))
     measures = _measures(moved, transform)
     moved[~at_seam] = _simplified(moved[~at_seam])
-    return PolygonPieces(moved, at_seam, *sums, measures, rows.start)
+    return TilePolygons(moved, at_seam, *sums, measures, rows.start)
 
 
 def _measures(polygons: np.ndarray, transform: Affine) -> np.ndarray:
@@ -160,7 +160,7 @@ def _labels(polygons: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
                      transform=Affine.translation(-0.5, -0.5), dtype="int32")
 
 
-def merge_pieces(pieces: Iterable[PolygonPieces], transform: Affine, metres_per_unit: float, smallest: float,
+def merge_tile_polygons(pieces: Iterable[TilePolygons], transform: Affine, metres_per_unit: float, min_area: float,
                  folder: str | os.PathLike) -> MarkingPolygons:
     """Join the parts of markings across seams and measure them.
 
@@ -170,12 +170,12 @@ def merge_pieces(pieces: Iterable[PolygonPieces], transform: Affine, metres_per_
     Parameters
     ----------
     pieces : of tiles in rows from the top. transform : from pixels (corners at whole numbers) to the CRS.
-    smallest : m2, smaller ones are left out. folder : for the files.
+    min_area : m2, smaller ones are left out. folder : for the files.
     """
     store, rows = StoredPolygons(folder), StoredRows(folder, len(_FIGURES))
     try:
         for polygons, figures in _finished(pieces, transform):
-            kept = (figures[:, _AREA] * metres_per_unit ** 2 >= smallest) & (figures[:, _PIXELS] > 0)
+            kept = (figures[:, _AREA] * metres_per_unit ** 2 >= min_area) & (figures[:, _PIXELS] > 0)
             store.add(shapely.transform(polygons[kept], lambda points: _to_crs(points, transform)))
             rows.add(figures[kept])
         return _sorted(store, rows, metres_per_unit)
@@ -186,7 +186,7 @@ def merge_pieces(pieces: Iterable[PolygonPieces], transform: Affine, metres_per_
 _FIGURES = _AREA, _PERIMETER, _NORTH, _WEST, _PIXELS, _CONTRAST, _YELLOW_PIXELS = range(7)
 
 
-def _finished(pieces: Iterable[PolygonPieces], transform: Affine) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+def _finished(pieces: Iterable[TilePolygons], transform: Affine) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Whole markings in pixels and their figures (n, 7), as soon as no further tile can hold a part of them."""
     waiting = _no_parts()
     top = None

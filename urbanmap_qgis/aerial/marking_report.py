@@ -17,7 +17,7 @@ from rasterio.transform import Affine
 
 from ..io.raster import own_gdal
 from ..io.report import Report
-from .marking_files import FoundMarkings, colour_bands
+from .marking_files import MarkingResult, colour_bands
 from .marking_polygons import CACHE
 from .stored_polygons import batches
 
@@ -30,7 +30,7 @@ _ONE_VIEW = 0.2
 
 
 @dataclass(frozen=True)
-class Pair:
+class PairShift:
     """Median shift between the images of a pair, m, over `patches` places; `apart` if it is more than a pixel."""
 
     first: str
@@ -43,7 +43,7 @@ class Pair:
 
 
 @dataclass(frozen=True)
-class Evidence:
+class OrthophotoQuality:
     """What is known of the orthophoto beside its pixels.
 
     Attributes
@@ -53,13 +53,13 @@ class Evidence:
     roads : whether markings were looked for inside roads only. contrast : grey values, as asked for.
     """
 
-    pairs: Sequence[Pair] | None
+    pairs: Sequence[PairShift] | None
     views: Sequence[float] | None
     roads: bool
     contrast: float
 
 
-def shares_of_views(path: str | os.PathLike) -> list[float]:
+def frame_count_shares(path: str | os.PathLike) -> list[float]:
     """Share of a raster of counts that is 0, 1, 2, and 3 or more.
 
     Raises
@@ -74,8 +74,8 @@ def shares_of_views(path: str | os.PathLike) -> list[float]:
     return (counts / counts.sum()).tolist()
 
 
-def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike, found: FoundMarkings,
-                         evidence: Evidence, settings: Mapping[str, object], note: str = "") -> None:
+def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike, found: MarkingResult,
+                         evidence: OrthophotoQuality, settings: Mapping[str, object], note: str = "") -> None:
     """Write the report.
 
     Parameters
@@ -89,7 +89,7 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
     report = Report("Road markings from the air")
     _result(report, found)
     report.section("What to distrust")
-    doubts = doubts_of(found, evidence)
+    doubts = quality_warnings(found, evidence)
     for doubt in doubts:
         report.warning(doubt)
     if not doubts:
@@ -107,19 +107,19 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
     report.write(path)
 
 
-def _result(report: Report, found: FoundMarkings) -> None:
+def _result(report: Report, found: MarkingResult) -> None:
     markings = found.polygons
     white = markings.colour == "white"
     report.section("Result")
     report.facts({"Markings": len(markings), "of these white": int(white.sum()), "of these yellow": int((~white).sum()),
-                  "Marked area (m²)": round(found.marked, 1), "Searched area (m²)": round(found.looked_at, 1),
-                  "Marked share of it": found.marked / found.looked_at if found.looked_at else None,
+                  "Marked area (m²)": round(found.marked_area, 1), "Searched area (m²)": round(found.searched_area, 1),
+                  "Marked share of it": found.marked_area / found.searched_area if found.searched_area else None,
                   "Pixel (m)": found.pixel,
                   "Median width (m)": float(np.median(markings.width)) if len(markings) else None,
                   "Total length of strokes (m)": round(float(markings.length.sum()), 1)})
 
 
-def doubts_of(found: FoundMarkings, evidence: Evidence) -> list[str]:
+def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[str]:
     """Sentences on what a surveyor should not trust before looking."""
     doubts = []
     for pair in evidence.pairs or ():
@@ -145,7 +145,7 @@ def doubts_of(found: FoundMarkings, evidence: Evidence) -> list[str]:
     return doubts
 
 
-def _agreement(report: Report, evidence: Evidence) -> None:
+def _agreement(report: Report, evidence: OrthophotoQuality) -> None:
     if evidence.views is not None:
         report.section("Coverage")
         names = "no data (buildings, hidden ground, beyond the frames)", "by one frame", "by two", "by three or more"
@@ -160,7 +160,7 @@ def _agreement(report: Report, evidence: Evidence) -> None:
                    "apart" if pair.apart else "agree") for pair in evidence.pairs])
 
 
-def _pictures(report: Report, orthophoto: Path, found: FoundMarkings) -> None:
+def _pictures(report: Report, orthophoto: Path, found: MarkingResult) -> None:
     """The whole image, shrunk, and the part with most markings at full size, with their outlines."""
     report.section("Pictures")
     with (own_gdal(CACHE), rasterio.open(orthophoto) as source,
@@ -175,7 +175,7 @@ def _pictures(report: Report, orthophoto: Path, found: FoundMarkings) -> None:
             report.picture(picture, caption)
 
 
-def _densest(source: rasterio.DatasetReader, found: FoundMarkings) -> tuple[int, int, int, int]:
+def _densest(source: rasterio.DatasetReader, found: MarkingResult) -> tuple[int, int, int, int]:
     """Box of pixels (left, top, width, height) with the largest area of markings."""
     middle = np.concatenate([shapely.get_coordinates(shapely.centroid(batch))
                              for batch in batches(found.polygons.polygons)])
@@ -190,7 +190,7 @@ def _densest(source: rasterio.DatasetReader, found: FoundMarkings) -> tuple[int,
 
 
 def _drawn(source: rasterio.DatasetReader, path: Path, box: tuple[int, int, int, int], factor: float,
-           found: FoundMarkings) -> bytes:
+           found: MarkingResult) -> bytes:
     """PNG of a part of the image, `factor` pixels to one, with the outlines of markings."""
     left, top, width, height = box
     shape = max(round(height / factor), 1), max(round(width / factor), 1)

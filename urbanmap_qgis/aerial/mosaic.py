@@ -25,9 +25,9 @@ from ..geometry.grid import Grid
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
-from .exposure import Exposure, Samples, even_exposure
-from .shared_sources import Shared, shared
-from .vehicles import REACH, darkest, nearest_nadir, pick, vote
+from .gain_compensation import GainCorrection, RadiometricSamples, compensate_gains
+from .vehicles import REACH, composite, darkest, majority_vote, steepest_view
+from .worker_resources import WorkerResource, worker_resource
 
 TILE = 768
 """Rows and columns of the pieces that the mosaic is made in."""
@@ -38,7 +38,7 @@ _FULL_SCALE = {"uint8": 255, "uint16": 65535}
 
 
 @dataclass(frozen=True)
-class View:
+class GroundView:
     """What one source shows of a grid.
 
     Attributes
@@ -55,24 +55,24 @@ class View:
     tangent: np.ndarray
 
 
-class Source(Protocol):
+class ViewSource(Protocol):
     """A frame or an orthophoto."""
 
     name: str
     bounds: tuple[float, float, float, float] | None
 
-    def view(self, grid: Grid) -> View | None:
+    def view(self, grid: Grid) -> GroundView | None:
         """Its pixels on a grid; None where it shows nothing of it."""
 
 
 @dataclass(frozen=True)
-class Choice:
+class PixelSelection:
     """How the mosaic takes each pixel.
 
     Attributes
     ----------
-    method : "nadir" (the steepest view), "darkest" (J 3.2.1.2) or "vote" (see `vehicles.vote`).
-    even : whether differences in exposure are evened out first.
+    method : "nadir" (the steepest view), "darkest" (J 3.2.1.2) or "vote" (see `vehicles.majority_vote`).
+    even : whether gains of overlapping images are compensated first.
     """
 
     method: str = "vote"
@@ -81,8 +81,8 @@ class Choice:
     def number(self, values: np.ndarray, seen: np.ndarray, tangent: np.ndarray, full_scale: float) -> np.ndarray:
         """Number of the view taken in each pixel, -1 for none."""
         if self.method == "nadir":
-            return nearest_nadir(tangent, seen)
-        return darkest(values, seen) if self.method == "darkest" else vote(values, seen, full_scale)
+            return steepest_view(tangent, seen)
+        return darkest(values, seen) if self.method == "darkest" else majority_vote(values, seen, full_scale)
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ class Mosaic:
     pixels_seen : that hold an image.
     pixels_shared : that two or more sources see.
     pixels_hidden : in reach of a source, not covered by a building, but seen by none.
-    exposure : corrections of the sources.
+    gains : corrections of the sources.
     """
 
     grid: Grid
@@ -103,7 +103,7 @@ class Mosaic:
     pixels_seen: int
     pixels_shared: int
     pixels_hidden: int
-    exposure: Exposure
+    gains: GainCorrection
 
     @property
     def share_seen(self) -> float:
@@ -116,7 +116,7 @@ class Mosaic:
         return self.pixels_hidden * self.grid.cell ** 2
 
 
-def covering_grid(sources: Sequence[Source], cell: float) -> Grid:
+def covering_grid(sources: Sequence[ViewSource], cell: float) -> Grid:
     """Grid over all that the sources can show, its edges at multiples of `cell` (m)."""
     boxes = np.array([source.bounds for source in sources if source.bounds is not None])
     if not len(boxes):
@@ -133,7 +133,8 @@ def tiles(grid: Grid, side: int = TILE) -> Iterator[tuple[int, int, Grid]]:
                                   min(side, grid.rows - top), min(side, grid.columns - left))
 
 
-def exposure_of(sources: Sequence[Source], grid: Grid, bands: int, progress: Progress = SILENT) -> Exposure:
+def gain_correction_of(sources: Sequence[ViewSource], grid: Grid, bands: int,
+                       progress: Progress = SILENT) -> GainCorrection:
     """Corrections of the sources, from ground points spread evenly over the grid."""
     cell = max(4 * grid.cell, math.sqrt(grid.rows * grid.columns * grid.cell ** 2 / _SAMPLES))
     coarse = Grid.covering(*grid.bounds, cell)
@@ -147,11 +148,11 @@ def exposure_of(sources: Sequence[Source], grid: Grid, bands: int, progress: Pro
             if view is not None and view.seen.any():
                 parts.append((np.full(view.seen.sum(), number), point[view.seen], view.values[view.seen]))
     if not parts:
-        return Exposure.unchanged(len(sources), bands)
-    return even_exposure(Samples(*(np.concatenate(column) for column in zip(*parts))), len(sources))
+        return GainCorrection.identity(len(sources), bands)
+    return compensate_gains(RadiometricSamples(*(np.concatenate(column) for column in zip(*parts))), len(sources))
 
 
-def reaching(sources: Sequence[Source], tile: Grid) -> Iterator[tuple[int, Source]]:
+def reaching(sources: Sequence[ViewSource], tile: Grid) -> Iterator[tuple[int, ViewSource]]:
     """Numbers and sources whose box reaches a tile."""
     x_min, y_min, x_max, y_max = tile.bounds
     for number, source in enumerate(sources):
@@ -160,7 +161,7 @@ def reaching(sources: Sequence[Source], tile: Grid) -> Iterator[tuple[int, Sourc
             yield number, source
 
 
-def tile_image(sources: Sequence[Source], tile: Grid, choice: Choice, exposure: Exposure, bands: int,
+def tile_image(sources: Sequence[ViewSource], tile: Grid, choice: PixelSelection, gains: GainCorrection, bands: int,
                full_scale: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """One piece of the mosaic; it does not depend on how the mosaic is cut.
 
@@ -180,11 +181,11 @@ def tile_image(sources: Sequence[Source], tile: Grid, choice: Choice, exposure: 
     numbers, views = np.array([number for number, _ in looked]), [view for _, view in looked]
     seen = np.stack([view.seen for view in views])
     reached = np.logical_or.reduce([view.reached for view in views])
-    values = np.stack([exposure.even(number, view.values) for number, view in looked])
+    values = np.stack([gains.apply(number, view.values) for number, view in looked])
     taken = choice.number(values, seen, np.stack([view.tangent for view in views]), full_scale)
     own = slice(margin, margin + tile.rows), slice(margin, margin + tile.columns)
     source_number = np.where(taken >= 0, numbers[np.maximum(taken, 0)], -1)
-    return pick(values, taken)[own], source_number[own], seen.sum(axis=0)[own], reached[own]
+    return composite(values, taken)[own], source_number[own], seen.sum(axis=0)[own], reached[own]
 
 
 @dataclass(frozen=True)
@@ -199,12 +200,12 @@ class _Piece:
     hidden: int
 
 
-def _piece(sources: Sequence[Source] | Shared, choice: Choice, exposure: Exposure, bands: int, dtype: str,
-           place: tuple[int, int, Grid]) -> _Piece:
+def _piece(sources: Sequence[ViewSource] | WorkerResource, choice: PixelSelection, gains: GainCorrection,
+           bands: int, dtype: str, place: tuple[int, int, Grid]) -> _Piece:
     """Work on one piece, here or in a worker."""
     top, left, tile = place
-    opened = sources.get() if isinstance(sources, Shared) else sources
-    image, number, count, reached = tile_image(opened, tile, choice, exposure, bands, _FULL_SCALE[dtype])
+    opened = sources.get() if isinstance(sources, WorkerResource) else sources
+    image, number, count, reached = tile_image(opened, tile, choice, gains, bands, _FULL_SCALE[dtype])
     seen = number >= 0
     whole = np.where(seen[..., None], np.clip(np.rint(image), 1, _FULL_SCALE[dtype]), 0).astype(dtype)
     return _Piece(top, left, np.moveaxis(whole, -1, 0), number.astype(np.int32), count.astype(np.uint16),
@@ -212,7 +213,7 @@ def _piece(sources: Sequence[Source] | Shared, choice: Choice, exposure: Exposur
 
 
 @dataclass(frozen=True)
-class Output:
+class MosaicFiles:
     """Where a mosaic goes: `image` and, optional, `count`, the raster of how many sources see each pixel."""
 
     image: str | os.PathLike
@@ -224,11 +225,11 @@ class Workers:
     """Who works on the pieces: an executor, and how a worker opens the sources (picklable); None for here."""
 
     executor: Executor | None = None
-    open_sources: Callable[[ExitStack], Sequence[Source]] | None = None
+    open_sources: Callable[[ExitStack], Sequence[ViewSource]] | None = None
 
 
-def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int, dtype: str, output: Output,
-                 choice: Choice | None = None, progress: Progress = SILENT,
+def write_mosaic(sources: Sequence[ViewSource], grid: Grid, crs_wkt: str, bands: int, dtype: str, output: MosaicFiles,
+                 choice: PixelSelection | None = None, progress: Progress = SILENT,
                  watch: Callable[[int, int, np.ndarray], None] | None = None,
                  workers: Workers | None = None) -> Mosaic:
     """Make the mosaic and write it as GeoTIFF, piece by piece; it does not depend on the workers.
@@ -244,19 +245,19 @@ def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int
     ------
     InsufficientDataError : no source sees any ground. OutputError : a file cannot be written.
     """
-    choice, workers = choice or Choice(), workers or Workers()
+    choice, workers = choice or PixelSelection(), workers or Workers()
     if dtype not in _FULL_SCALE:
         raise InputError(f"The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.")
-    exposure = Exposure.unchanged(len(sources), bands)
+    gains = GainCorrection.identity(len(sources), bands)
     if choice.even and len(sources) > 1:
-        exposure = exposure_of(sources, grid, bands, progress.part(0.0, 0.2))
+        gains = gain_correction_of(sources, grid, bands, progress.part(0.0, 0.2))
     used, pixels_seen, pixels_shared, pixels_hidden = set(), 0, 0, 0
     done = progress.part(0.2, 1.0)
     with ExitStack() as stack:
         image_file, count_file = stack.enter_context(_written(output, grid, crs_wkt, bands, dtype, len(sources)))
         if workers.executor is not None:
-            sources = stack.enter_context(shared(workers.open_sources))
-        work = partial(_piece, sources, choice, exposure, bands, dtype)
+            sources = stack.enter_context(worker_resource(workers.open_sources))
+        work = partial(_piece, sources, choice, gains, bands, dtype)
         for made in in_order(work, _announced(tiles(grid), grid, done), workers.executor, progress.check):
             rows, columns = made.number.shape
             window = Window(made.left, made.top, columns, rows)
@@ -272,7 +273,7 @@ def write_mosaic(sources: Sequence[Source], grid: Grid, crs_wkt: str, bands: int
         if not pixels_seen:
             raise InsufficientDataError("No frame sees any ground there: check that frames, exterior orientation, "
                                         "ground and surface lie in the same place and coordinate system.")
-    return Mosaic(grid, len(used), pixels_seen, pixels_shared, pixels_hidden, exposure)
+    return Mosaic(grid, len(used), pixels_seen, pixels_shared, pixels_hidden, gains)
 
 
 def _announced(pieces: Iterator[tuple[int, int, Grid]], grid: Grid, progress: Progress
@@ -284,7 +285,7 @@ def _announced(pieces: Iterator[tuple[int, int, Grid]], grid: Grid, progress: Pr
 
 
 @contextmanager
-def _written(output: Output, grid: Grid, crs_wkt: str, bands: int, dtype: str, sources: int) -> Iterator[tuple]:
+def _written(output: MosaicFiles, grid: Grid, crs_wkt: str, bands: int, dtype: str, sources: int) -> Iterator[tuple]:
     """The mosaic's file and that of the counts (or None), open for writing; they take their places at the end."""
     place = Affine(grid.cell, 0, grid.x_min, 0, -grid.cell, grid.y_max)
     common = {"driver": "GTiff", "width": grid.columns, "height": grid.rows, "transform": place, "tiled": True,

@@ -20,9 +20,9 @@ from ..geometry.grid import Grid
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
-from .camera import Camera, Pose, project, rays
-from .raised_surface import RaisedSurface, cell_centres, wall_shifts
-from .silhouette import Sides, fill, surface_sides
+from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_to_frame
+from .normalised_surface import NormalisedSurface, cell_centres, wall_offsets
+from .silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
 
 HIDDEN = 255
 _STRIP_VERTICES = 1_000_000
@@ -41,7 +41,7 @@ class OcclusionSettings:
     Parameters
     ----------
     threshold : surface higher than this above the ground, m.
-    low_parts : whether podiums and annexes lower than that count too, see `raised_surface.with_low_parts`.
+    low_parts : whether podiums and annexes lower than that count too, see `normalised_surface.with_low_parts`.
     """
 
     threshold: float = 5.0
@@ -52,7 +52,7 @@ class OcclusionSettings:
             raise InputError("The height threshold must be greater than 0.")
 
 
-JAVANMARDI = OcclusionSettings()
+PAPER_OCCLUSION = OcclusionSettings()
 """Threshold of J 3.2.1.1."""
 
 
@@ -75,7 +75,7 @@ class OcclusionSummary:
 
 
 @dataclass(frozen=True)
-class Raised:
+class RaisedCells:
     """Cells of a surface raster that outlines lift, in order of rows: (n,) rows, columns and heights, m."""
 
     row: np.ndarray
@@ -83,8 +83,8 @@ class Raised:
     z: np.ndarray
 
 
-def occlusion_map(camera: Camera, pose: Pose, dsm: str | os.PathLike, ground: str | os.PathLike,
-                  output: str | os.PathLike, settings: OcclusionSettings = JAVANMARDI, footprints: Sequence = (),
+def occlusion_map(camera: FrameCamera, pose: ExteriorOrientation, dsm: str | os.PathLike, ground: str | os.PathLike,
+                  output: str | os.PathLike, settings: OcclusionSettings = PAPER_OCCLUSION, footprints: Sequence = (),
                   progress: Progress = SILENT) -> OcclusionSummary:
     """Write the mask of a frame: 255 where a pixel shows a building or what a building hides, else 0.
 
@@ -102,27 +102,28 @@ def occlusion_map(camera: Camera, pose: Pose, dsm: str | os.PathLike, ground: st
     ------
     InputError : a raster cannot be read, or the surface does not reach the frame. OutputError : nothing can be written.
     """
-    with RaisedSurface(dsm, ground) as surface:
+    with NormalisedSurface(dsm, ground) as surface:
         rows, columns, uncovered = frame_window(camera, pose, surface)
         if uncovered > 0.01:
             progress.warn(f"{uncovered:.0%} of {pose.image} looks beyond the surface or the ground raster: buildings "
                           "there are not masked.")
         raised, lifted, flat = raise_footprints(surface, footprints, rows, columns, settings, progress.part(0, 0.2))
-        sides = frame_sides(camera, pose, surface, rows, columns, settings, raised, progress.part(0.2, 0.7))
+        sides = frame_silhouette(camera, pose, surface, rows, columns, settings, raised, progress.part(0.2, 0.7))
     hidden = _write(output, camera, sides, progress.part(0.7, 1.0))
     return OcclusionSummary(hidden / (camera.width * camera.height), uncovered, lifted, flat)
 
 
-def occlusion_mask(camera: Camera, pose: Pose, surface: RaisedSurface, settings: OcclusionSettings = JAVANMARDI,
-                   footprints: Sequence = ()) -> np.ndarray:
+def occlusion_mask(camera: FrameCamera, pose: ExteriorOrientation, surface: NormalisedSurface,
+                   settings: OcclusionSettings = PAPER_OCCLUSION, footprints: Sequence = ()) -> np.ndarray:
     """The mask of `occlusion_map` as an array (rows, columns) bool."""
     rows, columns, _ = frame_window(camera, pose, surface)
     raised, _, _ = raise_footprints(surface, footprints, rows, columns, settings)
-    sides = frame_sides(camera, pose, surface, rows, columns, settings, raised)
+    sides = frame_silhouette(camera, pose, surface, rows, columns, settings, raised)
     return np.concatenate([mask for _, mask in _strips(camera, sides)])
 
 
-def frame_window(camera: Camera, pose: Pose, surface: RaisedSurface) -> tuple[slice, slice, float]:
+def frame_window(camera: FrameCamera, pose: ExteriorOrientation, surface: NormalisedSurface
+                 ) -> tuple[slice, slice, float]:
     """Rows and columns of the surface that the frame may see, and the share of the frame that looks beyond.
 
     Whatever the frame sees lies between the projection centre and a level below all ground.
@@ -134,7 +135,7 @@ def frame_window(camera: Camera, pose: Pose, surface: RaisedSurface) -> tuple[sl
     grid, ground = surface.grid, surface.ground
     column, row = np.meshgrid(np.linspace(-0.5, camera.width - 0.5, _PROBES),
                               np.linspace(-0.5, camera.height - 0.5, _PROBES))
-    ray = rays(camera, pose, column.ravel(), row.ravel())
+    ray = frame_rays(camera, pose, column.ravel(), row.ravel())
     x, y = (values.ravel() for values in np.meshgrid(*(
         np.linspace(low, high, _PROBES) for low, high in zip(ground.grid.bounds[:2], ground.grid.bounds[2:]))))
     for _ in range(3):
@@ -154,7 +155,7 @@ def frame_window(camera: Camera, pose: Pose, surface: RaisedSurface) -> tuple[sl
                      "that heights, CRS and angles fit.")
 
 
-def _meet(pose: Pose, ray: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
+def _meet(pose: ExteriorOrientation, ray: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
     """x and y where rays (n, 3) meet a level, NaN where they do not."""
     with np.errstate(divide="ignore", invalid="ignore"):
         distance = (level - pose.z) / ray[:, 2]
@@ -162,7 +163,7 @@ def _meet(pose: Pose, ray: np.ndarray, level: float) -> tuple[np.ndarray, np.nda
     return pose.x + distance * ray[:, 0], pose.y + distance * ray[:, 1]
 
 
-def _reach(pose: Pose, ray: np.ndarray, level: float, grid: Grid) -> tuple[float, float, float, float]:
+def _reach(pose: ExteriorOrientation, ray: np.ndarray, level: float, grid: Grid) -> tuple[float, float, float, float]:
     """Box around the projection centre and the rays' ends at a level; those that rise end beyond the grid."""
     beyond = 2 * max(abs(pose.x - grid.bounds[0]), abs(pose.x - grid.bounds[2]),
                      abs(pose.y - grid.bounds[1]), abs(pose.y - grid.bounds[3]))
@@ -175,8 +176,9 @@ def _reach(pose: Pose, ray: np.ndarray, level: float, grid: Grid) -> tuple[float
             max(min(x.max(), high_x), low_x), max(min(y.max(), high_y), low_y))
 
 
-def raise_footprints(surface: RaisedSurface, footprints: Sequence, rows: slice, columns: slice,
-                     settings: OcclusionSettings = JAVANMARDI, progress: Progress = SILENT) -> tuple[Raised, int, int]:
+def raise_footprints(surface: NormalisedSurface, footprints: Sequence, rows: slice, columns: slice,
+                     settings: OcclusionSettings = PAPER_OCCLUSION, progress: Progress = SILENT
+                     ) -> tuple[RaisedCells, int, int]:
     """Cells inside outlines; those that the surface shows low at the height of the nearest one that stands.
 
     Inside an outline a cell stands that is 2 m above the ground, or the threshold if that is less: no vehicle can be
@@ -210,12 +212,12 @@ def raise_footprints(surface: RaisedSurface, footprints: Sequence, rows: slice, 
         lifted += 1
     row, column, z = (np.concatenate(values) for values in zip(*parts)) if parts else (np.zeros(0, np.int64),) * 3
     order = np.lexsort((z, column, row))
-    return Raised(row[order], column[order], z[order]), lifted, flat
+    return RaisedCells(row[order], column[order], z[order]), lifted, flat
 
 
-def frame_sides(camera: Camera, pose: Pose, surface: RaisedSurface, rows: slice, columns: slice,
-                settings: OcclusionSettings = JAVANMARDI, raised: Raised | None = None,
-                progress: Progress = SILENT) -> Sides:
+def frame_silhouette(camera: FrameCamera, pose: ExteriorOrientation, surface: NormalisedSurface, rows: slice,
+                     columns: slice, settings: OcclusionSettings = PAPER_OCCLUSION, raised: RaisedCells | None = None,
+                     progress: Progress = SILENT) -> SilhouetteEdges:
     """Sides, in the frame, that enclose all that is raised in a window of the surface."""
     height = max(_STRIP_VERTICES // max(columns.stop - columns.start, 1), 2)
     parts = []
@@ -229,11 +231,11 @@ def frame_sides(camera: Camera, pose: Pose, surface: RaisedSurface, rows: slice,
             _lift(z, high, raised, wider, columns)
         points = _vertices(surface.grid, wider, columns, high)
         inner = slice(strip.start - wider.start, strip.stop - wider.start)
-        parts.append(_strip_sides(camera, pose, *(values[inner] for values in (*points, z, high))))
-    return Sides.joined(parts)
+        parts.append(_strip_silhouette(camera, pose, *(values[inner] for values in (*points, z, high))))
+    return SilhouetteEdges.joined(parts)
 
 
-def _lift(z: np.ndarray, high: np.ndarray, raised: Raised, rows: slice, columns: slice) -> None:
+def _lift(z: np.ndarray, high: np.ndarray, raised: RaisedCells, rows: slice, columns: slice) -> None:
     """Put raised cells into a window, in place; where outlines overlap, the highest."""
     part = slice(*np.searchsorted(raised.row, (rows.start, rows.stop)))
     column = raised.column[part] - columns.start
@@ -246,17 +248,19 @@ def _lift(z: np.ndarray, high: np.ndarray, raised: Raised, rows: slice, columns:
 def _vertices(grid: Grid, rows: slice, columns: slice, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """x and y of the mesh's vertices in a window: cell centres, moved to the walls beside them."""
     x, y = cell_centres(grid, rows, columns)
-    east, north = wall_shifts(high, grid.cell)
+    east, north = wall_offsets(high, grid.cell)
     return x + east, y + north
 
 
-def _strip_sides(camera: Camera, pose: Pose, x: np.ndarray, y: np.ndarray, z: np.ndarray, high: np.ndarray) -> Sides:
+def _strip_silhouette(camera: FrameCamera, pose: ExteriorOrientation, x: np.ndarray, y: np.ndarray, z: np.ndarray,
+                      high: np.ndarray) -> SilhouetteEdges:
     """Sides of a strip of the surface; all (m, n)."""
     needed = _touching(high)
     # Half the time of doubles; a column of 100 megapixels is good to a thousandth of a pixel.
     column, row = np.full(z.shape, np.nan, np.float32), np.full(z.shape, np.nan, np.float32)
-    column[needed], row[needed], _ = project(camera, pose, np.stack([x[needed], y[needed], z[needed]], axis=-1))
-    return surface_sides(column, row, z, high).within(camera.width, camera.height)
+    points = np.stack([x[needed], y[needed], z[needed]], axis=-1)
+    column[needed], row[needed], _ = project_to_frame(camera, pose, points)
+    return silhouette_edges(column, row, z, high).within(camera.width, camera.height)
 
 
 def _touching(high: np.ndarray) -> np.ndarray:
@@ -269,13 +273,13 @@ def _touching(high: np.ndarray) -> np.ndarray:
     return needed
 
 
-def _strips(camera: Camera, sides: Sides) -> Iterator[tuple[int, np.ndarray]]:
+def _strips(camera: FrameCamera, sides: SilhouetteEdges) -> Iterator[tuple[int, np.ndarray]]:
     """First row and mask (rows, width) of the frame's strips."""
     for first in range(0, camera.height, _STRIP_ROWS):
-        yield first, fill(sides, camera.width, first, min(_STRIP_ROWS, camera.height - first))
+        yield first, fill_silhouette(sides, camera.width, first, min(_STRIP_ROWS, camera.height - first))
 
 
-def _write(output: str | os.PathLike, camera: Camera, sides: Sides, progress: Progress) -> int:
+def _write(output: str | os.PathLike, camera: FrameCamera, sides: SilhouetteEdges, progress: Progress) -> int:
     """Write the mask strip by strip; returns how many pixels are masked."""
     profile = {"driver": "GTiff", "width": camera.width, "height": camera.height, "count": 1, "dtype": "uint8",
                "tiled": True, "blockxsize": _BLOCK, "blockysize": _BLOCK, "compress": "deflate", "zlevel": 1,

@@ -21,20 +21,20 @@ from ..errors import InputError
 from ..geometry.grid import Grid
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
-from .camera import Camera, Pose, project, rays
+from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_to_frame
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
-from .frames import Frame, FrameImage
-from .mosaic import Choice, Mosaic, Output, View, Workers, covering_grid, write_mosaic
+from .frames import AerialFrame, FrameImage
+from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
 from .visibility import off_ground, visible_ground
 
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
-_MOST_OPEN = 64  # image files
-_MOST_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
+_MAX_OPEN_FILES = 64  # image files
+_MAX_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
 _BLOCK = 2048
 _MARGIN = 3  # pixels round a window that the bicubic kernel reaches
 _BLACK = 0.012  # of the full scale
 _BLACK_SIDE = 15  # pixels: black squares of this size are no image; smaller ones may be shadow
-_MOST_BLUR = 4.0  # pixels, standard deviation
+_MAX_BLUR = 4.0  # pixels, standard deviation
 _BORDER = 33  # rays along each side of a frame
 
 
@@ -50,7 +50,7 @@ class FramePixels:
     InputError : a frame is no image, does not fit the camera, or is of another kind than the first.
     """
 
-    def __init__(self, frames: Sequence[Frame], camera: Camera):
+    def __init__(self, frames: Sequence[AerialFrame], camera: FrameCamera):
         self.camera = camera
         self._open: OrderedDict[Path, FrameImage] = OrderedDict()
         kinds = [self._kind(frame.path) for frame in frames]
@@ -73,7 +73,7 @@ class FramePixels:
 
     def _image(self, path: Path) -> FrameImage:
         if path not in self._open:
-            if len(self._open) >= _MOST_OPEN:
+            if len(self._open) >= _MAX_OPEN_FILES:
                 self._open.popitem(last=False)[1].__exit__()
             self._open[path] = FrameImage(path, self.camera)
         self._open.move_to_end(path)
@@ -173,7 +173,8 @@ def _range(raster: RasterSampler) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def footprint(camera: Camera, pose: Pose, low: float, high: float) -> tuple[float, float, float, float] | None:
+def frame_footprint(camera: FrameCamera, pose: ExteriorOrientation, low: float,
+                    high: float) -> tuple[float, float, float, float] | None:
     """Box (x_min, y_min, x_max, y_max) round the ground in a frame, for heights from `low` to `high`.
 
     None where the frame looks past all ground below the horizon; infinite where it looks over the horizon too.
@@ -181,7 +182,7 @@ def footprint(camera: Camera, pose: Pose, low: float, high: float) -> tuple[floa
     along, across = (np.linspace(-0.5, size - 0.5, _BORDER) for size in (camera.width, camera.height))
     column = np.concatenate((along, along, np.full(_BORDER, along[0]), np.full(_BORDER, along[-1])))
     row = np.concatenate((np.full(_BORDER, across[0]), np.full(_BORDER, across[-1]), across, across))
-    direction = rays(camera, pose, column, row)
+    direction = frame_rays(camera, pose, column, row)
     direction = direction[np.isfinite(direction).all(axis=1)]
     down = direction[:, 2] < -1e-3
     if not down.any() or pose.z <= low:
@@ -194,7 +195,7 @@ def footprint(camera: Camera, pose: Pose, low: float, high: float) -> tuple[floa
     return (*ground.min(axis=0).tolist(), *ground.max(axis=0).tolist())
 
 
-class FrameOnGround:
+class OrthorectifiedFrame:
     """A frame as a source of views of the ground.
 
     Attributes
@@ -202,13 +203,13 @@ class FrameOnGround:
     bounds : (x_min, y_min, x_max, y_max) of the ground raster that the frame can show, None for none.
     """
 
-    def __init__(self, frame: Frame, pixels: FramePixels, terrain: Terrain):
+    def __init__(self, frame: AerialFrame, pixels: FramePixels, terrain: Terrain):
         self.frame, self.name, self.pixels, self.terrain = frame, frame.path.name, pixels, terrain
-        box = footprint(pixels.camera, frame.pose, terrain.low, terrain.high)
+        box = frame_footprint(pixels.camera, frame.pose, terrain.low, terrain.high)
         self.bounds = box and _common(box, terrain.ground.grid.bounds)
         self._seen: tuple[Grid, np.ndarray] | None = None
 
-    def view(self, grid: Grid) -> View | None:
+    def view(self, grid: Grid) -> GroundView | None:
         """The frame's pixels on a grid; None where it shows nothing of it."""
         if self.bounds is None or _common(self.bounds, grid.bounds) is None:
             return None
@@ -216,7 +217,7 @@ class FrameOnGround:
         x, y = np.meshgrid(*grid.centres())
         points = np.stack((x, y, ground), axis=-1)
         camera, pose = self.pixels.camera, self.frame.pose
-        column, row, _ = project(camera, pose, points)
+        column, row, _ = project_to_frame(camera, pose, points)
         with np.errstate(invalid="ignore"):
             inside = (column >= 0) & (column <= camera.width - 1) & (row >= 0) & (row <= camera.height - 1)
         if not inside.any():
@@ -227,7 +228,7 @@ class FrameOnGround:
         seen = inside & ~covered & self._sees(x, y)
         with np.errstate(divide="ignore", invalid="ignore"):
             tangent = np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)
-        return View(values, seen, inside & ~covered, tangent.astype(np.float32))
+        return GroundView(values, seen, inside & ~covered, tangent.astype(np.float32))
 
     def _resampled(self, column: np.ndarray, row: np.ndarray, inside: np.ndarray, ratio: float
                    ) -> tuple[np.ndarray, np.ndarray]:
@@ -237,7 +238,7 @@ class FrameOnGround:
         Where a cell is `ratio` > 1 pixels wide, the frame is smoothed first, so that fine detail does not alias.
         """
         camera = self.pixels.camera
-        blur = min(0.5 * np.sqrt(max(ratio ** 2 - 1, 0)), _MOST_BLUR)
+        blur = min(0.5 * np.sqrt(max(ratio ** 2 - 1, 0)), _MAX_BLUR)
         margin = _MARGIN + int(np.ceil(3 * blur)) + 2 * _BLACK_SIDE
         columns = _around(column[inside], margin, camera.width)
         rows = _around(row[inside], margin, camera.height)
@@ -276,7 +277,7 @@ class FrameOnGround:
         farthest = max(np.hypot(x - pose.x, y - pose.y) for x in (x_min, x_max) for y in (y_min, y_max))
         shadow = farthest * (terrain.top - terrain.low) / max(pose.z - terrain.low, 1.0) + 2 * terrain.cell
         box = _common((x_min - shadow, y_min - shadow, x_max + shadow, y_max + shadow), terrain.ground.grid.bounds)
-        cell = max(terrain.cell, max(box[2] - box[0], box[3] - box[1]) / _MOST_CELLS)
+        cell = max(terrain.cell, max(box[2] - box[0], box[3] - box[1]) / _MAX_CELLS)
         grid = Grid.covering(*box, cell)
         ground, surface = terrain.heights(grid)
         seen = visible_ground(pose.centre, grid, ground, surface, terrain.threshold)
@@ -306,12 +307,12 @@ class OrthoSettings:
     """
 
     resolution: float = 0.0
-    choice: Choice = field(default_factory=Choice)
+    choice: PixelSelection = field(default_factory=PixelSelection)
     height_threshold: float = 5.0
 
 
 @dataclass(frozen=True)
-class Place:
+class ElevationInputs:
     """Where frames lie: rasters of the ground's and (optional) the surface's height, m, in one projected CRS with the
     poses, and polygons of buildings, which are taken out of the mosaic.
 
@@ -324,17 +325,17 @@ class Place:
     heights: Sequence[float] | None = None
 
 
-def open_frames(frames: Sequence[Frame], camera: Camera, place: Place, threshold: float,
-                stack: ExitStack) -> list[FrameOnGround]:
+def open_frames(frames: Sequence[AerialFrame], camera: FrameCamera, place: ElevationInputs, threshold: float,
+                stack: ExitStack) -> list[OrthorectifiedFrame]:
     """The frames as sources of views; their files are closed by the stack."""
     terrain = Terrain(stack.enter_context(RasterSampler(place.ground)),
                       stack.enter_context(RasterSampler(place.surface)) if place.surface else None,
                       place.outlines, threshold, place.heights)
     pixels = stack.enter_context(FramePixels(frames, camera))
-    return [FrameOnGround(frame, pixels, terrain) for frame in frames]
+    return [OrthorectifiedFrame(frame, pixels, terrain) for frame in frames]
 
 
-def orthorectify(frames: Sequence[Frame], camera: Camera, place: Place, output: Output,
+def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: ElevationInputs, output: MosaicFiles,
                  settings: OrthoSettings | None = None, progress: Progress = SILENT, watch: Callable | None = None,
                  shifts: list[FrameShift] | None = None, executor: Executor | None = None) -> Mosaic:
     """Lay frames on the ground as one mosaic (J 3.2.1), written as GeoTIFF in the CRS of the ground.
@@ -364,7 +365,7 @@ def orthorectify(frames: Sequence[Frame], camera: Camera, place: Place, output: 
                             settings.choice, progress.part(0.1, 1.0), watch, Workers(executor, opener))
 
 
-def _own_resolution(frames: Sequence[Frame], camera: Camera, terrain: Terrain) -> float:
+def _own_resolution(frames: Sequence[AerialFrame], camera: FrameCamera, terrain: Terrain) -> float:
     """Median pixel of the frames at the nadir, m, rounded to the centimetre (to the millimetre below 5 cm)."""
     ground = camera.ground_pixel(float(np.median([frame.pose.z for frame in frames])) - terrain.low)
     if ground <= 0:
@@ -372,7 +373,7 @@ def _own_resolution(frames: Sequence[Frame], camera: Camera, terrain: Terrain) -
     return max(round(ground, 2 if ground >= 0.05 else 3), 0.001)
 
 
-def _warn_of_places(sources: Sequence[FrameOnGround], terrain: Terrain, grid: Grid, progress: Progress) -> None:
+def _warn_of_places(sources: Sequence[OrthorectifiedFrame], terrain: Terrain, grid: Grid, progress: Progress) -> None:
     """Warn of frames beside the ground and of a surface that does not cover the mosaic."""
     beside = [source.name for source in sources if source.bounds is None]
     if beside:

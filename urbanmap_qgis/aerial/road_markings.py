@@ -1,6 +1,6 @@
 """Road markings in an orthophoto by adaptive thresholding (J 3.2.2), one piece of the image at a time.
 
-All of it has bounded reach: a pixel's result depends on the image within `reach_pixels` of it, so that large images
+All of it has bounded reach: a pixel's result depends on the image within `margin_pixels` of it, so that large images
 can be worked on in overlapping tiles without seams.
 """
 
@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
-from .marking_filter import CleanSettings, clean, disc
+from .marking_filter import CleanSettings, disc_kernel, remove_non_markings
 
-WARMTH = 0.5
+YELLOW_WEIGHT = 0.5
 """How much of red less blue is added to red: yellow paint on light paving is no brighter than it, but warmer."""
 
 SHADE_FLOOR = 0.35
@@ -23,7 +23,7 @@ SHADE_FLOOR = 0.35
 EDGE_SPREAD = 0.25
 """m round a marking's pixels in which its edge is looked for, and its own brightness."""
 
-LEAST_RANGE = 1.5
+MIN_RANGE = 1.5
 """Least range of the levels, in medians of the brightness; new paint is two to three times as bright as asphalt."""
 
 GREENNESS = 1.08
@@ -50,7 +50,7 @@ class MarkingSettings:
 
 
 @dataclass(frozen=True)
-class Levels:
+class LevelAdjustment:
     """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it."""
 
     low: float
@@ -82,21 +82,21 @@ def paint_brightness(bands: np.ndarray) -> np.ndarray:
     if len(bands) < 3:
         return bands[0].astype(np.float32)
     red, blue = bands[0].astype(np.float32), bands[2].astype(np.float32)
-    return red + WARMTH * (red - blue)
+    return red + YELLOW_WEIGHT * (red - blue)
 
 
-def levels_of(brightness: np.ndarray) -> Levels:
+def level_adjustment_of(brightness: np.ndarray) -> LevelAdjustment:
     """Levels of a sample of valid brightness values, (n,), from its darkest and brightest 0.5 %.
 
-    The range is at least `LEAST_RANGE` medians: a street with hardly any paint must not have its noise stretched.
+    The range is at least `MIN_RANGE` medians: a street with hardly any paint must not have its noise stretched.
     Values beyond the levels are kept, as cutting them would shift the edges of bright paint.
     """
     low, middle, high = np.percentile(brightness, [0.5, 50.0, 99.5])
-    high = max(high, low + LEAST_RANGE * abs(middle), low + 1e-6)
-    return Levels(float(low), float(high), float((middle - low) * 255 / (high - low)))
+    high = max(high, low + MIN_RANGE * abs(middle), low + 1e-6)
+    return LevelAdjustment(float(low), float(high), float((middle - low) * 255 / (high - low)))
 
 
-def reach_pixels(pixel: float, settings: MarkingSettings) -> int:
+def margin_pixels(pixel: float, settings: MarkingSettings) -> int:
     """How far, in pixels of side `pixel` (m), the result at a pixel looks round itself."""
     reach = settings.block_size + 4 * EDGE_SPREAD + 2 * CleanSettings().max_width
     if settings.cleaning:
@@ -104,7 +104,7 @@ def reach_pixels(pixel: float, settings: MarkingSettings) -> int:
     return math.ceil(reach / pixel) + 8
 
 
-def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: Levels,
+def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,
                   settings: MarkingSettings) -> Markings:
     """Markings of a piece of orthophoto.
 
@@ -121,9 +121,9 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     threshold = settings.contrast * np.clip(mean / max(levels.middle, 1.0), SHADE_FLOOR, 1.0)
     core = (image > mean + threshold) & allowed
     width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
-    road = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc(width, pixel), borderType=cv2.BORDER_REPLICATE)
+    road = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc_kernel(width, pixel), borderType=cv2.BORDER_REPLICATE)
     if settings.cleaning:
-        core = clean(core & ~_green(bands), image, road, threshold, seen, pixel, settings.cleaning)
+        core = remove_non_markings(core & ~_green(bands), image, road, threshold, seen, pixel, settings.cleaning)
     return _refined(core, image, road, bands, allowed, pixel)
 
 
@@ -150,8 +150,8 @@ def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.nd
 
     The half-way line is where an edge lies whatever the blur; a threshold over the mean is not.
     """
-    spread = disc(2 * EDGE_SPREAD, pixel)
-    near = (cv2.dilate(core.astype(np.uint8), disc(2 * max(EDGE_SPREAD / 2, pixel), pixel)) > 0) & allowed
+    spread = disc_kernel(2 * EDGE_SPREAD, pixel)
+    near = (cv2.dilate(core.astype(np.uint8), disc_kernel(2 * max(EDGE_SPREAD / 2, pixel), pixel)) > 0) & allowed
     paint = cv2.dilate(np.where(core, image, np.float32(0)), spread)
     above = image - 0.5 * (paint + road)
     above[~near | (paint <= road)] = -np.float32(1e3)

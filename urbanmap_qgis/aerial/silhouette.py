@@ -15,7 +15,7 @@ import numpy as np
 
 
 @dataclass(frozen=True)
-class Sides:
+class SilhouetteEdges:
     """Directed sides in a frame, pixels: from (column_a, row_a) to (column_b, row_b), all (n,)."""
 
     column_a: np.ndarray
@@ -27,22 +27,22 @@ class Sides:
         return len(self.row_a)
 
     @classmethod
-    def joined(cls, parts: list[Sides]) -> Sides:
+    def joined(cls, parts: list[SilhouetteEdges]) -> SilhouetteEdges:
         """All sides of several sets."""
         if not parts:
             return cls(*(np.zeros(0) for _ in range(4)))
         return cls(*(np.concatenate([getattr(part, name) for part in parts])
                      for name in ("column_a", "row_a", "column_b", "row_b")))
 
-    def within(self, width: int, height: int) -> Sides:
+    def within(self, width: int, height: int) -> SilhouetteEdges:
         """Those that can matter to a frame: not above, below or right of it, and not along a row."""
         top, bottom = np.minimum(self.row_a, self.row_b), np.maximum(self.row_a, self.row_b)
         keep = ((np.ceil(bottom) > np.maximum(np.ceil(top), 0)) & (top <= height - 1)
                 & (np.minimum(self.column_a, self.column_b) <= width - 1))
-        return Sides(self.column_a[keep], self.row_a[keep], self.column_b[keep], self.row_b[keep])
+        return SilhouetteEdges(self.column_a[keep], self.row_a[keep], self.column_b[keep], self.row_b[keep])
 
 
-def surface_sides(column: np.ndarray, row: np.ndarray, z: np.ndarray, high: np.ndarray) -> Sides:
+def silhouette_edges(column: np.ndarray, row: np.ndarray, z: np.ndarray, high: np.ndarray) -> SilhouetteEdges:
     """Sides that remain of the triangles of a grid that face the camera and have a high corner.
 
     Each cell of four neighbouring vertices is cut along the diagonal with the smaller difference of height, which
@@ -77,7 +77,7 @@ def surface_sides(column: np.ndarray, row: np.ndarray, z: np.ndarray, high: np.n
     down = (first, slice(None)), (last, slice(None))
     left, right = _framed(east, axis=1)[:, :-1], _framed(west, axis=1)[:, 1:]
     parts += [_sides(column, row, right & ~left, *down), _sides(column, row, left & ~right, *down[::-1])]
-    return Sides.joined(parts)
+    return SilhouetteEdges.joined(parts)
 
 
 def _framed(flags: np.ndarray, axis: int) -> np.ndarray:
@@ -85,12 +85,12 @@ def _framed(flags: np.ndarray, axis: int) -> np.ndarray:
     return np.pad(flags, [(1, 1) if k == axis else (0, 0) for k in (0, 1)])
 
 
-def _sides(column: np.ndarray, row: np.ndarray, chosen: np.ndarray, start: tuple, stop: tuple) -> Sides:
+def _sides(column: np.ndarray, row: np.ndarray, chosen: np.ndarray, start: tuple, stop: tuple) -> SilhouetteEdges:
     """Sides of the chosen cells or lines between two corners given as slices."""
-    return Sides(column[start][chosen], row[start][chosen], column[stop][chosen], row[stop][chosen])
+    return SilhouetteEdges(column[start][chosen], row[start][chosen], column[stop][chosen], row[stop][chosen])
 
 
-def fill(sides: Sides, width: int, first_row: int, rows: int) -> np.ndarray:
+def fill_silhouette(sides: SilhouetteEdges, width: int, first_row: int, rows: int) -> np.ndarray:
     """Pixels of a strip of rows that the sides enclose: (rows, width) bool.
 
     A pixel belongs where its centre lies; a centre on a side belongs to what is right of or below it.

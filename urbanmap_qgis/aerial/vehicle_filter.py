@@ -23,7 +23,7 @@ from ..geometry.grid import Grid
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
-from .mosaic import Choice, Mosaic, Output, View, Workers, write_mosaic
+from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, write_mosaic
 
 _EDGE = 3  # pixels next to no data that a resampled orthophoto does not show surely
 
@@ -70,7 +70,7 @@ class OrthophotoSource:
         self._view.close()
         self._file.close()
 
-    def view(self, grid: Grid) -> View | None:
+    def view(self, grid: Grid) -> GroundView | None:
         """The orthophoto's pixels on a window of its grid, which may reach beyond it."""
         top = round((self.grid.y_max - grid.y_max) / grid.cell)
         left = round((grid.x_min - self.grid.x_min) / grid.cell)
@@ -99,7 +99,7 @@ class OrthophotoSource:
                   slice(own_columns.start - left, own_columns.stop - left))
         values[target] = np.moveaxis(image, 0, -1)[source]
         seen[target] = mask[source]
-        return View(values, seen, seen, np.zeros(grid.shape, np.float32))
+        return GroundView(values, seen, seen, np.zeros(grid.shape, np.float32))
 
 
 def _grid_of(source: rasterio.DatasetReader, name: str) -> Grid:
@@ -124,7 +124,7 @@ def open_orthophotos(orthophotos: Sequence[str | os.PathLike], stack: ExitStack)
 
 
 def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.PathLike,
-                    choice: Choice | None = None, progress: Progress = SILENT,
+                    choice: PixelSelection | None = None, progress: Progress = SILENT,
                     shifts: list[FrameShift] | None = None, metres: float = 1.0,
                     executor: Executor | None = None) -> Mosaic:
     """One orthophoto without moving vehicles from several of the same ground, on the grid of the first.
@@ -152,8 +152,8 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
         if shifts is not None:
             shifts += frame_shifts(sources, first.grid, progress.part(0.0, 0.1), metres)
             warn_of_shifts(shifts, first.grid.cell * metres, progress)
-        made = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, Output(output), choice,
-                            progress.part(0.1, 1.0), workers=Workers(executor, opener))
+        made = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, MosaicFiles(output),
+                            choice, progress.part(0.1, 1.0), workers=Workers(executor, opener))
         if not made.pixels_shared:
             progress.warn("No two of the orthophotos show the same ground: no vehicle was filtered.")
         return made

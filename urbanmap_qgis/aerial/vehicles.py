@@ -53,7 +53,7 @@ def darkest(views: np.ndarray, seen: np.ndarray) -> np.ndarray:
     return _lowest(views.sum(axis=-1, dtype=np.float32), seen)
 
 
-def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -> np.ndarray:
+def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -> np.ndarray:
     """Number of the view that most of the others agree with, unless another shows the road far more freely.
 
     Taking the darkest lets a dark vehicle over a zebra crossing win against every view of the free paint. Here the
@@ -85,7 +85,7 @@ def vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -
     members = np.take_along_axis(agree, np.maximum(winner, 0)[None, None], axis=0)[0] & seen
     number = _middle(total, members)
     agreed = (most >= 2) & (2 * most > seen.sum(axis=0))
-    road, known = _road_around(pick(views, number), agreed)
+    road, known = _road_around(composite(views, number), agreed)
     unlike = np.abs(smooth - road).max(axis=-1)
     like = seen & (unlike < np.maximum(LIKENESS * road.mean(axis=-1), AGREEMENT_FLOOR * full_scale))
     alike = _lowest(unlike, like)
@@ -146,7 +146,7 @@ def _box_mean(image: np.ndarray, weight: np.ndarray, box: int) -> tuple[np.ndarr
     return total.reshape(image.shape) / np.maximum(share, 1e-6)[..., None], share
 
 
-def nearest_nadir(tangents: np.ndarray, seen: np.ndarray) -> np.ndarray:
+def steepest_view(tangents: np.ndarray, seen: np.ndarray) -> np.ndarray:
     """Number of the view that looks down most steeply among those that see a pixel.
 
     Parameters
@@ -157,7 +157,7 @@ def nearest_nadir(tangents: np.ndarray, seen: np.ndarray) -> np.ndarray:
     return _lowest(tangents, seen)
 
 
-def pick(views: np.ndarray, number: np.ndarray) -> np.ndarray:
+def composite(views: np.ndarray, number: np.ndarray) -> np.ndarray:
     """Pixels (rows, columns, bands) of the views of the given numbers; 0 where the number is -1."""
     image = np.take_along_axis(views, np.maximum(number, 0)[None, :, :, None], axis=0)[0]
     image[number < 0] = 0

@@ -17,12 +17,12 @@ from ..geometry.grid import Grid
 
 _STEP = 0.5  # of a cell: distance between the samples along a direction, and between directions far out
 _CLEAR = 1.5  # cells: what stands nearer than this before a point does not hide it; keeps cells from hiding themselves
-_MOST_DIRECTIONS = 30_000  # cv2.remap takes images of up to 32766 rows
+_MAX_DIRECTIONS = 30_000  # cv2.remap takes images of up to 32766 rows
 _BATCH = 512
 
 
 @dataclass(frozen=True)
-class _Fan:
+class _PolarGrid:
     """Directions and distances round the nadir in which heights are looked at.
 
     Attributes
@@ -39,14 +39,14 @@ class _Fan:
     distances: int
 
     @classmethod
-    def round(cls, x: float, y: float, grid: Grid) -> _Fan:
+    def round(cls, x: float, y: float, grid: Grid) -> _PolarGrid:
         """The fan from a nadir that covers a grid."""
         left, bottom, right, top = grid.bounds
         aside = max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top)
         near = math.hypot(*aside)
         far = math.hypot(max(abs(left - x), abs(right - x)), max(abs(bottom - y), abs(top - y)))
         step = _STEP * grid.cell
-        turn = max(step / far, 2 * math.pi / _MOST_DIRECTIONS)
+        turn = max(step / far, 2 * math.pi / _MAX_DIRECTIONS)
         if near > 0:
             middle = math.atan2((bottom + top) / 2 - y, (left + right) / 2 - x)
             corners = np.arctan2([bottom - y, bottom - y, top - y, top - y], [left - x, right - x] * 2) - middle
@@ -98,7 +98,7 @@ def visible_ground(centre: np.ndarray, grid: Grid, ground: np.ndarray, surface: 
     standing = bare if surface is None else np.where(off_ground(surface, ground, threshold),
                                                      _tangent(distance, surface, centre[2]), bare)
     standing = np.where(np.isnan(standing), 0.0, standing).astype(np.float32)
-    fan = _Fan.round(float(centre[0]), float(centre[1]), grid)
+    fan = _PolarGrid.round(float(centre[0]), float(centre[1]), grid)
     highest = _running_maximum(fan, standing, grid, east[0], north[0])
     seen = np.empty(grid.shape, bool)
     for top in range(0, grid.rows, _BATCH):
@@ -117,7 +117,7 @@ def _tangent(distance: np.ndarray, height: np.ndarray, camera_height: float) -> 
         return np.where(below > 0, distance / below, np.where(np.isnan(height), np.nan, np.inf))
 
 
-def _running_maximum(fan: _Fan, standing: np.ndarray, grid: Grid, east: float, north: float) -> np.ndarray:
+def _running_maximum(fan: _PolarGrid, standing: np.ndarray, grid: Grid, east: float, north: float) -> np.ndarray:
     """Largest tangent from the nadir up to each sample of the fan, (directions, distances) float32.
 
     `east`, `north` are the centre of the grid's first cell from the nadir.

@@ -9,10 +9,8 @@ from typing import Protocol
 
 import numpy as np
 
-from ..aerial.camera import Camera, read_camera, read_exterior
-from ..aerial.camera import project as project_frame
-from ..aerial.camera import rays as frame_rays
-from ..aerial.frames import Frame, FrameImage, find_frames
+from ..aerial.camera import FrameCamera, frame_rays, project_to_frame, read_camera, read_exterior
+from ..aerial.frames import AerialFrame, FrameImage, find_frames
 from ..errors import InputError
 from ..mobile.calibration import read_calibration
 from ..mobile.lines.line_camera import StripImage, camera_poses, pixel_rays
@@ -193,12 +191,12 @@ class FrameSource:
 
     number: int
     name: str
-    frame: Frame
-    camera: Camera
+    frame: AerialFrame
+    camera: FrameCamera
 
     def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
         """Its view of places (n, 3); `reach` does not matter, frames are taken from afar."""
-        column, row, _ = project_frame(self.camera, self.frame.pose, places)
+        column, row, _ = project_to_frame(self.camera, self.frame.pose, places)
         centre = np.asarray(self.frame.pose.centre)
         ray = places - centre
         distance = np.linalg.norm(ray, axis=1)
@@ -230,7 +228,7 @@ class FrameSource:
                reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
         left, top, right, bottom = window
-        column, row, _ = project_frame(self.camera, self.frame.pose, points)
+        column, row, _ = project_to_frame(self.camera, self.frame.pose, points)
         distance = np.linalg.norm(points - self.frame.pose.centre, axis=1)
         keep = np.flatnonzero((column >= left) & (column <= right) & (row >= top) & (row <= bottom)
                               & (distance <= self.farthest(reach)))

@@ -31,7 +31,7 @@ TOP_OUTWARD = 0.35
 _BEYOND = np.float32(1e9)
 
 
-class RaisedSurface:
+class NormalisedSurface:
     """A surface raster and the ground below it, read by windows. Use as a context manager.
 
     Attributes
@@ -49,7 +49,7 @@ class RaisedSurface:
         self.grid = self._surface.grid
         self.crs_wkt = self._surface.crs_wkt
 
-    def __enter__(self) -> RaisedSurface:
+    def __enter__(self) -> NormalisedSurface:
         return self
 
     def __exit__(self, *_exception: object) -> None:
@@ -63,7 +63,7 @@ class RaisedSurface:
     def heights(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
         """Heights of a window with steep walls, and heights above the ground, m; NaN where unknown."""
         (outer_rows, outer_columns), inner = self._widened(rows, columns, 1)
-        z = steep_walls(self._surface.read(outer_rows, outer_columns))[inner]
+        z = steepened_walls(self._surface.read(outer_rows, outer_columns))[inner]
         if self.ground.grid == self.grid:
             return z, z - self.ground.read(rows, columns)
         x, y = np.broadcast_arrays(*cell_centres(self.grid, rows, columns))
@@ -99,7 +99,7 @@ def cell_centres(grid: Grid, rows: slice, columns: slice) -> tuple[np.ndarray, n
     return x[None, columns], y[rows, None]
 
 
-def steep_walls(z: np.ndarray) -> np.ndarray:
+def steepened_walls(z: np.ndarray) -> np.ndarray:
     """Heights (m, n) in which walls drop from one cell to the next.
 
     Triangles between a roof and the ground give the cells between the two heights that are neither. Where the 3 x 3
@@ -135,7 +135,7 @@ def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarr
     return high | ((part > 0) & (cv2.dilate(high.astype(np.uint8), near) > 0))
 
 
-def wall_shifts(high: np.ndarray, cell: float) -> tuple[np.ndarray, np.ndarray]:
+def wall_offsets(high: np.ndarray, cell: float) -> tuple[np.ndarray, np.ndarray]:
     """Shifts in x and y, m, (m, n) each, that put walls where they are.
 
     A wall stands between the last raised cell and the first low one: the low cell's vertex, its foot, moves half a

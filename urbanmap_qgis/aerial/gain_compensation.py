@@ -1,4 +1,4 @@
-"""Exposure of overlapping frames evened out, so that they can be compared pixel by pixel.
+"""Gain compensation of overlapping frames, so that they can be compared pixel by pixel.
 
 Each frame gets a gain and an offset for each channel. They come from ground that two frames see: a line through the
 values of both that is not drawn by vehicles and shadows that moved, then one adjustment over all pairs.
@@ -13,8 +13,8 @@ import numpy as np
 import scipy.sparse
 import scipy.sparse.linalg
 
-FEWEST_COMMON = 200
-"""Pairs of frames with fewer samples in common do not speak about their exposure."""
+MIN_COMMON_SAMPLES = 200
+"""Pairs of frames with fewer samples in common give no line."""
 
 _ROUNDS = 12
 _LOOSE = 1e-3  # weight that keeps frames without neighbours at gain 1 and offset 0
@@ -22,7 +22,7 @@ _GAIN_LIMITS = (0.25, 4.0)
 
 
 @dataclass(frozen=True)
-class Samples:
+class RadiometricSamples:
     """Values of ground points in the frames that see them.
 
     Attributes
@@ -37,8 +37,8 @@ class Samples:
 
 
 @dataclass(frozen=True)
-class Exposure:
-    """Corrections of all frames: evened value = gain * value + offset.
+class GainCorrection:
+    """Corrections of all frames: corrected value = gain * value + offset.
 
     Attributes
     ----------
@@ -49,12 +49,12 @@ class Exposure:
     offset: np.ndarray
 
     @classmethod
-    def unchanged(cls, frames: int, bands: int) -> Exposure:
+    def identity(cls, frames: int, bands: int) -> GainCorrection:
         """Corrections that leave every frame as it is."""
         return cls(np.ones((frames, bands)), np.zeros((frames, bands)))
 
-    def even(self, frame: int, image: np.ndarray) -> np.ndarray:
-        """Evened float32 values of an image (..., bands) of a frame."""
+    def apply(self, frame: int, image: np.ndarray) -> np.ndarray:
+        """Corrected float32 values of an image (..., bands) of a frame."""
         return image * self.gain[frame].astype(np.float32) + self.offset[frame].astype(np.float32)
 
 
@@ -69,7 +69,7 @@ class _Pair:
     weight: float
 
 
-def even_exposure(samples: Samples, frames: int) -> Exposure:
+def compensate_gains(samples: RadiometricSamples, frames: int) -> GainCorrection:
     """Gains and offsets that make overlapping frames agree.
 
     Over each group of frames that overlap, the gains' geometric mean stays 1 and the offsets' mean 0, so that the
@@ -83,7 +83,7 @@ def even_exposure(samples: Samples, frames: int) -> Exposure:
     bands = samples.values.shape[1]
     pairs = _pairs(samples, frames)
     if not pairs:
-        return Exposure.unchanged(frames, bands)
+        return GainCorrection.identity(frames, bands)
     gain, offset = np.empty((frames, bands)), np.empty((frames, bands))
     first, second = np.array([pair.first for pair in pairs]), np.array([pair.second for pair in pairs])
     weight = np.sqrt([pair.weight for pair in pairs])
@@ -94,7 +94,7 @@ def even_exposure(samples: Samples, frames: int) -> Exposure:
         logs = _adjust(first, second, np.log(ratio), weight, frames)
         gain[:, band] = np.clip(np.exp(logs), *_GAIN_LIMITS)
         offset[:, band] = _adjust(first, second, gain[second, band] * shift, weight, frames)
-    return Exposure(gain, offset)
+    return GainCorrection(gain, offset)
 
 
 def _adjust(first: Sequence[int], second: Sequence[int], difference: np.ndarray, weight: np.ndarray,
@@ -110,7 +110,7 @@ def _adjust(first: Sequence[int], second: Sequence[int], difference: np.ndarray,
     return scipy.sparse.linalg.spsolve(normal, weighted.T @ difference)
 
 
-def _pairs(samples: Samples, frames: int) -> list[_Pair]:
+def _pairs(samples: RadiometricSamples, frames: int) -> list[_Pair]:
     """A line for every pair of frames with enough common samples, in the order of the frames' numbers."""
     order = np.lexsort((samples.point, samples.frame))
     frame, point, values = samples.frame[order], samples.point[order], samples.values[order]
@@ -118,7 +118,7 @@ def _pairs(samples: Samples, frames: int) -> list[_Pair]:
     points = int(point.max()) + 1 if len(point) else 0
     seen = scipy.sparse.csr_matrix((np.ones(len(frame), np.int32), (frame, point)), shape=(frames, points))
     common = scipy.sparse.triu(seen @ seen.T, k=1).tocoo()
-    enough = common.data >= FEWEST_COMMON
+    enough = common.data >= MIN_COMMON_SAMPLES
     pairs = []
     for first, second in sorted(zip(common.row[enough].tolist(), common.col[enough].tolist())):
         a, b = slice(starts[first], starts[first + 1]), slice(starts[second], starts[second + 1])

@@ -17,7 +17,7 @@ _worker = threading.local()
 
 
 @dataclass(frozen=True)
-class Shared(Generic[Opened]):
+class WorkerResource(Generic[Opened]):
     """Something that a worker opens when its first piece comes, and keeps.
 
     Open raster files may not be used by two threads, nor sent to another process; so what is sent is how to open them.
@@ -48,12 +48,12 @@ def close_worker() -> None:
 
 
 @contextmanager
-def shared(open_all: Callable[[ExitStack], Opened]) -> Iterator[Shared[Opened]]:
+def worker_resource(open_all: Callable[[ExitStack], Opened]) -> Iterator[WorkerResource[Opened]]:
     """For the time of a job, what `open_all` (which must be picklable) opens and puts on the stack."""
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as folder:
         plan = Path(folder) / "plan"
         plan.write_bytes(pickle.dumps(open_all))
         try:
-            yield Shared(plan)
+            yield WorkerResource(plan)
         finally:
             close_worker()

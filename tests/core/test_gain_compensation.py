@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.exposure import Exposure, Samples, even_exposure, robust_line
+from urbanmap_qgis.aerial.gain_compensation import GainCorrection, RadiometricSamples, compensate_gains, robust_line
 
 GAINS = np.array([[1.0, 1.1, 0.9], [1.25, 1.0, 1.0], [0.8, 0.95, 1.2]])
 OFFSETS = np.array([[0.0, 4.0, -6.0], [-10.0, 0.0, 3.0], [12.0, -5.0, 0.0]])
@@ -22,14 +22,14 @@ def taken(noise=2.0, moved=0.1, points=4000, seed=3):
         vehicle = rng.random(len(point)) < moved
         values[vehicle] = rng.uniform(0, 255, (vehicle.sum(), 3))
         parts.append((np.full(len(point), frame), point, values))
-    return Samples(*(np.concatenate(part) for part in zip(*parts))), truth
+    return RadiometricSamples(*(np.concatenate(part) for part in zip(*parts))), truth
 
 
 def test_frames_agree_after_evening():
     samples, _ = taken()
-    exposure = even_exposure(samples, 3)
+    exposure = compensate_gains(samples, 3)
     level = np.array([60.0, 110.0, 170.0])[:, None]
-    evened = [exposure.even(frame, (level * GAINS[frame] + OFFSETS[frame]).astype(np.float32)) for frame in range(3)]
+    evened = [exposure.apply(frame, (level * GAINS[frame] + OFFSETS[frame]).astype(np.float32)) for frame in range(3)]
     assert np.abs(evened[0] - evened[1]).max() < 2.0
     assert np.abs(evened[0] - evened[2]).max() < 3.0
     np.testing.assert_allclose(np.log(exposure.gain).mean(axis=0), 0, atol=1e-3)
@@ -38,14 +38,14 @@ def test_frames_agree_after_evening():
 def test_the_order_of_samples_does_not_matter():
     samples, _ = taken()
     mixed = np.random.default_rng(1).permutation(len(samples.frame))
-    again = even_exposure(Samples(samples.frame[mixed], samples.point[mixed], samples.values[mixed]), 3)
-    np.testing.assert_array_equal(again.gain, even_exposure(samples, 3).gain)
+    again = compensate_gains(RadiometricSamples(samples.frame[mixed], samples.point[mixed], samples.values[mixed]), 3)
+    np.testing.assert_array_equal(again.gain, compensate_gains(samples, 3).gain)
 
 
 def test_equal_frames_stay_as_they_are():
     values = np.random.default_rng(1).uniform(20, 200, (1000, 1))
-    samples = Samples(np.repeat([0, 1], 1000), np.tile(np.arange(1000), 2), np.concatenate((values, values)))
-    exposure = even_exposure(samples, 2)
+    samples = RadiometricSamples(np.repeat([0, 1], 1000), np.tile(np.arange(1000), 2), np.concatenate((values, values)))
+    exposure = compensate_gains(samples, 2)
     np.testing.assert_allclose(exposure.gain, 1, atol=1e-9)
     np.testing.assert_allclose(exposure.offset, 0, atol=1e-6)
 
@@ -53,10 +53,10 @@ def test_equal_frames_stay_as_they_are():
 @pytest.mark.parametrize("points", [0, 50])
 def test_frames_without_common_ground_stay_as_they_are(points):
     values = np.random.default_rng(1).uniform(20, 200, (2 * points, 3))
-    samples = Samples(np.repeat([0, 1], points), np.tile(np.arange(points), 2), values)
-    exposure = even_exposure(samples, 2)
+    samples = RadiometricSamples(np.repeat([0, 1], points), np.tile(np.arange(points), 2), values)
+    exposure = compensate_gains(samples, 2)
     assert (exposure.gain == 1).all() and (exposure.offset == 0).all()
-    assert (Exposure.unchanged(2, 3).even(1, np.full((2, 3), 7, np.uint8)) == 7).all()
+    assert (GainCorrection.identity(2, 3).apply(1, np.full((2, 3), 7, np.uint8)) == 7).all()
 
 
 def test_line_with_noise_on_both_sides_and_outliers():
