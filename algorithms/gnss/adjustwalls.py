@@ -29,13 +29,13 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
 
     def declare(self):
         self.add_gnss_inputs()
-        self.add_number("MIN_PASSES", "Least passes", "Walls seen in fewer observation files stay.", 3, 1, 100,
-                        integer=True, advanced=True)
-        self.add_number("MIN_VOTES", "Least observations", "Walls with fewer independent observations stay.", 8, 1,
-                        10000, integer=True, advanced=True)
-        self.add_number("MIN_SATELLITES", "Least satellites", "Walls seen by fewer satellites stay.", 4, 1, 100,
-                        integer=True, advanced=True)
-        self.add_distance("MAX_SIGMA", "Largest sigma", "Walls whose offset has a larger standard deviation stay.",
+        self.add_number("MIN_PASSES", "Minimum number of passes", "Walls seen in fewer observation files stay.", 3, 1,
+                        100, integer=True, advanced=True)
+        self.add_number("MIN_VOTES", "Minimum number of observations", "Walls with fewer independent observations "
+                        "stay.", 8, 1, 10000, integer=True, advanced=True)
+        self.add_number("MIN_SATELLITES", "Minimum number of satellites", "Walls seen by fewer satellites stay.", 4, 1,
+                        100, integer=True, advanced=True)
+        self.add_distance("MAX_SIGMA", "Maximum sigma", "Walls whose offset has a larger standard deviation stay.",
                           0.35, 0.05, 5.0, advanced=True)
         self.add_distance("PRIOR_SIGMA", "Expected offset", "How far walls are off before anything is measured "
                           "(standard deviation).", 1.0, 0.05, 5.0, advanced=True)
@@ -44,7 +44,8 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_WALLS", "Walls", "LineStringZ where each wall now stands: building, edge, status "
                               "(adjusted, not observable, held), reason, offset and sigma (m, outwards), applied (m "
                               "moved), observations, signals, satellites, passes, on_time (share of the observations "
-                              "that agree), distance (m to the nearest antenna), length, low, top (m).",
+                              "that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), "
+                              "length, low, top (m).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine, optional=True, by_default=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
                              "walls before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
@@ -63,7 +64,12 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
 
         from ...urbanmap_qgis.gnss.reports.report import write_adjustment_report
         from ...urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, adjust_walls
-        from ...urbanmap_qgis.gnss.walls.columns import WALL_COLUMNS, building_columns, wall_columns, wall_lines
+        from ...urbanmap_qgis.gnss.walls.columns import (
+            WALL_COLUMNS,
+            adjusted_wall_columns,
+            building_columns,
+            wall_lines,
+        )
 
         progress = self.progress(feedback)
         buildings = self.read_gnss_buildings(parameters, context, progress)
@@ -83,7 +89,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         walls = None
         if parameters.get("OUTPUT_WALLS"):
             walls = self.write_layer(parameters, "OUTPUT_WALLS", context, make_fields(*WALL_COLUMNS),
-                                     wall_columns(made, buildings.names), table.crs, wall_lines(made, signals),
+                                     adjusted_wall_columns(made, buildings.names), table.crs, wall_lines(made, signals),
                                      "LineStringZ", "gnss_walls", progress.part(0.95, 0.97))
         extra = building_columns(made, buildings.building)
         layer = self.write_layer(
@@ -94,7 +100,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
         sizes = np.abs(made.walls.offset[adjusted])
         return {"OUTPUT": layer, **({"OUTPUT_WALLS": walls} if walls else {}),
                 **({"OUTPUT_REPORT": str(report)} if report else {}), "WALLS": len(adjusted),
-                "ADJUSTED": int(adjusted.sum()), "OBSERVATIONS_USED": len(made.votes),
+                "ADJUSTED": int(adjusted.sum()), "OBSERVATIONS_USED": len(made.observations),
                 "PASSES": len(np.unique(signals.epochs.source[signals.epoch])),
                 "MEDIAN_SIGMA": float(np.median(made.walls.sigma[adjusted])) if adjusted.any() else None,
                 "MEDIAN_OFFSET": float(np.median(sizes)) if adjusted.any() else None}
@@ -105,10 +111,10 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
 
         return AdjustmentSettings(
             prior_sigma=self.parameterAsDouble(parameters, "PRIOR_SIGMA", context),
-            least_votes=self.parameterAsInt(parameters, "MIN_VOTES", context),
-            least_satellites=self.parameterAsInt(parameters, "MIN_SATELLITES", context),
-            least_passes=self.parameterAsInt(parameters, "MIN_PASSES", context),
-            most_sigma=self.parameterAsDouble(parameters, "MAX_SIGMA", context),
+            min_observations=self.parameterAsInt(parameters, "MIN_VOTES", context),
+            min_satellites=self.parameterAsInt(parameters, "MIN_SATELLITES", context),
+            min_passes=self.parameterAsInt(parameters, "MIN_PASSES", context),
+            max_sigma=self.parameterAsDouble(parameters, "MAX_SIGMA", context),
             trace=self.trace_settings(parameters, context))
 
 

@@ -19,10 +19,10 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
     HELP = (
         "Traces the observed satellite signals among building models: in line of sight, blocked, or reflected once by "
         "a wall.\n"
-        "Each signal becomes a 3D line with its additional way as the model predicts it and the residual of its code "
+        "Each signal becomes a 3D line with its excess path as the model predicts it and the residual of its code "
         "measurement, after satellite, atmosphere and receiver clock. Signals that are blocked and received all the "
-        "same have taken another way; where one wall alone can have reflected them, the residual should be the "
-        "additional way.\n"
+        "same have taken another path; where one wall alone can have reflected them, the residual should be the "
+        "excess path.\n"
         "The class of a signal near an edge is not sure, as walls of models stand up to a metre or two off."
     )
 
@@ -34,7 +34,7 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
                           advanced=True)
         self.add_layer_output("OUTPUT", "Rays", "LineStringZ: time, pass, satellite, system, kind (LOS, NLOS, "
                               "reflected), sure, elevation, azimuth (degrees, from grid north), cn0, excess (predicted "
-                              "additional way, m), residual (m), difference (residual minus excess), reflections "
+                              "excess path, m), residual (m), difference (residual minus excess), reflections "
                               "(number of walls that can have reflected it), building, edge (of the wall).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
@@ -52,7 +52,7 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         self.check_gnss_inputs(parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.gnss.rays.ray_lines import COLUMNS, ray_columns, ray_figures, ray_lines, thinned
+        from ...urbanmap_qgis.gnss.rays.ray_lines import COLUMNS, ray_columns, ray_lines, ray_statistics, thinned
         from ...urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED
         from ...urbanmap_qgis.gnss.rays.wall_faces import building_walls
         from ...urbanmap_qgis.gnss.reports.report import write_reflection_report
@@ -62,21 +62,21 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         buildings = self.read_gnss_buildings(parameters, context, progress)
         walls = building_walls(buildings.table.geometries, buildings.building, buildings.top, buildings.base)
         signals = self.read_signals(parameters, context, buildings, progress.part(0.02, 0.4))
-        ways, corrected = trace_residuals(walls, signals, self.trace_settings(parameters, context),
-                                          progress.part(0.4, 0.8))
-        figures = ray_figures(signals, ways, corrected)
+        paths, corrected = trace_residuals(walls, signals, self.trace_settings(parameters, context),
+                                           progress.part(0.4, 0.8))
+        figures = ray_statistics(signals, paths, corrected)
         rows = thinned(signals, self.parameterAsDouble(parameters, "EVERY", context))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_reflection_report(report, signals, ways, corrected, figures, self.settings_of(parameters))
+            write_reflection_report(report, signals, paths, corrected, figures, self.settings_of(parameters))
         layer = self.write_layer(
             parameters, "OUTPUT", context, make_fields(*COLUMNS),
-            ray_columns(walls, buildings.names, signals, ways, corrected, rows), buildings.table.crs,
-            ray_lines(signals, ways, rows, self.parameterAsDouble(parameters, "LENGTH", context)), "LineStringZ",
+            ray_columns(walls, buildings.names, signals, paths, corrected, rows), buildings.table.crs,
+            ray_lines(signals, paths, rows, self.parameterAsDouble(parameters, "LENGTH", context)), "LineStringZ",
             "gnss_rays", progress.part(0.8, 1.0))
         return {"OUTPUT": layer, **({"OUTPUT_REPORT": str(report)} if report else {}), "SIGNALS": len(signals),
                 "LOS": figures.count[LOS], "NLOS": figures.count[NLOS], "REFLECTED": figures.count[REFLECTED],
-                "LOS_MEDIAN": _number(figures.sight_median), "LOS_IQR": _number(figures.sight_quartiles),
+                "LOS_MEDIAN": _number(figures.los_median), "LOS_IQR": _number(figures.los_iqr),
                 "WITHIN_5": _number(figures.within_5), "WITHIN_10": _number(figures.within_10)}
 
 

@@ -52,7 +52,8 @@ class GnssInputs(Declarations):
         self.add_text("LEVER_ARM", "Lever arm of the antenna", "Antenna in the vehicle's body: forward, right, down, "
                       "in metres from the trajectory's origin.", "0, 0, 0", advanced=True)
         self.add_building_fields()
-        self.add_distance("FARTHEST", "Farthest reflection", "Walls farther from the antenna than this reflect nothing "
+        self.add_distance("FARTHEST", "Maximum range of reflections", "Walls farther from the antenna than this "
+                          "reflect nothing "
                           "that is received, m.", 150.0, 5.0, 1000.0, advanced=True)
         self.add_text("SYSTEMS", "Satellite systems", "Letters of those that are used: G GPS, R GLONASS, E Galileo, C "
                       "BeiDou, J QZSS.", "GRECJ", advanced=True)
@@ -100,9 +101,9 @@ class GnssInputs(Declarations):
 
     def read_trajectories(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
         """One trajectory of all that were given, in the CRS of the buildings."""
-        from ...urbanmap_qgis.gnss.signals.passes import joined
+        from ...urbanmap_qgis.gnss.signals.passes import joined_trajectory
 
-        return joined(*self._each_trajectory(parameters, context, crs_wkt, progress))
+        return joined_trajectory(*self._each_trajectory(parameters, context, crs_wkt, progress))
 
     def _each_trajectory(self, parameters: Mapping, context: QgsProcessingContext, crs_wkt: str, progress: Progress):
         """The trajectories that were given, and their files' names."""
@@ -139,7 +140,7 @@ class GnssInputs(Declarations):
         """The core's `TraceSettings`."""
         from ...urbanmap_qgis.gnss.rays.reflections import TraceSettings
 
-        return TraceSettings(farthest=self.parameterAsDouble(parameters, "FARTHEST", context))
+        return TraceSettings(max_range=self.parameterAsDouble(parameters, "FARTHEST", context))
 
     def _add_files(self, name: str, label: str, help: str) -> None:
         self.declare_parameter(QgsProcessingParameterMultipleLayers(

@@ -94,7 +94,7 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         import shapely
 
         from ...urbanmap_qgis.gnss.orbits.ephemeris import read_navigation
-        from ...urbanmap_qgis.gnss.rays.tracing import Obstacles
+        from ...urbanmap_qgis.gnss.rays.tracing import WallObstacles
         from ...urbanmap_qgis.gnss.rays.visibility import SkySettings
         from ...urbanmap_qgis.gnss.rays.wall_faces import building_walls
 
@@ -108,7 +108,7 @@ class SatelliteVisibility(GnssInputs, UrbanMapAlgorithm):
         settings = SkySettings(self.parameterAsString(parameters, "SYSTEMS", context).upper(),
                                self.parameterAsDouble(parameters, "ELEVATION_MASK", context))
         progress.step(0.05)
-        inputs = (Obstacles.of(walls), walls, navigation, table, settings, progress.part(0.05, 0.9))
+        inputs = (WallObstacles.of(walls), walls, navigation, table, settings, progress.part(0.05, 0.9))
         along = any(self.parameterAsFileList(parameters, "TRAJECTORY", context))
         time, place, seen, raster = (self._along if along else self._over)(parameters, context, *inputs)
         columns = {"time": time, "satellites": seen.satellites, "above": seen.above, "pdop": seen.pdop}

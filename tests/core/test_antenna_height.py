@@ -15,7 +15,7 @@ from urbanmap_qgis.gnss.signals.antenna_height import (
     strong_signals,
     tukey,
 )
-from urbanmap_qgis.gnss.signals.tables import Epochs, Signals, join
+from urbanmap_qgis.gnss.signals.tables import Epochs, Signals, join_signals
 
 OFFSET = {"G": 0.0, "E": 1.5, "C": -7.0}
 
@@ -110,18 +110,18 @@ def test_height_without_enough_to_tell_it():
 def test_joining_drives():
     one, _, _ = made(seed=1, epochs=20)
     two, _, _ = made(seed=2, epochs=30, files=2)
-    both = join([one, two])
+    both = join_signals([one, two])
     assert len(both) == len(one) + len(two) and len(both.epochs) == 80
     assert np.array_equal(both.time, both.epochs.time[both.epoch])
     assert sorted(set(both.epochs.source.tolist())) == [0, 1, 2] and len(both.clock_datum) == 3
     assert np.array_equal(both.residual, np.concatenate([one.residual, two.residual]))
-    assert join([one]) is one
+    assert join_signals([one]) is one
 
 
 def test_joining_brings_estimated_heights_together():
     one, two = (replace(made(seed)[0], geoid_separation=value, geoid_sigma=sigma)
                 for seed, value, sigma in ((1, 36.0, 0.5), (2, 38.0, 1.0)))
-    both = join([one, two])
+    both = join_signals([one, two])
     assert both.geoid_separation == pytest.approx(36.4)
     assert both.residual[:len(one)] == pytest.approx(one.residual + 0.4 * one.direction[:, 2])
     assert both.residual[len(one):] == pytest.approx(two.residual - 1.6 * two.direction[:, 2])

@@ -12,11 +12,11 @@ from urbanmap_qgis.gnss.orbits.ephemeris import (
     OK,
     UNHEALTHY,
     Navigation,
+    geometric_ranges,
     glonass_states,
     kepler_states,
     read_navigation,
     satellite_states,
-    signal_paths,
     sky_at,
 )
 from urbanmap_qgis.gnss.rinex.navigation import GlonassRecords, KeplerRecords, read_navigation_files
@@ -186,8 +186,8 @@ def test_signal_paths_solve_the_light_equation():
         delay = BASE["delay_a"]
         code = C * (travel + receiver_clock - clock[0] + delay)
         stamped = sent + travel + receiver_clock
-        paths = signal_paths(navigation(records), np.array(["G05"]), np.array([stamped]), np.array([code]),
-                             antenna[None])
+        paths = geometric_ranges(navigation(records), np.array(["G05"]), np.array([stamped]), np.array([code]),
+                                 antenna[None])
         left = code - paths.distance[0] + C * (paths.states.clock[0] - paths.states.delay[0])
         assert left == pytest.approx(C * receiver_clock, abs=2e-3)
         arrival = turn_z(-spin[2] * travel) @ place[0] - antenna

@@ -1,4 +1,4 @@
-"""From signals to moved walls: classes of signals, clocks, votes, offsets, buildings."""
+"""From signals to moved walls: classes of signals, clocks, observations, offsets, buildings."""
 
 from dataclasses import replace
 
@@ -10,12 +10,12 @@ from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED, TraceSettings, trace
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls, wall_table
-from urbanmap_qgis.gnss.signals.passes import joined
+from urbanmap_qgis.gnss.signals.passes import joined_trajectory
 from urbanmap_qgis.gnss.signals.tables import Epochs, Signals
 from urbanmap_qgis.gnss.walls import moved_buildings
 from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, NOT_OBSERVABLE, AdjustmentSettings, adjust_walls
-from urbanmap_qgis.gnss.walls.moved_buildings import PlanNet, applied_offsets, moved_walls, settle
-from urbanmap_qgis.gnss.walls.offset_observations import Votes
+from urbanmap_qgis.gnss.walls.moved_buildings import PlanNet, applied_offsets, move_buildings, moved_walls
+from urbanmap_qgis.gnss.walls.offset_observations import OffsetObservations
 from urbanmap_qgis.gnss.walls.offset_posterior import ErrorModel, estimate_offsets
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import trace_residuals
@@ -47,9 +47,9 @@ def signals_of(place, time, azimuth, elevation, residual=0.0, cn0=None, source=0
 
 
 def joined_signals(parts):
-    from urbanmap_qgis.gnss.signals.tables import join
+    from urbanmap_qgis.gnss.signals.tables import join_signals
 
-    return join(parts)
+    return join_signals(parts)
 
 
 def test_classes_of_signals_in_a_street():
@@ -60,26 +60,26 @@ def test_classes_of_signals_in_a_street():
     # degrees the point is 7.8 m up and the way on meets the right wall.
     signals = signals_of(place, np.zeros(1), np.array([0.0, 90.0, 90.0, 270.0, 90.0]),
                          np.array([60.0, 75.0, 64.0, 62.0, 30.0]))
-    ways = trace(walls, signals, TraceSettings())
-    assert ways.kind.tolist() == [LOS, LOS, REFLECTED, REFLECTED, NLOS]
-    assert ways.stop[4] == pytest.approx(10.0 / np.cos(np.radians(30.0)))
+    paths = trace(walls, signals, TraceSettings())
+    assert paths.kind.tolist() == [LOS, LOS, REFLECTED, REFLECTED, NLOS]
+    assert paths.obstacle_distance[4] == pytest.approx(10.0 / np.cos(np.radians(30.0)))
     # With the left wall at 20 m, lower than the point, nothing reflects; and 62 degrees in the west are free.
-    ways = trace(building_walls(STREET, None, np.where(np.arange(8) < 4, 20.0, 24.0), LOW), signals, TraceSettings())
-    assert ways.kind.tolist() == [LOS, LOS, NLOS, LOS, NLOS]
+    paths = trace(building_walls(STREET, None, np.where(np.arange(8) < 4, 20.0, 24.0), LOW), signals, TraceSettings())
+    assert paths.kind.tolist() == [LOS, LOS, NLOS, LOS, NLOS]
 
 
 def test_one_reflection_gives_its_excess_and_two_give_none():
     walls = building_walls([shapely.box(-12, -50, -10, 50), shapely.box(20, -50, 30, 50)], None,
                            np.array([20.0, 60.0]), np.zeros(2))
     signals = signals_of(np.array([[0.0, 0.0, 2.0]]), np.zeros(1), np.array([270.0]), np.array([50.0]))
-    ways = trace(walls, signals, TraceSettings())
-    assert ways.kind.tolist() == [REFLECTED]
-    assert ways.excess()[0] == pytest.approx(2 * 20.0 * np.cos(np.radians(50.0)))
+    paths = trace(walls, signals, TraceSettings())
+    assert paths.kind.tolist() == [REFLECTED]
+    assert paths.excess()[0] == pytest.approx(2 * 20.0 * np.cos(np.radians(50.0)))
     corner = building_walls([shapely.box(-12, -50, -10, 50), shapely.box(20, -50, 30, 50),
                              shapely.box(-200, 30, 200, 40)], None, np.array([20.0, 60.0, 80.0]), np.zeros(3))
     oblique = signals_of(np.array([[0.0, 0.0, 2.0]]), np.zeros(1), np.array([240.0]), np.array([50.0]))
     assert trace(corner, oblique, TraceSettings()).kind.tolist() in ([NLOS], [REFLECTED])
-    assert trace(corner, oblique, TraceSettings()).reflections[0] >= 1
+    assert trace(corner, oblique, TraceSettings()).reflecting_walls[0] >= 1
 
 
 def test_signals_near_an_edge_are_not_sure():
@@ -87,16 +87,16 @@ def test_signals_near_an_edge_are_not_sure():
     edge = np.degrees(np.arctan2(20.0, 10.0))
     signals = signals_of(np.array([[0.0, 0.0, 2.0]]), np.zeros(1), np.full(4, 90.0),
                          np.array([edge + 1, edge + 8, edge - 2, edge - 15]))
-    ways = trace(walls, signals, TraceSettings())
-    assert [kind == LOS for kind in ways.kind] == [True, True, False, False]
-    assert ways.sure.tolist() == [False, True, False, True]
+    paths = trace(walls, signals, TraceSettings())
+    assert [kind == LOS for kind in paths.kind] == [True, True, False, False]
+    assert paths.sure.tolist() == [False, True, False, True]
 
 
 def test_antenna_in_a_building_is_told_and_all_indoors_is_refused():
     walls = building_walls(STREET, None, TOP, LOW)
     place = np.array([[0.0, 45.0, 2.0], [17.0, 45.0, 2.0]])
-    ways = trace(walls, signals_of(place, np.arange(2.0), np.array([0.0]), np.array([80.0])), TraceSettings())
-    assert ways.indoors.tolist() == [False, True] and ways.kind.tolist() == [LOS, NLOS]
+    paths = trace(walls, signals_of(place, np.arange(2.0), np.array([0.0]), np.array([80.0])), TraceSettings())
+    assert paths.indoors.tolist() == [False, True] and paths.kind.tolist() == [LOS, NLOS]
     with pytest.raises(InsufficientDataError, match="within buildings"):
         trace(walls, signals_of(place[1:], np.zeros(1), np.array([0.0]), np.array([80.0])), TraceSettings())
     with pytest.raises(InsufficientDataError, match="no observation"):
@@ -124,7 +124,7 @@ def test_clock_and_offsets_of_systems_are_recovered():
     signals, true, _ = simulated_clock(rng, lasting=0.05)
     (clock,) = pass_clocks(signals, np.ones(len(signals), bool))
     left = signals.residual - true
-    assert np.std(clock.less_clock - left) < 0.3
+    assert np.std(clock.clock_corrected - left) < 0.3
     assert clock.unit_weight == pytest.approx(1.0, abs=0.15)
 
 
@@ -152,24 +152,26 @@ def test_a_signal_that_is_not_in_sight_after_all_does_not_move_the_clock():
     signals = replace(signals, residual=signals.residual + 25.0 * bent)
     (clock,) = pass_clocks(signals, np.ones(len(signals), bool))
     others = ~bent & np.isin(signals.system, ["G", "E"])
-    assert abs(np.median((clock.less_clock - (signals.residual - true))[others])) < 0.4
+    assert abs(np.median((clock.clock_corrected - (signals.residual - true))[others])) < 0.4
     assert not clock.fit[bent].any()
-    assert np.median(clock.less_clock[bent]) > 15.0
+    assert np.median(clock.clock_corrected[bent]) > 15.0
 
 
 def test_epochs_with_few_signals_and_systems_out_of_sight_have_no_clock():
     rng = np.random.default_rng(8)
     signals, _, _ = simulated_clock(rng)
-    in_sight = (signals.system != "C") & ((signals.epoch != 4) | (signals.satellite == "G01"))
-    (clock,) = pass_clocks(signals, in_sight)
+    is_los = (signals.system != "C") & ((signals.epoch != 4) | (signals.satellite == "G01"))
+    (clock,) = pass_clocks(signals, is_los)
     known = np.isfinite(clock.corrected)
     assert not known[signals.system == "C"].any()
     assert not known[signals.epoch == 4].any()
     assert known[(signals.system != "C") & (signals.epoch != 4)].all()
 
 
-def simulated_votes(rng, walls=12, passes=10, per=2, late=0.2, stray=0.0, shared=0.3, sigma=0.6, slopes=(0.3, 0.9)):
-    """Votes on walls with known offsets: noise, late ones, strays, and an error shared by all votes of a pass."""
+def simulated_observations(rng, walls=12, passes=10, per=2, late=0.2, stray=0.0, shared=0.3, sigma=0.6,
+                           slopes=(0.3, 0.9)):
+    """Observations on walls with known offsets: noise, late ones, strays, and an error shared by all observations of a
+    pass."""
     offset = rng.normal(0, 1.0, walls)
     rows = [(wall, source, satellite) for source in range(passes) for wall in range(walls) for satellite in range(per)]
     wall, source, satellite = np.array(rows).T
@@ -181,22 +183,23 @@ def simulated_votes(rng, walls=12, passes=10, per=2, late=0.2, stray=0.0, shared
     common = rng.normal(0, shared, passes)
     value = -2 * slope * offset[wall] + common[source] + error
     counts = [np.count_nonzero(source == number) for number in range(passes)]
-    return Votes(wall, source, satellite.astype(str), np.zeros(len(wall), int), value, slope, np.full(len(wall), 10.0),
-                 variance, np.full(len(wall), 10), tuple(np.ones((count, 1)) for count in counts),
-                 tuple(np.full((1, 1), shared**2) for _ in counts)), offset
+    return OffsetObservations(wall, source, satellite.astype(str), np.zeros(len(wall), int), value, slope,
+                              np.full(len(wall), 10.0),
+                              variance, np.full(len(wall), 10), tuple(np.ones((count, 1)) for count in counts),
+                              tuple(np.full((1, 1), shared**2) for _ in counts)), offset
 
 
 def test_late_votes_do_not_bias_offsets_and_sigma_holds():
     rng = np.random.default_rng(11)
     error, sigma, plain = [], [], []
     for _ in range(8):
-        votes, offset = simulated_votes(rng, stray=0.05)
-        found = estimate_offsets(votes, 1.0)
+        observations, offset = simulated_observations(rng, stray=0.05)
+        found = estimate_offsets(observations, 1.0)
         error.append(found.offset - offset)
         sigma.append(found.sigma)
         for wall in range(12):
-            own = votes.wall == wall
-            plain.append(np.median(-votes.value[own] / (2 * votes.slope[own])) - offset[wall])
+            own = observations.wall == wall
+            plain.append(np.median(-observations.value[own] / (2 * observations.cosine[own])) - offset[wall])
     error, sigma = np.concatenate(error), np.concatenate(sigma)
     assert np.mean(plain) < -0.15  # a symmetric estimate is drawn inwards by the late ones
     assert abs(error.mean()) < 0.08
@@ -207,26 +210,27 @@ def test_late_votes_do_not_bias_offsets_and_sigma_holds():
 
 def test_an_error_shared_within_a_pass_is_not_averaged_away():
     rng = np.random.default_rng(12)
-    votes, _ = simulated_votes(rng, walls=3, passes=2, per=60, late=0.0, shared=0.8, slopes=(0.6, 0.6))
-    told = estimate_offsets(votes, 1.0)
-    ignored = estimate_offsets(replace(votes, covariance=tuple(1e-12 * c for c in votes.covariance)), 1.0)
+    observations, _ = simulated_observations(rng, walls=3, passes=2, per=60, late=0.0, shared=0.8, slopes=(0.6, 0.6))
+    told = estimate_offsets(observations, 1.0)
+    ignored = estimate_offsets(replace(observations, covariance=tuple(1e-12 * c for c in observations.covariance)), 1.0)
     assert (told.sigma > 2 * ignored.sigma).all()
-    # In the limit of many votes each wall tells -1.2 offset + c, c the mean of two errors of 0.8 m: Gaussian algebra.
+    # In the limit of many observations each wall tells -1.2 offset + c, c the mean of two errors of 0.8 m: Gaussian
+    # algebra.
     spread = 1.2**2 * np.eye(3) + 0.8**2 / 2
     expected = np.sqrt(1.0 - (1.2**2 * np.linalg.inv(spread))[0, 0])
     assert told.sigma == pytest.approx(expected, abs=0.04)
 
 
 def test_share_and_size_of_late_votes_are_learnt():
-    votes, _ = simulated_votes(np.random.default_rng(13), walls=30, passes=12, late=0.3, sigma=0.5)
-    model = estimate_offsets(votes, 1.0).model
-    assert model.late_share == pytest.approx(0.3, abs=0.07)
-    assert model.late_mean == pytest.approx(4.0, abs=1.0)
+    observations, _ = simulated_observations(np.random.default_rng(13), walls=30, passes=12, late=0.3, sigma=0.5)
+    model = estimate_offsets(observations, 1.0).model
+    assert model.nlos_share == pytest.approx(0.3, abs=0.07)
+    assert model.nlos_mean_delay == pytest.approx(4.0, abs=1.0)
     assert model.sigma == pytest.approx(0.5, abs=0.15)
 
 
 def test_parts_of_the_error_model_add_up_to_one():
-    model = ErrorModel(sigma=0.7, late_share=0.25, late_mean=3.0, stray_share=0.1)
+    model = ErrorModel(sigma=0.7, nlos_share=0.25, nlos_mean_delay=3.0, outlier_share=0.1)
     error = np.linspace(-39.9, 40.0, 400001)
     density = np.exp(model.log_parts(error, np.full(len(error), 0.1)))
     share = density.sum(axis=1) * (error[1] - error[0])
@@ -253,7 +257,7 @@ def move(shapes, row, offsets):
     outwards = np.zeros(walls.count)
     for azimuth, value in offsets.items():
         outwards[towards(walls, azimuth)] = value
-    made, displacement, held = settle(shapes, row, walls, net, outwards, (outwards != 0).astype(float))
+    made, displacement, held = move_buildings(shapes, row, walls, net, outwards, (outwards != 0).astype(float))
     return made, walls, net, displacement, held
 
 
@@ -279,7 +283,7 @@ def test_walls_of_touching_parts_move_together():
     east = np.flatnonzero((table.normal[:, 0] > 0.9) & (table.start[:, 0] < 15))
     outwards = np.zeros(walls.count)
     outwards[east] = 1.0
-    made, _, held = settle(parts, np.zeros(2, int), walls, net, outwards, (outwards != 0).astype(float))
+    made, _, held = move_buildings(parts, np.zeros(2, int), walls, net, outwards, (outwards != 0).astype(float))
     assert made[0].bounds[2] == pytest.approx(11.0) and made[1].bounds[0] == pytest.approx(11.0)
     assert not held.any()
 
@@ -302,7 +306,7 @@ def test_a_building_does_not_run_into_its_neighbour():
     south = [w for w in range(len(table)) if table.building[w] == 0 and table.normal[w, 1] < -0.9]
     outwards = np.zeros(len(table))
     outwards[east], outwards[south] = 1.0, 0.6
-    made, _, held = settle(shapes, np.arange(2), walls, net, outwards, (outwards != 0).astype(float))
+    made, _, held = move_buildings(shapes, np.arange(2), walls, net, outwards, (outwards != 0).astype(float))
     assert held[east].all() and not held[south].any()
     assert made[0].bounds == pytest.approx((0, -0.6, 10, 10))
     assert shapely.intersection(made[0], made[1]).area == 0
@@ -315,7 +319,7 @@ def test_a_thin_wing_is_not_turned_over():
     wing = [w for w in range(len(table)) if table.normal[w, 0] > 0.9 and table.start[w, 1] > 9]
     outwards = np.zeros(len(table))
     outwards[wing] = -1.0
-    made, _, held = settle([shape], np.zeros(1, int), walls, net, outwards, (outwards != 0).astype(float))
+    made, _, held = move_buildings([shape], np.zeros(1, int), walls, net, outwards, (outwards != 0).astype(float))
     assert held[wing].all() and made[0].equals(shape)
 
 
@@ -324,10 +328,10 @@ def test_trajectories_of_passes_are_joined_in_time_and_must_not_overlap():
         time = start + np.arange(5.0)
         return Trajectory(time, np.column_stack([time, time, time]), np.zeros((5, 3)))
 
-    whole = joined([drive(100.0), drive(0.0)])
+    whole = joined_trajectory([drive(100.0), drive(0.0)])
     assert np.array_equal(whole.time, [*range(5), *range(100, 105)])
     with pytest.raises(InputError, match="a.csv and b.csv overlap"):
-        joined([drive(0.0), drive(3.0)], ["a.csv", "b.csv"])
+        joined_trajectory([drive(0.0), drive(3.0)], ["a.csv", "b.csv"])
 
 
 # A whole adjustment: a street whose left side hides satellites in the west from the antenna but not from the walls on
@@ -429,9 +433,9 @@ def test_settings_that_make_no_sense_are_refused():
     with pytest.raises(InputError):
         AdjustmentSettings(prior_sigma=0.0)
     with pytest.raises(InputError):
-        AdjustmentSettings(least_votes=0)
+        AdjustmentSettings(min_observations=0)
     with pytest.raises(InputError):
-        TraceSettings(farthest=0.0)
+        TraceSettings(max_range=0.0)
 
 
 def test_no_clock_without_signals_in_sight():

@@ -17,7 +17,7 @@ from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.gnss.orbits.ephemeris import Navigation, read_navigation, satellite_states
 from urbanmap_qgis.gnss.signals.antenna_height import estimate_height
 from urbanmap_qgis.gnss.signals.observations import load_observations, trajectory_shift
-from urbanmap_qgis.gnss.signals.passes import joined
+from urbanmap_qgis.gnss.signals.passes import joined_trajectory
 from urbanmap_qgis.gnss.signals.tables import Signals, SignalSettings
 from urbanmap_qgis.gnss.walls.receiver_clock import pass_clocks
 from urbanmap_qgis.gnss.walls.residuals import corrected_residuals
@@ -95,7 +95,7 @@ def test_line_of_sight_centres_on_zero(small_city, gnss):
     with gzip.open(small_city / "truth" / "gnss_signals.csv.gz", "rt") as file:
         rows = {(row["pass"], float(row["time"]), row["satellite"]): row for row in csv.DictReader(file)}
     whole = load_observations(sorted(gnss.glob("*.obs")), [gnss / "satellites.nav"],
-                              joined([drive(gnss, number) for number in range(1, 17)]), CRS, SEPARATION)
+                              joined_trajectory([drive(gnss, number) for number in range(1, 17)]), CRS, SEPARATION)
     number = whole.epochs.source[whole.epoch] + 1
     of = [rows[str(n), round(float(t), 3), str(s)] for n, t, s in zip(number, whole.time, whole.satellite)]
     free = np.array([row["class"] == "los" for row in of])
@@ -103,9 +103,9 @@ def test_line_of_sight_centres_on_zero(small_city, gnss):
     known = np.isfinite(corrected)
     low, middle, high = np.percentile(corrected[free & known], [25, 50, 75])
     assert known.mean() > 0.9 and abs(middle) < 0.1 and high - low < 1.2
-    bounced = np.array([row["class"] == "reflected" for row in of]) & known
+    reflected = np.array([row["class"] == "reflected" for row in of]) & known
     late = np.array([float(row["excess_path"]) + float(row["late"]) for row in of])
-    assert abs(np.median((corrected - late)[bounced])) < 0.3
+    assert abs(np.median((corrected - late)[reflected])) < 0.3
     error = whole.residual - corrected + whole.clock_datum[number - 1] - np.array([float(row["clock"]) for row in of])
     assert np.sqrt(np.mean(error[known] ** 2)) < 0.4
 
@@ -179,11 +179,11 @@ def test_epochs_outside_and_in_gaps_are_left_out(gnss, signals):
     since = found.time - first
     assert since.min() > 10 and not np.any((since > 30) & (since < 45)) and np.any(since > 45)
     assert found.left_out["outside the trajectory or in a gap of it"] == len(signals) - len(found)
-    assert len(load(gnss, trajectory=cut, longest_gap=60.0)) > len(found)
+    assert len(load(gnss, trajectory=cut, max_gap=60.0)) > len(found)
 
 
 def test_masks_and_systems(gnss, signals):
-    found = load(gnss, elevation_mask=40.0, least_cn0=38.0, systems="GE")
+    found = load(gnss, elevation_mask=40.0, min_cn0=38.0, systems="GE")
     assert set(found.system) == {"G", "E"} and found.elevation.min() >= 40 and found.cn0.min() >= 38
     wanted = np.isin(signals.system, ["G", "E"]) & (signals.elevation >= 40) & (signals.cn0 >= 38)
     assert len(found) == wanted.sum()
@@ -213,7 +213,7 @@ def test_packed_files_and_several_at_once(gnss, tmp_path, signals):
     assert np.array_equal(packed.residual, signals.residual)
     one, two = drive(gnss, 3), drive(gnss, 4)
     found = load_observations([gnss / "pass_03.obs", gnss / "pass_04.obs"], [gnss / "satellites.nav"],
-                              joined([one, two]), CRS, SEPARATION)
+                              joined_trajectory([one, two]), CRS, SEPARATION)
     assert set(found.epochs.source) == {0, 1} and len(found) == len(signals) + len(load(gnss, 4))
     assert np.abs(found.residual[:len(signals)] - signals.residual).max() < 1e-6
 

@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import Cancelled
-from urbanmap_qgis.gnss.rays.tracing import Obstacles, bounces, turned, unhindered
+from urbanmap_qgis.gnss.rays.tracing import WallObstacles, legs_in_line_of_sight, mirror_reflections, rotated_directions
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.progress import Progress
 
@@ -49,7 +49,7 @@ def test_first_hit_is_that_of_testing_every_wall():
     walls = town(rng)
     start = np.column_stack([rng.uniform(-100, 500, (400, 2)), rng.uniform(0, 40, 400)])
     direction = unit(rng.uniform(0, 360, 400), rng.uniform(-20, 89, 400))
-    piece, distance = Obstacles.of(walls).first_hit(start, direction)
+    piece, distance = WallObstacles.of(walls).first_hit(start, direction)
     expected = brute_force(walls, start, direction)
     assert np.array_equal(piece >= 0, np.isfinite(expected))
     assert 50 < np.count_nonzero(piece >= 0) < 350
@@ -57,7 +57,8 @@ def test_first_hit_is_that_of_testing_every_wall():
 
 
 def test_reach_ends_a_ray_before_the_wall():
-    obstacles = Obstacles.of(building_walls([shapely.box(10, -5, 20, 5)], top=np.array([30.0]), low=np.array([0.0])))
+    obstacles = WallObstacles.of(building_walls([shapely.box(10, -5, 20, 5)], top=np.array([30.0]),
+                                                low=np.array([0.0])))
     start, east = np.array([[0.0, 0.0, 2.0]]), np.array([[1.0, 0.0, 0.0]])
     assert obstacles.free(start, east, 9.99)[0] and not obstacles.free(start, east, 10.01)[0]
 
@@ -66,7 +67,7 @@ def test_reach_ends_a_ray_before_the_wall():
 def test_rays_along_the_axes_of_the_grid(direction):
     walls = building_walls([shapely.box(30, -40, 50, 40), shapely.box(-40, 60, 40, 70), shapely.box(-40, -70, 40, -60),
                             shapely.box(-50, -40, -30, 40)], None, np.full(4, 20.0), np.zeros(4))
-    piece, distance = Obstacles.of(walls).first_hit(np.array([[0.0, 0.0, 2.0]]), np.array([direction], float))
+    piece, distance = WallObstacles.of(walls).first_hit(np.array([[0.0, 0.0, 2.0]]), np.array([direction], float))
     expected = {(0, 0, 1): np.inf, (1, 0, 0): 30, (0, 1, 0): 60, (0, -1, 0): 60, (-1, 0, 0): 30}[direction]
     assert distance[0] == pytest.approx(expected) and (piece[0] < 0) == np.isinf(expected)
 
@@ -74,7 +75,7 @@ def test_rays_along_the_axes_of_the_grid(direction):
 def test_inside_a_building_is_told_from_outside():
     rng = np.random.default_rng(8)
     ring = shapely.Polygon(shapely.box(0, 0, 40, 40).exterior.coords, [shapely.box(10, 10, 30, 30).exterior.coords])
-    obstacles = Obstacles.of(building_walls([ring], top=np.array([30.0]), low=np.array([0.0])))
+    obstacles = WallObstacles.of(building_walls([ring], top=np.array([30.0]), low=np.array([0.0])))
     xy = rng.uniform(-10, 50, (500, 2))
     xy = xy[shapely.distance(ring.boundary, shapely.points(xy)) > 0.01]
     place = np.column_stack([xy, np.full(len(xy), 2.0)])
@@ -89,7 +90,7 @@ def test_reflection_obeys_the_mirror_and_the_excess_is_the_longer_way():
     place = np.column_stack([rng.uniform(0, 200, (40, 2)), np.full(40, 2.0)])
     of_ray = np.repeat(np.arange(40), 25)
     direction = unit(rng.uniform(0, 360, 1000), rng.uniform(5, 80, 1000))
-    found = bounces(walls, place, of_ray, direction, 300.0)
+    found = mirror_reflections(walls, place, of_ray, direction, 300.0)
     assert len(found.ray) > 300
     normal = np.column_stack([walls.normal[found.piece], np.zeros(len(found.ray))])
     satellite, antenna = direction[found.ray], place[of_ray[found.ray]]
@@ -111,7 +112,7 @@ def test_every_reflection_that_trying_all_walls_finds_is_found():
     place = np.column_stack([rng.uniform(0, 150, (10, 2)), np.full(10, 2.0)])
     of_ray = np.repeat(np.arange(10), 20)
     direction = unit(rng.uniform(0, 360, 200), rng.uniform(5, 80, 200))
-    found = bounces(walls, place, of_ray, direction, 80.0)
+    found = mirror_reflections(walls, place, of_ray, direction, 80.0)
     expected = set()
     for ray in range(200):
         at, way = place[of_ray[ray]], direction[ray]
@@ -137,21 +138,21 @@ def test_both_legs_must_be_free():
                                 (shapely.box(20, 10, 25, 12), 60, True)):
         shapes = [wall] if other is None else [wall, other]
         walls = building_walls(shapes, None, np.array([60.0, height])[:len(shapes)], np.zeros(len(shapes)))
-        found = bounces(walls, antenna, np.array([0]), satellite, 100.0)
+        found = mirror_reflections(walls, antenna, np.array([0]), satellite, 100.0)
         found = found.take(np.flatnonzero(found.excess > 40))
         assert len(found.ray) == 1
-        assert unhindered(Obstacles.of(walls), antenna, satellite, found)[0] == free
+        assert legs_in_line_of_sight(WallObstacles.of(walls), antenna, satellite, found)[0] == free
 
 
 def test_walls_without_a_known_foot_reach_down():
     walls = building_walls([shapely.box(10, -5, 20, 5)], top=np.array([30.0]))
-    piece, _ = Obstacles.of(walls).first_hit(np.array([[0.0, 0.0, -500.0]]), np.array([[1.0, 0.0, 0.0]]))
+    piece, _ = WallObstacles.of(walls).first_hit(np.array([[0.0, 0.0, -500.0]]), np.array([[1.0, 0.0, 0.0]]))
     assert piece[0] >= 0
 
 
 def test_turned_rays_keep_their_length_and_stay_below_the_zenith():
     direction = unit([10.0, 350.0, 90.0], [20.0, 88.0, 45.0])
-    moved = turned(direction, 5.0, 10.0)
+    moved = rotated_directions(direction, 5.0, 10.0)
     assert np.allclose(np.linalg.norm(moved, axis=1), 1.0)
     assert np.degrees(np.arcsin(moved[:, 2])) == pytest.approx([30.0, 90.0, 55.0], abs=1e-6)
 
@@ -159,5 +160,5 @@ def test_turned_rays_keep_their_length_and_stay_below_the_zenith():
 def test_a_march_can_be_cancelled():
     walls = town(np.random.default_rng(1))
     with pytest.raises(Cancelled):
-        Obstacles.of(walls).first_hit(np.array([[0.0, 0.0, 1.0]]), unit([45.0], [1.0]),
-                                      progress=Progress(cancelled=lambda: True))
+        WallObstacles.of(walls).first_hit(np.array([[0.0, 0.0, 1.0]]), unit([45.0], [1.0]),
+                                          progress=Progress(cancelled=lambda: True))

@@ -9,7 +9,7 @@ import shapely
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.gnss.orbits.earth_fixed import MapFrame, directions, elevation_azimuth
 from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation, sky_at
-from urbanmap_qgis.gnss.rays.tracing import Obstacles
+from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.visibility import (
     SkySettings,
     area_grid,
@@ -54,7 +54,7 @@ def sky(navigation, mask: float = 10.0) -> tuple[np.ndarray, np.ndarray]:
 def test_a_street_hides_what_is_lower_than_its_edges(navigation, height, offset):
     """Across the street a satellite is seen where its slope exceeds the slope to the edge of the roof."""
     place = np.array([[EAST + offset, NORTH, 2.0]])
-    found = visible_satellites(Obstacles.of(street(height=height)), navigation, place, np.array(TIME), CRS, "GECJ")
+    found = visible_satellites(WallObstacles.of(street(height=height)), navigation, place, np.array(TIME), CRS, "GECJ")
     names, direction = sky(navigation)
     to_wall = np.where(direction[:, 0] > 0, 10.0 - offset, 10.0 + offset)
     free = direction[:, 2] * to_wall > (height - 2.0) * np.abs(direction[:, 0])
@@ -65,7 +65,7 @@ def test_a_street_hides_what_is_lower_than_its_edges(navigation, height, offset)
 
 
 def test_open_sky_and_inside(navigation):
-    obstacles = Obstacles.of(street())
+    obstacles = WallObstacles.of(street())
     place = np.array([[EAST + 500.0, NORTH, 2.0], [EAST + 20.0, NORTH, 2.0], [EAST + 20.0, NORTH, 31.0]])
     found = visible_satellites(obstacles, navigation, place, np.array(TIME), CRS, "GECJ")
     assert np.isnan(found.satellites[1]) and np.isnan(found.pdop[1])
@@ -106,7 +106,7 @@ def test_along_a_drive(navigation):
     time = seconds + np.arange(0.0, 121.0, 2.0)
     place = np.column_stack([np.full(61, EAST), NORTH + 3880.0 + 5.0 * np.arange(61), np.full(61, 1.0)])
     drive = Trajectory(time, place, np.zeros((61, 3)))
-    obstacles = Obstacles.of(street(height=60.0))
+    obstacles = WallObstacles.of(street(height=60.0))
     found_time, antenna, seen = visibility_along(obstacles, navigation, drive, CRS, SkySettings("GECJ"),
                                                  (0.5, 0.0, -1.5), 1.0)
     assert np.array_equal(found_time, seconds + np.arange(121.0))
@@ -121,7 +121,7 @@ def test_gaps_of_a_drive_are_left_out(navigation):
     time = TIME % 604800 + np.array([0.0, 1.0, 2.0, 60.0, 61.0])
     drive = Trajectory(time, np.column_stack([np.full(5, EAST), NORTH + np.arange(5.0), np.full(5, 2.0)]),
                        np.zeros((5, 3)))
-    found, _, _ = visibility_along(Obstacles.of(street()), navigation, drive, CRS, SkySettings())
+    found, _, _ = visibility_along(WallObstacles.of(street()), navigation, drive, CRS, SkySettings())
     assert found.tolist() == time.tolist()
 
 
@@ -130,7 +130,8 @@ def test_over_an_area(navigation):
     grid = area_grid((EAST - 60, NORTH - 80, EAST + 60, NORTH + 80), 10.0)
     antenna = np.full(grid.shape, level_ground(walls) + 2.0)
     antenna[0] = np.nan
-    cells, place, seen = visibility_over(Obstacles.of(walls), navigation, grid, antenna, TIME, CRS, SkySettings("GECJ"))
+    cells, place, seen = visibility_over(WallObstacles.of(walls), navigation, grid, antenna, TIME, CRS,
+                                         SkySettings("GECJ"))
     x, y = grid.centres()
     assert np.array_equal(place[:, 0], x[cells[:, 1]]) and np.array_equal(place[:, 1], y[cells[:, 0]])
     assert (place[:, 2] == 2.0).all() and cells[:, 0].min() == 1
@@ -143,7 +144,7 @@ def test_over_an_area(navigation):
 
 def test_the_cut_into_pieces_does_not_matter(navigation, monkeypatch):
     grid = area_grid((EAST - 30, NORTH - 30, EAST + 30, NORTH + 30), 5.0)
-    arguments = (Obstacles.of(street()), navigation, grid, np.full(grid.shape, 2.0), TIME, CRS, SkySettings())
+    arguments = (WallObstacles.of(street()), navigation, grid, np.full(grid.shape, 2.0), TIME, CRS, SkySettings())
     _, _, whole = visibility_over(*arguments)
     monkeypatch.setattr("urbanmap_qgis.gnss.rays.visibility._RAYS", 100)
     _, _, pieces = visibility_over(*arguments)
@@ -159,7 +160,7 @@ def test_times_in_utc(text, expected):
 
 
 def test_what_cannot_be_used(navigation):
-    obstacles, place = Obstacles.of(street()), np.array([[EAST, NORTH, 2.0]])
+    obstacles, place = WallObstacles.of(street()), np.array([[EAST, NORTH, 2.0]])
     with pytest.raises(InputError, match="is no time"):
         gps_time_of("noon")
     with pytest.raises(InsufficientDataError, match=r"can be placed at 2025-04-18 .* good for 2024-04-1"):

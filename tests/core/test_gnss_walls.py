@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.rays.wall_faces import building_walls, cityjson_shapes, is_solid, moved, wall_table
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls, cityjson_shapes, is_solid, wall_table
 
 
 def box_solid(x0, y0, x1, y1, low, top, inwards=False):
@@ -31,8 +31,8 @@ def test_walls_of_a_block_face_outwards_whichever_way_its_faces_turn(inwards):
     assert np.allclose(np.einsum("ij,ij->i", middle, walls.normal), walls.offset)
     assert np.allclose(walls.low, 5) and np.allclose(walls.top, 35)
     # Outwards is on the right when walking from start to end.
-    way = walls.end - walls.start
-    assert np.allclose(np.column_stack([way[:, 1], -way[:, 0]]) / np.linalg.norm(way, axis=1)[:, None], walls.normal)
+    edge = walls.end - walls.start
+    assert np.allclose(np.column_stack([edge[:, 1], -edge[:, 0]]) / np.linalg.norm(edge, axis=1)[:, None], walls.normal)
 
 
 def test_outline_and_solid_give_the_same_walls():
@@ -88,13 +88,6 @@ def test_pieces_in_one_plane_are_one_wall_but_not_across_buildings():
     row = together.wall[south[0]]
     assert table.length[row] == pytest.approx(20.0)
     assert sorted(table.edge[table.building == 0]) == list(range(1, together.count + 1))
-
-
-def test_moved_walls_go_along_their_normals():
-    walls = building_walls([shapely.box(0, 0, 10, 10)], top=np.array([5.0]))
-    by = np.array([1.0, -0.5, 0.0, 2.0])
-    after = moved(walls, by)
-    assert np.allclose(np.einsum("ij,ij->i", after.start, after.normal), walls.offset + by[walls.wall])
 
 
 def test_cityjson_solids_are_read_as_faces(tmp_path):

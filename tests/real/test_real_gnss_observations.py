@@ -9,8 +9,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation, turned_with_earth
-from urbanmap_qgis.gnss.rays.tracing import Obstacles
+from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation, sagnac_corrected
+from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 from urbanmap_qgis.gnss.signals.antenna_height import estimate_height, strong_signals
@@ -38,7 +38,7 @@ def obstacles(real_data):
     base.close()
     envelope = (0, 32, 48, 48, 64)
     shapes = [shapely.from_wkb(blob[8 + envelope[blob[3] >> 1 & 7]:]) for blob, _ in rows]
-    return Obstacles.of(building_walls(shapes, top=np.array([top for _, top in rows], float)))
+    return WallObstacles.of(building_walls(shapes, top=np.array([top for _, top in rows], float)))
 
 
 @pytest.mark.parametrize("name, epochs, systems", [("tst_2019", 1760, "GC"), ("tst_2020", 986, "GRECJ")])
@@ -120,7 +120,7 @@ def test_clock_on_corrected_ranges_of_berlin(real_data):
     time, epoch = np.unique(rows[:, 0], return_inverse=True)
     epoch = epoch.ravel()
     antenna = np.column_stack([np.interp(time, truth[:, 0], truth[:, k]) for k in (1, 2, 3)])
-    vector, distance = turned_with_earth(rows[:, 3:6], antenna[epoch])
+    vector, distance = sagnac_corrected(rows[:, 3:6], antenna[epoch])
     up = antenna / np.linalg.norm(antenna, axis=1, keepdims=True)
     lift = np.einsum("ij,ij->i", vector / distance[:, None], up[epoch])
     assert np.degrees(np.arcsin(lift)) == pytest.approx(rows[:, 8], abs=1.5)

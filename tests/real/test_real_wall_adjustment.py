@@ -16,7 +16,7 @@ import pyproj
 import pytest
 import shapely
 
-from urbanmap_qgis.gnss.rays.ray_lines import ray_figures
+from urbanmap_qgis.gnss.rays.ray_lines import ray_statistics
 from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.gnss.signals.observations import load_observations
@@ -55,8 +55,8 @@ def observed(real_data):
 @pytest.mark.parametrize("year, spread", [(2019, 4.5), (2020, 2.0)])
 def test_signals_in_line_of_sight_centre_on_zero(buildings, observed, year, spread):
     shapes, top = buildings
-    ways, corrected = trace_residuals(building_walls(shapes, top=top), observed[year])
-    sure = ways.sure & np.isfinite(corrected) & (ways.kind == LOS)
+    paths, corrected = trace_residuals(building_walls(shapes, top=top), observed[year])
+    sure = paths.sure & np.isfinite(corrected) & (paths.kind == LOS)
     low, middle, high = np.quantile(corrected[sure], [0.25, 0.5, 0.75])
     assert sure.sum() > 4000
     assert abs(middle) < 0.8 and high - low < spread
@@ -66,11 +66,11 @@ def test_blocked_signals_are_late_and_weak_and_reflected_ones_near_prediction(bu
     shapes, top = buildings
     for year, within in ((2019, 0.5), (2020, 0.25)):
         signals = observed[year]
-        ways, corrected = trace_residuals(building_walls(shapes, top=top), signals)
-        sight, blocked = ((ways.kind == LOS) & ways.sure, (ways.kind != LOS) & ways.sure)
+        paths, corrected = trace_residuals(building_walls(shapes, top=top), signals)
+        sight, blocked = ((paths.kind == LOS) & paths.sure, (paths.kind != LOS) & paths.sure)
         assert np.median(signals.cn0[sight]) > np.median(signals.cn0[blocked]) + 6.0
         assert np.nanquantile(corrected[blocked], 0.1) > 0.0 and np.nanmedian(corrected[blocked]) > 15.0
-        figures = ray_figures(signals, ways, corrected)
+        figures = ray_statistics(signals, paths, corrected)
         assert figures.count[REFLECTED] > 500 and figures.count[NLOS] > 500
         assert figures.within_5 < figures.within_10 and figures.within_10 > within
 
@@ -123,14 +123,14 @@ class Edges:
             free &= ~(within & (t < reach))
         return free
 
-    def least_excess(self, place, way, farthest=120.0):
-        """Least additional way by one reflection with both legs free, m; NaN where there is none."""
+    def least_excess(self, place, way, max_range=120.0):
+        """Least excess path by one reflection with both legs free, m; NaN where there is none."""
         tried = []
         for k in range(len(self.top)):
             normal = np.array([*self.normal[k], 0.0])
             front = (place[:, :2] - self.a[k]) @ self.normal[k]
             towards = way @ normal
-            rows = np.flatnonzero((front > 0.05) & (front < farthest) & (towards > 0.02))
+            rows = np.flatnonzero((front > 0.05) & (front < max_range) & (towards > 0.02))
             arriving = way[rows] - 2 * towards[rows, None] * normal
             t, within = self.met(k, place[rows], arriving)
             rows, arriving, t = rows[within], arriving[within], t[within]

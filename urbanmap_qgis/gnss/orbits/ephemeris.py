@@ -1,7 +1,7 @@
 """Places and clocks of satellites by broadcast or precise orbits.
 
 Broadcast models by the interface documents: IS-GPS-200 (20.3.3), Galileo OS SIS ICD (5.1), BeiDou B1I ICD (5.2.4.12,
-with the turned frame of the geostationary satellites), GLONASS ICD (A.3.1.2, integrated by Runge and Kutta).
+with the inclined frame of the geostationary satellites), GLONASS ICD (A.3.1.2, integrated by Runge and Kutta).
 """
 
 from __future__ import annotations
@@ -17,23 +17,24 @@ from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, Naviga
 from ..signals.tables import SPEED_OF_LIGHT
 from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
 
-EARTH_TURN = 7.2921151467e-5
-"""Of the earth, rad/s (WGS 84)."""
+EARTH_ROTATION_RATE = 7.2921151467e-5
+"""Angular rate of the earth, rad/s (WGS 84)."""
 
-LARGEST_AGE = {"G": 7500.0, "J": 7500.0, "E": 14400.0, "C": 7500.0, "R": 1830.0}
+MAX_EPHEMERIS_AGE = {"G": 7500.0, "J": 7500.0, "E": 14400.0, "C": 7500.0, "R": 1830.0}
 """Largest distance in time, s, from an ephemeris's reference time at which it is used."""
 
 OK, NO_EPHEMERIS, UNHEALTHY = 0, 1, 2
 """Status of a satellite at a time."""
 
 _GRAVITY = {"G": 3.986005e14, "J": 3.986005e14, "E": 3.986004418e14, "C": 3.986004418e14}
-_TURN = {"G": EARTH_TURN, "J": EARTH_TURN, "E": EARTH_TURN, "C": 7.292115e-5}
+_ROTATION_RATE = {"G": EARTH_ROTATION_RATE, "J": EARTH_ROTATION_RATE, "E": EARTH_ROTATION_RATE, "C": 7.292115e-5}
 _GEOSTATIONARY_TILT = np.radians(-5.0)
 _GAMMA = {("G", "2"): (77 / 60) ** 2, ("J", "2"): (77 / 60) ** 2, ("E", "7"): (154 / 118) ** 2,
           ("E", "5"): (154 / 115) ** 2}
 _INAV, _FNAV = 512, 256
 
-_GLONASS_GRAVITY, _GLONASS_RADIUS, _GLONASS_J2, _GLONASS_TURN = 3.9860044e14, 6378136.0, 1.0826257e-3, 7.292115e-5
+_GLONASS_GRAVITY, _GLONASS_RADIUS, _GLONASS_J2 = 3.9860044e14, 6378136.0, 1.0826257e-3
+_GLONASS_ROTATION_RATE = 7.292115e-5
 _GLONASS_STEP = 60.0
 
 
@@ -63,7 +64,7 @@ class Navigation:
         first, last = [], []
         for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
             if len(times):
-                reach = np.array([LARGEST_AGE.get(name[0], 0.0) for name in names])
+                reach = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
                 first.append((times - reach).min())
                 last.append((times + reach).max())
         for orbits in self.precise:
@@ -75,14 +76,14 @@ class Navigation:
     def covers(self, first: float, last: float) -> bool:
         """Whether any orbit is good for a time between two GPS times."""
         for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
-            reach = np.array([LARGEST_AGE.get(name[0], 0.0) for name in names])
+            reach = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
             if np.any((times + reach >= first) & (times - reach <= last)):
                 return True
         return any(orbits.time[-1] >= first and orbits.time[0] <= last for orbits in self.precise)
 
 
 @dataclass(frozen=True)
-class States:
+class SatelliteStates:
     """Of n satellites, each at its own time.
 
     Attributes
@@ -117,7 +118,7 @@ def read_navigation(paths: Sequence[str | os.PathLike]) -> Navigation:
 
 
 def satellite_states(navigation: Navigation, satellite: np.ndarray, time: np.ndarray,
-                     bands: dict[str, str] | None = None) -> States:
+                     bands: dict[str, str] | None = None) -> SatelliteStates:
     """States of satellites (n,) at GPS times of transmission (n,).
 
     Parameters
@@ -129,8 +130,8 @@ def satellite_states(navigation: Navigation, satellite: np.ndarray, time: np.nda
     satellite, time = np.asarray(satellite, "U3"), np.asarray(time, float)
     bands = bands or {"G": "1", "R": "1", "E": "1", "C": "2", "J": "1"}
     count = len(satellite)
-    states = States(np.full((count, 3), np.nan), np.full(count, np.nan), np.zeros(count), np.zeros(count),
-                    np.full(count, NO_EPHEMERIS))
+    states = SatelliteStates(np.full((count, 3), np.nan), np.full(count, np.nan), np.zeros(count), np.zeros(count),
+                             np.full(count, NO_EPHEMERIS))
     _from_kepler(navigation.kepler, satellite, time, bands, states)
     _from_glonass(navigation.glonass, satellite, time, states)
     for orbits in navigation.precise:
@@ -158,13 +159,13 @@ def nearest_record(names: np.ndarray, toe: np.ndarray, satellite: np.ndarray, ti
         left, right = np.maximum(right - 1, 0), np.minimum(right, len(own) - 1)
         nearer = np.abs(toe[own[right]] - time[rows]) < np.abs(toe[own[left]] - time[rows])
         pick = own[np.where(nearer, right, left)]
-        near = np.abs(toe[pick] - time[rows]) <= LARGEST_AGE[name[0]]
+        near = np.abs(toe[pick] - time[rows]) <= MAX_EPHEMERIS_AGE[name[0]]
         chosen[rows[near]] = pick[near]
     return chosen
 
 
 def _from_kepler(records: KeplerRecords, satellite: np.ndarray, time: np.ndarray, bands: dict[str, str],
-                 states: States) -> None:
+                 states: SatelliteStates) -> None:
     better = _galileo_preference(records, bands.get("E", "1"))
     row = nearest_record(records.satellite, records.toe, satellite, time, better)
     found = np.flatnonzero(row >= 0)
@@ -213,7 +214,7 @@ def _group_delay(records: KeplerRecords, bands: dict[str, str]) -> np.ndarray:
 def kepler_states(records: KeplerRecords, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Places (n, 3), m, and clocks with relativity (n,), s, of records (n,) at GPS times (n,)."""
     system = records.satellite.astype("U1")
-    gravity, turn = (np.array([table[name] for name in system]) for table in (_GRAVITY, _TURN))
+    gravity, rate = (np.array([table[name] for name in system]) for table in (_GRAVITY, _ROTATION_RATE))
     since = time - records.toe
     major = records.sqrt_a ** 2
     mean = records.m0 + (np.sqrt(gravity / major ** 3) + records.delta_n) * since
@@ -225,12 +226,12 @@ def kepler_states(records: KeplerRecords, time: np.ndarray) -> tuple[np.ndarray,
     radius = major * (1 - records.e * np.cos(eccentric)) + records.crc * cos2 + records.crs * sin2
     tilt = records.i0 + records.i_dot * since + records.cic * cos2 + records.cis * sin2
     still = _geostationary(records.satellite)
-    node = records.omega0 + records.omega_dot * since - turn * (records.toe_own + np.where(still, 0.0, since))
+    node = records.omega0 + records.omega_dot * since - rate * (records.toe_own + np.where(still, 0.0, since))
     x, y = radius * np.cos(argument), radius * np.sin(argument)
     place = np.column_stack([x * np.cos(node) - y * np.cos(tilt) * np.sin(node),
                              x * np.sin(node) + y * np.cos(tilt) * np.cos(node), y * np.sin(tilt)])
     if still.any():
-        place[still] = _turned_geostationary(place[still], turn[still] * since[still])
+        place[still] = _rotated_geostationary(place[still], rate[still] * since[still])
     tick = time - records.toc
     relativity = -2 * np.sqrt(gravity * major) * records.e * np.sin(eccentric) / SPEED_OF_LIGHT ** 2
     return place, records.af0 + records.af1 * tick + records.af2 * tick ** 2 + relativity
@@ -251,13 +252,13 @@ def _geostationary(satellite: np.ndarray) -> np.ndarray:
     return np.isin(satellite, [f"C{number:02d}" for number in (*range(1, 6), *range(59, 64))])
 
 
-def _turned_geostationary(place: np.ndarray, angle: np.ndarray) -> np.ndarray:
+def _rotated_geostationary(place: np.ndarray, angle: np.ndarray) -> np.ndarray:
     cos, sin = np.cos(_GEOSTATIONARY_TILT), np.sin(_GEOSTATIONARY_TILT)
     x, y, z = place[:, 0], cos * place[:, 1] + sin * place[:, 2], -sin * place[:, 1] + cos * place[:, 2]
     return np.column_stack([np.cos(angle) * x + np.sin(angle) * y, -np.sin(angle) * x + np.cos(angle) * y, z])
 
 
-def _from_glonass(records: GlonassRecords, satellite: np.ndarray, time: np.ndarray, states: States) -> None:
+def _from_glonass(records: GlonassRecords, satellite: np.ndarray, time: np.ndarray, states: SatelliteStates) -> None:
     row = nearest_record(records.satellite, records.toe, satellite, time)
     found = np.flatnonzero(row >= 0)
     if not len(found):
@@ -290,20 +291,21 @@ def glonass_states(records: GlonassRecords, time: np.ndarray) -> tuple[np.ndarra
 
 
 def _glonass_motion(state: np.ndarray, acceleration: np.ndarray) -> np.ndarray:
-    """Velocity and acceleration (n, 6) in the turning frame: the earth's pull with its flattening, sun and moon."""
+    """Velocity and acceleration (n, 6) in the rotating frame: the earth's attraction with its flattening, sun and
+    moon."""
     place, velocity = state[:, :3], state[:, 3:]
     squared = np.einsum("ij,ij->i", place, place)
-    pull = -_GLONASS_GRAVITY / squared ** 1.5
+    gravity = -_GLONASS_GRAVITY / squared ** 1.5
     flat = 1.5 * _GLONASS_J2 * _GLONASS_GRAVITY * _GLONASS_RADIUS ** 2 / squared ** 2.5
     share = 5 * place[:, 2] ** 2 / squared
-    turn = _GLONASS_TURN
-    x = (pull - flat * (1 - share) + turn ** 2) * place[:, 0] + 2 * turn * velocity[:, 1]
-    y = (pull - flat * (1 - share) + turn ** 2) * place[:, 1] - 2 * turn * velocity[:, 0]
-    z = (pull - flat * (3 - share)) * place[:, 2]
+    rate = _GLONASS_ROTATION_RATE
+    x = (gravity - flat * (1 - share) + rate ** 2) * place[:, 0] + 2 * rate * velocity[:, 1]
+    y = (gravity - flat * (1 - share) + rate ** 2) * place[:, 1] - 2 * rate * velocity[:, 0]
+    z = (gravity - flat * (3 - share)) * place[:, 2]
     return np.hstack([velocity, np.column_stack([x, y, z]) + acceleration])
 
 
-def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray, states: States) -> None:
+def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray, states: SatelliteStates) -> None:
     """Replace what precise orbits know better; group delays stay those of the navigation files."""
     row = np.searchsorted(orbits.satellite, satellite)
     row = np.minimum(row, len(orbits.satellite) - 1)
@@ -321,8 +323,8 @@ def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray
 
 
 @dataclass(frozen=True)
-class Paths:
-    """Ways of n signals from satellite to antenna.
+class GeometricRanges:
+    """Geometric ranges of n signals from satellite to antenna.
 
     Attributes
     ----------
@@ -331,14 +333,14 @@ class Paths:
     distance : (n,) m.
     """
 
-    states: States
+    states: SatelliteStates
     vector: np.ndarray
     distance: np.ndarray
 
 
-def signal_paths(navigation: Navigation, satellite: np.ndarray, stamped: np.ndarray, code: np.ndarray,
-                 antenna: np.ndarray, bands: dict[str, str] | None = None) -> Paths:
-    """Ways of signals (n,) by their code ranges.
+def geometric_ranges(navigation: Navigation, satellite: np.ndarray, stamped: np.ndarray, code: np.ndarray,
+                     antenna: np.ndarray, bands: dict[str, str] | None = None) -> GeometricRanges:
+    """Ranges of signals (n,) from the times that their codes tell.
 
     Parameters
     ----------
@@ -351,19 +353,20 @@ def signal_paths(navigation: Navigation, satellite: np.ndarray, stamped: np.ndar
     states = satellite_states(navigation, satellite, sent, bands)
     offset = np.where(np.isfinite(states.clock), states.clock - states.delay, 0.0)
     states = satellite_states(navigation, satellite, sent - offset, bands)
-    vector, distance = turned_with_earth(states.place, antenna)
-    return Paths(states, vector, distance)
+    vector, distance = sagnac_corrected(states.place, antenna)
+    return GeometricRanges(states, vector, distance)
 
 
-def turned_with_earth(place: np.ndarray, antenna: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Vectors (n, 3) and distances (n,) from the antenna to satellites, turned by the earth's turn in the travel."""
+def sagnac_corrected(place: np.ndarray, antenna: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Vectors (n, 3) and distances (n,) from the antenna to satellites, with the rotation of the earth during
+    the travel (Sagnac effect)."""
     distance = np.linalg.norm(place - antenna, axis=1)
     for _ in range(2):
-        angle = EARTH_TURN * distance / SPEED_OF_LIGHT
+        angle = EARTH_ROTATION_RATE * distance / SPEED_OF_LIGHT
         cos, sin = np.cos(angle), np.sin(angle)
-        turned = np.column_stack([cos * place[:, 0] + sin * place[:, 1], -sin * place[:, 0] + cos * place[:, 1],
-                                  place[:, 2]])
-        vector = turned - antenna
+        rotated = np.column_stack([cos * place[:, 0] + sin * place[:, 1], -sin * place[:, 0] + cos * place[:, 1],
+                                   place[:, 2]])
+        vector = rotated - antenna
         distance = np.linalg.norm(vector, axis=1)
     return vector, distance
 
@@ -375,5 +378,5 @@ def sky_at(navigation: Navigation, time: float, antenna: np.ndarray, systems: st
     # The travel time changes the direction by less than 0.001 degree over the sky: one value does for all.
     states = satellite_states(navigation, names, np.full(len(names), time - 0.075))
     good = states.status == OK
-    vector, _ = turned_with_earth(states.place[good], np.broadcast_to(antenna, (int(good.sum()), 3)))
+    vector, _ = sagnac_corrected(states.place[good], np.broadcast_to(antenna, (int(good.sum()), 3)))
     return names[good], vector

@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...progress import SILENT, Progress
-from .wall_faces import Walls
+from .wall_faces import WallPieces
 
 SKIN = 1e-3
 """Rays begin this far off the wall that reflects them, m."""
 
-LEAST_SLOPE = 0.02
+MIN_INCIDENCE_COSINE = 0.02
 """Signals that graze a wall more flatly (cosine to its normal) are not reflected by it."""
 
 _CELL = 12.0
@@ -27,7 +27,7 @@ _PAIRS = 1_500_000
 
 
 @dataclass(frozen=True)
-class Obstacles:
+class WallObstacles:
     """Walls in the cells of a plan grid.
 
     Attributes
@@ -38,7 +38,7 @@ class Obstacles:
     highest : (cells,) height of the highest wall in each cell, m; -inf without walls.
     """
 
-    walls: Walls
+    walls: WallPieces
     origin: np.ndarray
     cell: float
     shape: tuple[int, int]
@@ -47,7 +47,7 @@ class Obstacles:
     highest: np.ndarray
 
     @classmethod
-    def of(cls, walls: Walls) -> Obstacles:
+    def of(cls, walls: WallPieces) -> WallObstacles:
         """Grid of walls; a cell lists the pieces whose boxes touch it and whose lines pass through it."""
         corners = np.concatenate([walls.start, walls.end])
         origin = corners.min(axis=0) - 1.0
@@ -63,28 +63,28 @@ class Obstacles:
         first = np.searchsorted(number[order], np.arange(rows * columns + 1))
         return cls(local, origin, cell, (int(rows), int(columns)), first, member, highest)
 
-    def first_hit(self, start: np.ndarray, direction: np.ndarray, reach: np.ndarray | float = np.inf,
+    def first_hit(self, start: np.ndarray, direction: np.ndarray, length: np.ndarray | float = np.inf,
                   progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray]:
         """The first wall that stops each ray.
 
         Parameters
         ----------
-        start : (n, 3) m.  direction : (n, 3) unit vectors.  reach : (n,) length of the rays, m.
+        start : (n, 3) m.  direction : (n, 3) unit vectors.  length : (n,) length of the rays, m.
 
         Returns
         -------
         piece : (n,) number of the piece, -1 where the ray is free.
         distance : (n,) m along the ray, inf where it is free.
         """
-        march = _March(self, np.asarray(start, float), np.asarray(direction, float), reach)
+        march = _March(self, np.asarray(start, float), np.asarray(direction, float), length)
         while march.step():
             progress.check()
         return march.piece, march.distance
 
-    def free(self, start: np.ndarray, direction: np.ndarray, reach: np.ndarray | float = np.inf,
+    def free(self, start: np.ndarray, direction: np.ndarray, length: np.ndarray | float = np.inf,
              progress: Progress = SILENT) -> np.ndarray:
         """(n,) whether rays meet no wall."""
-        return self.first_hit(start, direction, reach, progress)[0] < 0
+        return self.first_hit(start, direction, length, progress)[0] < 0
 
     def inside(self, place: np.ndarray) -> np.ndarray:
         """(n,) whether places (n, 3) lie within a building.
@@ -94,16 +94,16 @@ class Obstacles:
         """
         behind = np.zeros(len(place), np.int64)
         for angle in np.radians([11.0, 131.0, 251.0]):
-            way = np.array([np.sin(angle), np.cos(angle), 0.0])
-            piece, _ = self.first_hit(place, np.broadcast_to(way, place.shape))
-            behind += (piece >= 0) & (self.walls.normal[piece] @ way[:2] > 0)
+            level = np.array([np.sin(angle), np.cos(angle), 0.0])
+            piece, _ = self.first_hit(place, np.broadcast_to(level, place.shape))
+            behind += (piece >= 0) & (self.walls.normal[piece] @ level[:2] > 0)
         return behind >= 2
 
 
 class _March:
-    """Rays on their way through the cells of a grid."""
+    """Rays marching through the cells of a grid."""
 
-    def __init__(self, grid: Obstacles, start: np.ndarray, direction: np.ndarray, reach: np.ndarray | float):
+    def __init__(self, grid: WallObstacles, start: np.ndarray, direction: np.ndarray, length: np.ndarray | float):
         count = len(start)
         self.grid = grid
         self.piece, self.distance = np.full(count, -1), np.full(count, np.inf)
@@ -112,12 +112,12 @@ class _March:
         size = np.array([columns, rows]) * grid.cell
         with np.errstate(divide="ignore", invalid="ignore"):
             one, other = (0.0 - flat) / direction[:, :2], (size - flat) / direction[:, :2]
-        # A ray along a grid line divides 0 by 0: between the lines it is inside for all of its way.
+        # A ray along a grid line divides 0 by 0: between the lines it is inside for all of its length.
         within = (flat >= 0) & (flat <= size)
         still = direction[:, :2] == 0
         near = np.where(still, np.where(within, -np.inf, np.inf), np.minimum(one, other)).max(axis=1)
         far = np.where(still, np.inf, np.maximum(one, other)).min(axis=1)
-        self.end = np.minimum(far, reach)
+        self.end = np.minimum(far, length)
         enter = np.maximum(near, 0.0)
         rays = np.flatnonzero(enter < self.end)
         self.ray, self.enter = rays, enter[rays]
@@ -172,8 +172,8 @@ class _March:
     def _hits(self, ray: np.ndarray, member: np.ndarray) -> None:
         walls = self.grid.walls
         normal = walls.normal[member]
-        flat, way = self.flat[ray], self.direction[ray]
-        speed = normal[:, 0] * way[:, 0] + normal[:, 1] * way[:, 1]
+        flat, direction = self.flat[ray], self.direction[ray]
+        speed = normal[:, 0] * direction[:, 0] + normal[:, 1] * direction[:, 1]
         with np.errstate(divide="ignore", invalid="ignore"):
             at = (walls.offset[member] - normal[:, 0] * flat[:, 0] - normal[:, 1] * flat[:, 1]) / speed
         target = self.ray[ray]
@@ -190,8 +190,8 @@ class _March:
 
 
 @dataclass(frozen=True)
-class Bounces:
-    """Places where walls could reflect signals once, before looking at what stands in the way.
+class WallReflections:
+    """Places where walls could reflect signals once, before looking at what obstructs them.
 
     Attributes
     ----------
@@ -199,7 +199,7 @@ class Bounces:
     place : (n, 3) point of reflection, m.  length : (n,) m from the antenna to it.
     arriving : (n, 3) unit vector from the antenna to it.
     distance : (n,) m from the antenna to the plane of the wall.
-    slope : (n,) cosine between the signal and the normal of the wall, cos(elevation) cos(difference of azimuth).
+    cosine : (n,) cosine between the signal and the normal of the wall, cos(elevation) cos(difference of azimuth).
     inside : (n,) m by which the point lies within the edges of the wall, negative outside.
     """
 
@@ -209,22 +209,22 @@ class Bounces:
     length: np.ndarray
     arriving: np.ndarray
     distance: np.ndarray
-    slope: np.ndarray
+    cosine: np.ndarray
     inside: np.ndarray
 
     @property
     def excess(self) -> np.ndarray:
-        """(n,) additional way of the reflected signal, m: 2 D cos(elevation) cos(difference of azimuth)."""
-        return 2 * self.distance * self.slope
+        """(n,) excess path of the reflected signal, m: 2 D cos(elevation) cos(difference of azimuth)."""
+        return 2 * self.distance * self.cosine
 
-    def take(self, rows: np.ndarray) -> Bounces:
+    def take(self, rows: np.ndarray) -> WallReflections:
         """Some of them."""
-        return Bounces(*(getattr(self, name)[rows] for name in Bounces.__dataclass_fields__))
+        return WallReflections(*(getattr(self, name)[rows] for name in WallReflections.__dataclass_fields__))
 
 
-def bounces(walls: Walls, place: np.ndarray, place_of_ray: np.ndarray, direction: np.ndarray, farthest: float,
-            margin: float = 0.0, progress: Progress = SILENT) -> Bounces:
-    """Single reflections by the law of the mirror, whatever stands in the way.
+def mirror_reflections(walls: WallPieces, place: np.ndarray, place_of_ray: np.ndarray, direction: np.ndarray,
+                       max_range: float, margin: float = 0.0, progress: Progress = SILENT) -> WallReflections:
+    """Single reflections by the law of the mirror, whatever obstructs them.
 
     Seen from the antenna's mirror image behind a wall, the satellites that the wall reflects are those whose
     azimuth lies between the azimuths of its ends: the rays of each place are sorted by azimuth and found in one
@@ -233,7 +233,7 @@ def bounces(walls: Walls, place: np.ndarray, place_of_ray: np.ndarray, direction
     Parameters
     ----------
     place : (m, 3) antennas.  place_of_ray : (n,) row in `place`.  direction : (n, 3) unit vectors to the satellites.
-    farthest : walls farther than this from the antenna in plan reflect nothing, m.
+    max_range : walls farther than this from the antenna in plan reflect nothing, m.
     margin : walls are taken larger by this at all edges, m.
     """
     middle = walls.start.mean(axis=0)
@@ -252,18 +252,18 @@ def bounces(walls: Walls, place: np.ndarray, place_of_ray: np.ndarray, direction
     block = max(1, _PAIRS // (4 * max(len(walls), 1)))
     for begin in range(0, len(place), block):
         progress.step(begin / len(place))
-        row, piece = _facing(local, xy[begin:begin + block], along, ends, farthest)
+        row, piece = _facing(local, xy[begin:begin + block], along, ends, max_range)
         ray, piece = _between(local, xy, row + begin, piece, along, margin, key, key_ray)
         found.append(_mirrored(local, xy[place_of_ray[ray]], place[place_of_ray[ray], 2], ray, piece, direction,
                                along, ends, margin))
-    columns = [np.concatenate([getattr(part, name) for part in found]) for name in Bounces.__dataclass_fields__]
-    made = Bounces(*columns)
+    columns = [np.concatenate([getattr(part, name) for part in found]) for name in WallReflections.__dataclass_fields__]
+    made = WallReflections(*columns)
     made.place[:, :2] += middle
     return made
 
 
-def unhindered(obstacles: Obstacles, place: np.ndarray, direction: np.ndarray, found: Bounces,
-               progress: Progress = SILENT) -> np.ndarray:
+def legs_in_line_of_sight(obstacles: WallObstacles, place: np.ndarray, direction: np.ndarray, found: WallReflections,
+                          progress: Progress = SILENT) -> np.ndarray:
     """Whether both legs of reflections are free, (k,).
 
     Parameters
@@ -279,23 +279,24 @@ def unhindered(obstacles: Obstacles, place: np.ndarray, direction: np.ndarray, f
     return free
 
 
-def turned(direction: np.ndarray, azimuth: float, elevation: float) -> np.ndarray:
-    """Unit vectors (n, 3) turned clockwise and raised, both in degrees; not beyond the zenith."""
+def rotated_directions(direction: np.ndarray, azimuth: float, elevation: float) -> np.ndarray:
+    """Unit vectors (n, 3) rotated clockwise and raised, both in degrees; not beyond the zenith."""
     flat = np.hypot(direction[:, 0], direction[:, 1])
     az = np.arctan2(direction[:, 0], direction[:, 1]) + np.radians(azimuth)
     el = np.clip(np.arctan2(direction[:, 2], flat) + np.radians(elevation), 1e-3, np.pi / 2)
     return np.column_stack([np.cos(el) * np.sin(az), np.cos(el) * np.cos(az), np.sin(el)])
 
 
-def _facing(walls: Walls, xy: np.ndarray, along: np.ndarray, ends, farthest: float) -> tuple[np.ndarray, np.ndarray]:
+def _facing(walls: WallPieces, xy: np.ndarray, along: np.ndarray, ends, max_range: float
+            ) -> tuple[np.ndarray, np.ndarray]:
     """Rows of places and numbers of the pieces that they see from in front, not too far away."""
     distance = xy @ walls.normal.T - walls.offset
     beside = xy @ along.T
     beyond = np.maximum(np.maximum(ends[0] - beside, beside - ends[1]), 0.0)
-    return np.nonzero((distance > 0.05) & (distance**2 + beyond**2 < farthest**2))
+    return np.nonzero((distance > 0.05) & (distance**2 + beyond**2 < max_range**2))
 
 
-def _between(walls: Walls, xy: np.ndarray, row: np.ndarray, piece: np.ndarray, along: np.ndarray, margin: float,
+def _between(walls: WallPieces, xy: np.ndarray, row: np.ndarray, piece: np.ndarray, along: np.ndarray, margin: float,
              key: np.ndarray, key_ray: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Rays that the mirror images of places see through the pieces, and those pieces."""
     normal = walls.normal[piece]
@@ -312,18 +313,18 @@ def _between(walls: Walls, xy: np.ndarray, row: np.ndarray, piece: np.ndarray, a
     return key_ray[np.repeat(low, count) + within], np.repeat(piece, count)
 
 
-def _mirrored(walls: Walls, xy: np.ndarray, z: np.ndarray, ray: np.ndarray, piece: np.ndarray, direction: np.ndarray,
-              along: np.ndarray, ends, margin: float) -> Bounces:
+def _mirrored(walls: WallPieces, xy: np.ndarray, z: np.ndarray, ray: np.ndarray, piece: np.ndarray,
+              direction: np.ndarray, along: np.ndarray, ends, margin: float) -> WallReflections:
     """Reflections of rays by pieces, as far as the point lies within the piece grown by the margin."""
     normal, to_satellite = walls.normal[piece], direction[ray]
     distance = np.einsum("ij,ij->i", xy, normal) - walls.offset[piece]
-    slope = np.einsum("ij,ij->i", to_satellite[:, :2], normal)
-    steep = slope > LEAST_SLOPE
-    xy, z, ray, piece, normal, to_satellite, distance, slope = (
-        values[steep] for values in (xy, z, ray, piece, normal, to_satellite, distance, slope))
+    cosine = np.einsum("ij,ij->i", to_satellite[:, :2], normal)
+    steep = cosine > MIN_INCIDENCE_COSINE
+    xy, z, ray, piece, normal, to_satellite, distance, cosine = (
+        values[steep] for values in (xy, z, ray, piece, normal, to_satellite, distance, cosine))
     arriving = to_satellite.copy()
-    arriving[:, :2] -= 2 * slope[:, None] * normal
-    length = distance / slope
+    arriving[:, :2] -= 2 * cosine[:, None] * normal
+    length = distance / cosine
     place = np.column_stack([xy, z]) + length[:, None] * arriving
     beside = np.einsum("ij,ij->i", place[:, :2], along[piece])
     share = _share(walls, piece, place[:, :2])
@@ -332,29 +333,30 @@ def _mirrored(walls: Walls, xy: np.ndarray, z: np.ndarray, ray: np.ndarray, piec
     inside = np.minimum.reduce([beside - ends[0][piece], ends[1][piece] - beside, place[:, 2] - low,
                                 top - place[:, 2]])
     kept = inside >= -margin
-    return Bounces(*(values[kept] for values in (ray, piece, place, length, arriving, distance, slope, inside)))
+    return WallReflections(*(values[kept] for values in (ray, piece, place, length, arriving, distance, cosine,
+                                                         inside)))
 
 
-def _share(walls: Walls, piece: np.ndarray, xy: np.ndarray) -> np.ndarray:
+def _share(walls: WallPieces, piece: np.ndarray, xy: np.ndarray) -> np.ndarray:
     """(n,) how far from start (0) to end (1) of their pieces places lie."""
-    way = walls.end[piece] - walls.start[piece]
-    return np.einsum("ij,ij->i", xy - walls.start[piece], way) / np.einsum("ij,ij->i", way, way)
+    edge = walls.end[piece] - walls.start[piece]
+    return np.einsum("ij,ij->i", xy - walls.start[piece], edge) / np.einsum("ij,ij->i", edge, edge)
 
 
 def _part(share: np.ndarray, heights: np.ndarray) -> np.ndarray:
-    """(n,) height at a share of the way above that at the start; 0 where the edge is at infinity."""
+    """(n,) height at a share of the length above that at the start; 0 where the edge is at infinity."""
     known = np.isfinite(heights[:, 0])
     return np.where(known, np.clip(share, 0.0, 1.0) * (np.where(known, heights[:, 1], 0.0)
                                                        - np.where(known, heights[:, 0], 0.0)), 0.0)
 
 
-def _shifted(walls: Walls, origin: np.ndarray) -> Walls:
+def _shifted(walls: WallPieces, origin: np.ndarray) -> WallPieces:
     """The walls in coordinates from `origin`, small numbers for exact distances."""
-    return Walls(walls.start - origin, walls.end - origin, walls.low, walls.top, walls.normal,
-                 walls.offset - walls.normal @ origin, walls.building, walls.wall)
+    return WallPieces(walls.start - origin, walls.end - origin, walls.low, walls.top, walls.normal,
+                      walls.offset - walls.normal @ origin, walls.building, walls.wall)
 
 
-def _cells_of(walls: Walls, cell: float, columns: int) -> tuple[np.ndarray, np.ndarray]:
+def _cells_of(walls: WallPieces, cell: float, columns: int) -> tuple[np.ndarray, np.ndarray]:
     """Numbers of cells and of the pieces in them, in the order of the pieces."""
     low = np.floor(np.minimum(walls.start, walls.end) / cell - 1e-6).astype(np.int64)
     high = np.floor(np.maximum(walls.start, walls.end) / cell + 1e-6).astype(np.int64)

@@ -16,8 +16,8 @@ from ..orbits.ephemeris import Navigation, sky_at
 from ..rinex.gnss_time import calendar_seconds, calendar_text, span_text, to_gps
 from ..signals.observations import trajectory_shift, within_trajectory
 from ..signals.tables import SYSTEM_NAMES
-from .tracing import Obstacles
-from .wall_faces import Walls
+from .tracing import WallObstacles
+from .wall_faces import WallPieces
 
 SKY_STEP = 10.0
 """Satellites are placed anew after so many seconds, in which they move by less than 0.1 degree."""
@@ -34,12 +34,12 @@ class SkySettings:
     Parameters
     ----------
     systems : letters of the systems.  elevation_mask : degrees.
-    longest_gap : of a trajectory, s; places in longer ones are left out.
+    max_gap : of a trajectory, s; places in longer ones are left out.
     """
 
     systems: str = "GRECJ"
     elevation_mask: float = 10.0
-    longest_gap: float = 5.0
+    max_gap: float = 5.0
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class Visibility:
     names: tuple[str, ...]
 
 
-def visible_satellites(obstacles: Obstacles, navigation: Navigation, place: np.ndarray, gps_time: np.ndarray,
+def visible_satellites(obstacles: WallObstacles, navigation: Navigation, place: np.ndarray, gps_time: np.ndarray,
                        crs_wkt: str, systems: str = "GRECJ", elevation_mask: float = 10.0,
                        progress: Progress = SILENT) -> Visibility:
     """Count the satellites in line of sight.
@@ -103,7 +103,7 @@ def visible_satellites(obstacles: Obstacles, navigation: Navigation, place: np.n
     return Visibility(table[:, 0], by_system, above, table[:, 1], tuple(sorted(seen)))
 
 
-def _counted(obstacles: Obstacles, place: np.ndarray, system: np.ndarray, direction: np.ndarray,
+def _counted(obstacles: WallObstacles, place: np.ndarray, system: np.ndarray, direction: np.ndarray,
              names: list[str]) -> np.ndarray:
     """(n, 2 + systems) number of satellites in line of sight, PDOP, and the number of each system; NaN inside."""
     table = np.full((len(place), 2 + len(names)), np.nan)
@@ -117,7 +117,7 @@ def _counted(obstacles: Obstacles, place: np.ndarray, system: np.ndarray, direct
     return table
 
 
-def visibility_along(obstacles: Obstacles, navigation: Navigation, trajectory: Trajectory, crs_wkt: str,
+def visibility_along(obstacles: WallObstacles, navigation: Navigation, trajectory: Trajectory, crs_wkt: str,
                      settings: SkySettings, lever_arm: tuple[float, float, float] = (0.0, 0.0, 0.0),
                      every: float = 1.0, progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray, Visibility]:
     """Satellites in line of sight along a drive.
@@ -136,13 +136,13 @@ def visibility_along(obstacles: Obstacles, navigation: Navigation, trajectory: T
     """
     shift = trajectory_shift(trajectory, [navigation.span()], "navigation files")
     time = np.arange(trajectory.time[0], trajectory.time[-1] + 1e-6, every)
-    time = time[within_trajectory(trajectory, time, settings.longest_gap)]
+    time = time[within_trajectory(trajectory, time, settings.max_gap)]
     place = body_to_map(trajectory, np.minimum(time, trajectory.time[-1]), np.asarray(lever_arm, float))
     return time, place, visible_satellites(obstacles, navigation, place, time + shift, crs_wkt, settings.systems,
                                            settings.elevation_mask, progress)
 
 
-def visibility_over(obstacles: Obstacles, navigation: Navigation, grid: Grid, antenna: np.ndarray, gps_time: float,
+def visibility_over(obstacles: WallObstacles, navigation: Navigation, grid: Grid, antenna: np.ndarray, gps_time: float,
                     crs_wkt: str, settings: SkySettings,
                     progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray, Visibility]:
     """Satellites in line of sight over an area at one time.
@@ -172,7 +172,7 @@ def visibility_over(obstacles: Obstacles, navigation: Navigation, grid: Grid, an
     return np.column_stack([row, column])[outside], place[outside], kept
 
 
-def level_ground(walls: Walls) -> float:
+def level_ground(walls: WallPieces) -> float:
     """Height of the ground, m, where only the buildings tell it: the median of the feet of their walls.
 
     Raises

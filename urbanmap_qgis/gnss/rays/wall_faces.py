@@ -30,7 +30,7 @@ _SAME_PLANE = 0.05
 
 
 @dataclass(frozen=True)
-class Walls:
+class WallPieces:
     """Pieces of walls. Walking from start to end, the building is on the left and the open on the right.
 
     Attributes
@@ -88,7 +88,7 @@ class WallTable:
 
 
 def building_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray | None = None,
-                   top: np.ndarray | None = None, low: np.ndarray | None = None) -> Walls:
+                   top: np.ndarray | None = None, low: np.ndarray | None = None) -> WallPieces:
     """Walls of building models.
 
     Parameters
@@ -153,15 +153,15 @@ def is_solid(shape: shapely.Geometry) -> bool:
     return any(abs(_normal(_ring(part.exterior))[2]) < _UPRIGHT for part in shapely.get_parts(shape))
 
 
-def wall_table(walls: Walls) -> WallTable:
+def wall_table(walls: WallPieces) -> WallTable:
     """The walls of which `walls` are the pieces, in the order of their numbers."""
     order = np.argsort(walls.wall, kind="stable")
     first = np.searchsorted(walls.wall[order], np.arange(walls.count))
     head = order[first]
     along = np.column_stack([-walls.normal[head, 1], walls.normal[head, 0]])
-    way = along[walls.wall]
-    near = np.minimum(np.einsum("ij,ij->i", walls.start, way), np.einsum("ij,ij->i", walls.end, way))
-    far = np.maximum(np.einsum("ij,ij->i", walls.start, way), np.einsum("ij,ij->i", walls.end, way))
+    axis = along[walls.wall]
+    near = np.minimum(np.einsum("ij,ij->i", walls.start, axis), np.einsum("ij,ij->i", walls.end, axis))
+    far = np.maximum(np.einsum("ij,ij->i", walls.start, axis), np.einsum("ij,ij->i", walls.end, axis))
     near, far = (operation.reduceat(values[order], first)
                  for operation, values in ((np.minimum, near), (np.maximum, far)))
     on = walls.normal[head] * walls.offset[head, None]
@@ -171,18 +171,6 @@ def wall_table(walls: Walls) -> WallTable:
     edge = np.arange(len(head)) - np.searchsorted(building, building) + 1
     return WallTable(building, edge, on + near[:, None] * along, on + far[:, None] * along, walls.normal[head],
                      np.where(np.isfinite(low), low, np.nan), top)
-
-
-def moved(walls: Walls, outwards: np.ndarray) -> Walls:
-    """The pieces with each wall moved by `outwards` (walls,) m along its normal, neighbours left as they are.
-
-    For tracing only: at corners the pieces may then cross or leave a gap of about the offset; the whole buildings are
-    moved by `moved_buildings`.
-    """
-    by = outwards[walls.wall]
-    shift = by[:, None] * walls.normal
-    return Walls(walls.start + shift, walls.end + shift, walls.low, walls.top, walls.normal, walls.offset + by,
-                 walls.building, walls.wall)
 
 
 def _outline_heights(shape: shapely.Geometry, number: int, top, low) -> tuple[float, float] | None:
@@ -273,15 +261,15 @@ def _normal(ring: np.ndarray) -> np.ndarray:
     return area / size if size > 0 else np.array([0.0, 0.0, 1.0])
 
 
-def _assembled(pieces: np.ndarray, building: np.ndarray) -> Walls:
+def _assembled(pieces: np.ndarray, building: np.ndarray) -> WallPieces:
     """Walls of pieces (n, 8), sorted by building, with their planes."""
-    way = pieces[:, 2:4] - pieces[:, :2]
-    length = np.hypot(way[:, 0], way[:, 1])
+    edge = pieces[:, 2:4] - pieces[:, :2]
+    length = np.hypot(edge[:, 0], edge[:, 1])
     kept = length > _SHORTEST
-    pieces, building, way, length = pieces[kept], building[kept], way[kept], length[kept]
+    pieces, building, edge, length = pieces[kept], building[kept], edge[kept], length[kept]
     order = np.argsort(building, kind="stable")
-    pieces, building, way, length = pieces[order], building[order], way[order], length[order]
-    normal = np.column_stack([way[:, 1], -way[:, 0]]) / length[:, None]
+    pieces, building, edge, length = pieces[order], building[order], edge[order], length[order]
+    normal = np.column_stack([edge[:, 1], -edge[:, 0]]) / length[:, None]
     offset = np.einsum("ij,ij->i", normal, (pieces[:, :2] + pieces[:, 2:4]) / 2)
     wall = np.zeros(len(pieces), np.int64)
     number = 0
@@ -289,7 +277,7 @@ def _assembled(pieces: np.ndarray, building: np.ndarray) -> Walls:
         own = _planes(pieces[first:last], normal[first:last], length[first:last])
         wall[first:last] = number + own
         number += own.max() + 1
-    return Walls(pieces[:, :2], pieces[:, 2:4], pieces[:, 4:6], pieces[:, 6:8], normal, offset, building, wall)
+    return WallPieces(pieces[:, :2], pieces[:, 2:4], pieces[:, 4:6], pieces[:, 6:8], normal, offset, building, wall)
 
 
 def _runs(values: np.ndarray) -> list[tuple[int, int]]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from ..rays.reflections import LOS, REFLECTED, Ways
-from ..rays.wall_faces import Walls
+from ..rays.reflections import LOS, REFLECTED, SignalPaths
+from ..rays.wall_faces import WallPieces
 from ..signals.tables import Signals
 from ..walls.adjustment import ADJUSTED, WallResult
 
@@ -16,14 +16,14 @@ _MOST = 4000
 _GREEN, _ORANGE, _GREY, _BLUE, _RED = "#1a9850", "#e08a1e", "#999999", "#2166ac", "#b2182b"
 
 
-def sky_plot(signals: Signals, ways: Ways, size: int = 460) -> str:
-    """Where the satellites were, coloured by the way of their signals; grid north up, the zenith in the middle."""
+def sky_plot(signals: Signals, paths: SignalPaths, size: int = 460) -> str:
+    """Where the satellites were, coloured by the path of their signals; grid north up, the zenith in the middle."""
     middle, radius = size / 2, size / 2 - 26
     rows = _some(len(signals))
     away = radius * (90.0 - signals.elevation[rows]) / 90.0
     angle = np.radians(signals.azimuth[rows])
     x, y = middle + away * np.sin(angle), middle - away * np.cos(angle)
-    colour = np.select([ways.kind[rows] == LOS, ways.kind[rows] == REFLECTED], [_GREEN, _ORANGE], _GREY)
+    colour = np.select([paths.kind[rows] == LOS, paths.kind[rows] == REFLECTED], [_GREEN, _ORANGE], _GREY)
     rings = "".join(f'<circle cx="{middle}" cy="{middle}" r="{radius * share:.1f}" fill="none" stroke="#ccc"/>'
                     for share in (1 / 3, 2 / 3, 1.0))
     names = "".join(f'<text x="{middle + (radius + 14) * dx:.0f}" y="{middle - (radius + 14) * dy + 4:.0f}" '
@@ -33,7 +33,7 @@ def sky_plot(signals: Signals, ways: Ways, size: int = 460) -> str:
 
 
 def scatter(predicted: np.ndarray, measured: np.ndarray, sure: np.ndarray, size: int = 460) -> str:
-    """Measured against predicted additional way, m, with the line on which they are equal."""
+    """Measured against predicted excess path, m, with the line on which they are equal."""
     low, high = -10.0, float(np.ceil(max(np.quantile(predicted, 0.99), 30.0) / 10.0) * 10.0 + 20.0)
     left, foot = 46.0, size - 36.0
     scale = (size - left - 12) / (high - low)
@@ -52,9 +52,9 @@ def scatter(predicted: np.ndarray, measured: np.ndarray, sure: np.ndarray, size:
     return _svg(size, size, line + ticks + _dots(x, y, colour, 1.8) + text)
 
 
-def wall_map(shapes: np.ndarray, before: Walls, after: Walls, walls: WallResult, width: int = 900) -> str:
+def wall_map(shapes: np.ndarray, before: WallPieces, after: WallPieces, walls: WallResult, width: int = 900) -> str:
     """Plan of buildings with the walls that were adjusted or observed; moves are drawn three times as large."""
-    shown = walls.votes > 0
+    shown = walls.observations > 0
     corners = np.concatenate([before.start[shown[before.wall]], before.end[shown[before.wall]]]) if shown.any() else (
         np.concatenate([before.start, before.end]))
     (x_min, y_min), (x_max, y_max) = corners.min(axis=0) - 15.0, corners.max(axis=0) + 15.0

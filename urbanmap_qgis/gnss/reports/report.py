@@ -10,8 +10,8 @@ import numpy as np
 
 from ...io.report import Report
 from ...io.svg import bars
-from ..rays.ray_lines import RayFigures, ray_figures
-from ..rays.reflections import LOS, NLOS, REFLECTED, Ways
+from ..rays.ray_lines import RayStatistics, ray_statistics
+from ..rays.reflections import LOS, NLOS, REFLECTED, SignalPaths
 from ..signals.tables import SYSTEM_NAMES, Signals
 from ..walls.adjustment import ADJUSTED, HELD, Adjustment
 from .charts import scatter, sky_plot, wall_map
@@ -20,8 +20,8 @@ _NAMES = {LOS: "in line of sight", NLOS: "blocked, no single wall reflects it", 
 _ROWS = 200
 
 
-def write_reflection_report(path: str | os.PathLike, signals: Signals, ways: Ways, corrected: np.ndarray,
-                            figures: RayFigures, settings: Mapping[str, str]) -> None:
+def write_reflection_report(path: str | os.PathLike, signals: Signals, paths: SignalPaths, corrected: np.ndarray,
+                            figures: RayStatistics, settings: Mapping[str, str]) -> None:
     """Report of traced signals.
 
     Parameters
@@ -29,8 +29,8 @@ def write_reflection_report(path: str | os.PathLike, signals: Signals, ways: Way
     corrected : (n,) residuals less the receiver's clock, m.  settings : labels and values of the run.
     """
     report = Report("GNSS reflections")
-    _signals(report, signals, ways, corrected, figures)
-    _distrust(report, signals, ways, corrected)
+    _signals(report, signals, paths, corrected, figures)
+    _distrust(report, signals, paths, corrected)
     report.section("Settings")
     report.facts(settings)
     report.write(path)
@@ -50,19 +50,19 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
     report.facts({"Walls": len(adjusted), "Adjusted": int(adjusted.sum()),
                   "Held back to keep buildings valid": int(np.sum(walls.status == HELD)),
                   "Not observable": int(np.sum(walls.status != ADJUSTED) - np.sum(walls.status == HELD)),
-                  "Passes": len(made.clocks), "Independent observations": len(made.votes),
+                  "Passes": len(made.clocks), "Independent observations": len(made.observations),
                   "Signals in them": int(made.used.sum()),
                   "Median sigma of adjusted walls, m": _median(walls.sigma[adjusted]),
                   "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
-                  "Tracings until nothing changed": made.rounds})
+                  "Iterations until nothing changed": made.iterations})
     if not adjusted.any():
         report.warning("No wall was moved: the observations do not decide. The table below tells why.")
     _plan(report, made, shapes)
     _reasons(report, made)
     _wall_table(report, made, names)
     _errors(report, made)
-    _signals(report, signals, made.ways, made.corrected, ray_figures(signals, made.ways, made.corrected))
-    _distrust(report, signals, made.ways, made.corrected)
+    _signals(report, signals, made.paths, made.corrected, ray_statistics(signals, made.paths, made.corrected))
+    _distrust(report, signals, made.paths, made.corrected)
     report.section("Settings")
     report.facts(settings)
     report.write(path)
@@ -88,13 +88,13 @@ def _reasons(report: Report, made: Adjustment) -> None:
 def _wall_table(report: Report, made: Adjustment, names: np.ndarray) -> None:
     walls, table = made.walls, made.walls.table
     report.section("Walls with observations")
-    seen = np.flatnonzero(walls.votes > 0)
+    seen = np.flatnonzero(walls.observations > 0)
     order = seen[np.lexsort((walls.sigma[seen], walls.status[seen] != ADJUSTED))]
     rows = [[str(names[table.building[w]]), int(table.edge[w]), walls.status[w], float(walls.offset[w]),
-             float(walls.sigma[w]), float(walls.applied[w]), int(walls.votes[w]), int(walls.satellites[w]),
-             int(walls.passes[w]), float(walls.on_time[w]), walls.reason[w]] for w in order[:_ROWS]]
+             float(walls.sigma[w]), float(walls.applied[w]), int(walls.observations[w]), int(walls.satellites[w]),
+             int(walls.passes[w]), float(walls.inlier_share[w]), walls.reason[w]] for w in order[:_ROWS]]
     report.table(["building", "edge", "status", "offset, m", "sigma, m", "moved, m", "observations", "satellites",
-                  "passes", "share on time", "reason"], rows)
+                  "passes", "share of inliers", "reason"], rows)
     if len(order) > _ROWS:
         report.paragraph(f"{len(order) - _ROWS} more are in the layer of walls.")
 
@@ -105,57 +105,59 @@ def _errors(report: Report, made: Adjustment) -> None:
     model, error = made.offsets.model, made.offsets.error
     report.section("How the observations scatter")
     report.facts({"Error of an observation besides its noise, m": model.sigma,
-                  "Factor of the noise expected": model.noise, "Share of late ones": model.late_share,
-                  "Their mean delay, m": model.late_mean, "Share of strays": model.stray_share})
+                  "Factor of the noise expected": model.noise, "Share of NLOS-delayed ones": model.nlos_share,
+                  "Their mean delay, m": model.nlos_mean_delay, "Share of outliers": model.outlier_share})
     shown = np.clip(error, -10.0, 20.0)
     counts, edges = np.histogram(shown, bins=30, range=(-10.0, 20.0))
-    report.figure(bars(counts, edges, "m"), "What the offsets leave of the observations: late ones are to the right; "
+    report.figure(bars(counts, edges, "m"), "What the offsets leave of the observations: NLOS-delayed ones are to the "
+                  "right; "
                                             "the first and the last bar hold all that is beyond.")
 
 
-def _signals(report: Report, signals: Signals, ways: Ways, corrected: np.ndarray, figures: RayFigures) -> None:
+def _signals(report: Report, signals: Signals, paths: SignalPaths, corrected: np.ndarray,
+             figures: RayStatistics) -> None:
     report.section("Signals")
     systems = ", ".join(f"{SYSTEM_NAMES.get(name, name)} {np.sum(signals.system == name):,}"
                         for name in np.unique(signals.system))
     report.facts({"Epochs": len(signals.epochs), "Signals": len(signals), "By system": systems,
                   **{_NAMES[kind].capitalize(): count for kind, count in figures.count.items()},
-                  "Residuals in line of sight: median, m": figures.sight_median,
-                  "Residuals in line of sight: quartile range, m": figures.sight_quartiles,
+                  "Residuals in line of sight: median, m": figures.los_median,
+                  "Residuals in line of sight: quartile range, m": figures.los_iqr,
                   "Reflected signals with a known clock": figures.reflected,
                   "of these within 5 m of prediction": figures.within_5,
                   "of these within 10 m of prediction": figures.within_10,
                   "of these: median difference, m": figures.difference})
-    report.figure(sky_plot(signals, ways), "Sky plot (grid north up, horizon outside): green in line of sight, orange "
+    report.figure(sky_plot(signals, paths), "Sky plot (grid north up, horizon outside): green in line of sight, orange "
                                            "reflected, grey blocked.")
     known = np.isfinite(corrected)
     for kind in (LOS, REFLECTED, NLOS):
-        rows = known & (ways.kind == kind)
+        rows = known & (paths.kind == kind)
         if rows.any():
             low, high = (-10.0, 10.0) if kind == LOS else (-20.0, 80.0)
             counts, edges = np.histogram(np.clip(corrected[rows], low, high), bins=50, range=(low, high))
             report.figure(bars(counts, edges, "residual, m"), f"Residuals of signals {_NAMES[kind]} ({rows.sum():,}).")
-    rows = np.flatnonzero(known & (ways.kind == REFLECTED))
+    rows = np.flatnonzero(known & (paths.kind == REFLECTED))
     if len(rows):
-        report.figure(scatter(ways.excess()[rows], corrected[rows], ways.sure[rows]),
-                      "Measured against predicted additional way of reflected signals, m: dark where the class is "
+        report.figure(scatter(paths.excess()[rows], corrected[rows], paths.sure[rows]),
+                      "Measured against predicted excess path of reflected signals, m: dark where the class is "
                       "sure. Above the line signals are late, at the foot the direct signal got through.")
 
 
-def _distrust(report: Report, signals: Signals, ways: Ways, corrected: np.ndarray) -> None:
+def _distrust(report: Report, signals: Signals, paths: SignalPaths, corrected: np.ndarray) -> None:
     report.section("What to distrust")
     unknown = int(np.sum(~np.isfinite(corrected)))
-    unsure = float(np.mean(~ways.sure))
+    unsure = float(np.mean(~paths.sure))
     report.table(["what", "how many"], [
         ["signals without a known receiver clock (fewer than three in line of sight)", unknown],
         ["share of signals near an edge: class not sure", unsure],
-        ["epochs with the antenna within a building", int(ways.indoors.sum())],
+        ["epochs with the antenna within a building", int(paths.indoors.sum())],
         *[[f"observations left out: {reason}", count] for reason, count in signals.left_out.items()]])
     for note in signals.notes:
         report.paragraph(note)
     if np.isfinite(signals.geoid_sigma):
         report.warning(f"The geoid separation was estimated from the satellites ({signals.geoid_separation:.1f} m, "
                        f"sigma {signals.geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.")
-    report.paragraph("Reflections by ground, vehicles, bridges and trees, two reflections in a row and bending round "
+    report.paragraph("Reflections by ground, vehicles, bridges and trees, two reflections in a row and diffraction at "
                      "edges are not traced; walls are taken for flat and upright.")
 
 

@@ -1,7 +1,7 @@
 """From observation and navigation files and a trajectory to signals: code residuals with all known terms taken off.
 
-A code range is the geometric range (with the turn of the earth during the travel), plus the receiver's clock, minus the
-satellite's clock, plus group delay, troposphere, ionosphere, excess path of a reflection, and noise (J 5.6).
+A code range is the geometric range (with the rotation of the earth during the travel), plus the receiver's clock, minus
+the satellite's clock, plus group delay, troposphere, ionosphere, excess path of a reflection, and noise (J 5.6).
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from ..orbits.ephemeris import (
     NO_EPHEMERIS,
     UNHEALTHY,
     Navigation,
-    States,
+    SatelliteStates,
+    geometric_ranges,
     read_navigation,
-    signal_paths,
-    turned_with_earth,
+    sagnac_corrected,
 )
 from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text
 from ..rinex.observation_file import Observations, read_observations
@@ -78,7 +78,7 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
     shift = trajectory_shift(trajectory, [(file.time[0], file.time[-1]) for file in files])
 
     def measured(seconds: float, part: Progress) -> list[_Measured]:
-        """All files with the trajectory's times moved by so many seconds."""
+        """All files with the trajectory's times shifted by so many seconds."""
         found = []
         for number, file in enumerate(files):
             found.append(_measured(file, navigation, trajectory, seconds, crs_wkt, settings))
@@ -138,7 +138,7 @@ class _Measured:
     satellite: np.ndarray
     code: np.ndarray
     cn0: np.ndarray
-    states: States
+    states: SatelliteStates
     bands: dict[str, str]
     left_out: Counter
     unplaced: dict[int, set[str]]
@@ -149,11 +149,11 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     """Epochs of a file that the trajectory covers, with the satellites at transmission."""
     left_out: Counter = Counter()
     time = file.time - shift
-    covered = within_trajectory(trajectory, time, settings.longest_gap)
+    covered = within_trajectory(trajectory, time, settings.max_gap)
     _count(left_out, "outside the trajectory or in a gap of it", ~covered[file.epoch])
     rows = np.flatnonzero(covered[file.epoch])
-    weak = file.cn0[rows] < settings.least_cn0
-    _count(left_out, f"weaker than {settings.least_cn0:g} dB-Hz", weak)
+    weak = file.cn0[rows] < settings.min_cn0
+    _count(left_out, f"weaker than {settings.min_cn0:g} dB-Hz", weak)
     rows = rows[~weak]
     number = np.cumsum(covered) - 1
     time, gps_time, epoch = time[covered], file.time[covered], number[file.epoch[rows]]
@@ -162,7 +162,7 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     frame = MapFrame(crs_wkt)
     here = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
     satellite, code = file.satellite[rows], file.code[rows]
-    paths = signal_paths(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
+    paths = geometric_ranges(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
     unplaced = {}
     for status, reason in ((NO_EPHEMERIS, "without an ephemeris"), (UNHEALTHY, "of unhealthy satellites")):
         _count(left_out, reason, paths.states.status == status)
@@ -174,15 +174,15 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     late = np.where(np.isfinite(clock) & (np.abs(clock) < 0.05 * SPEED_OF_LIGHT), clock, 0.0) / SPEED_OF_LIGHT
     received = np.clip(time - late, trajectory.time[0], trajectory.time[-1])
     place = body_to_map(trajectory, received, arm)
-    states = States(*(getattr(paths.states, name)[good] for name in States.__dataclass_fields__))
+    states = SatelliteStates(*(getattr(paths.states, name)[good] for name in SatelliteStates.__dataclass_fields__))
     return _Measured(time, gps_time, place, epoch[good], satellite[good], code[good], file.cn0[rows][good], states,
                      file.bands, left_out, unplaced)
 
 
-def within_trajectory(trajectory: Trajectory, time: np.ndarray, longest_gap: float) -> np.ndarray:
+def within_trajectory(trajectory: Trajectory, time: np.ndarray, max_gap: float) -> np.ndarray:
     """Which times (n,), in the trajectory's own time, lie in it and not in a gap longer than so many seconds."""
     covered = trajectory.within(time)
-    spans = gaps(trajectory, longest_gap)
+    spans = gaps(trajectory, max_gap)
     if len(spans):
         gap = np.searchsorted(spans[:, 0], time, side="left") - 1
         within = (gap >= 0) & (time < spans[np.maximum(gap, 0), 1])
@@ -209,19 +209,19 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
         table["epoch"] = table["epoch"] + first[number]
         columns.append(table)
         datum.append(base)
-    joined = {name: np.concatenate([table[name] for table in columns]) for name in columns[0]}
-    if not len(joined["epoch"]):
+    columns_of_all = {name: np.concatenate([table[name] for table in columns]) for name in columns[0]}
+    if not len(columns_of_all["epoch"]):
         reasons = ", ".join(f"{count} {reason}" for reason, count in left_out.items())
         raise InsufficientDataError(f"No observation can be used ({reasons or 'the files hold none'}): check that "
                                     "observations, navigation and trajectory belong together.")
     epochs = Epochs(np.concatenate([part.time for part in parts]), np.concatenate([part.gps_time for part in parts]),
                     np.concatenate([part.place for part in parts]),
                     np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
-    row = joined["epoch"]
+    row = columns_of_all["epoch"]
     notes = _notes(files, navigation, model, parts)
     return Signals(epochs=epochs, time=epochs.time[row], place=epochs.place[row],
-                   system=joined["satellite"].astype("U1"), clock_datum=np.array(datum), geoid_separation=separation,
-                   left_out=dict(left_out), notes=notes, **joined)
+                   system=columns_of_all["satellite"].astype("U1"), clock_datum=np.array(datum),
+                   geoid_separation=separation, left_out=dict(left_out), notes=notes, **columns_of_all)
 
 
 def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
@@ -234,7 +234,7 @@ def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
                 "direction": np.zeros((0, 3))}, np.zeros(0, bool), 0.0
     site: EarthPlaces = frame.places(part.place)
     epoch = part.epoch
-    vector, distance = turned_with_earth(part.states.place, site.earth_fixed[epoch])
+    vector, distance = sagnac_corrected(part.states.place, site.earth_fixed[epoch])
     direction = directions(site.axes[epoch], vector)
     elevation, azimuth = elevation_azimuth(direction)
     above = np.degrees(elevation) >= settings.elevation_mask
@@ -297,10 +297,10 @@ def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: 
 
 
 def _with_height(given: float | None, settings: SignalSettings, at_height: Callable[[float], Signals],
-                 moved: Callable[[float, float], Signals]) -> Signals:
+                 retimed: Callable[[float, float], Signals]) -> Signals:
     """Signals with a geoid separation that fits; where it was given, it is checked.
 
-    `at_height(separation)` and `moved(seconds, separation)` make the signals anew.
+    `at_height(separation)` and `retimed(seconds, separation)` make the signals anew.
     """
     signals = at_height(given or 0.0)
     if given is not None and not settings.check_height:
@@ -311,7 +311,7 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
         if given is None:
             raise
         return signals
-    note = _check_fit(signals, moved)
+    note = _check_fit(signals, retimed)
     if given is None:
         if abs(offset) > LARGEST_SEPARATION:
             raise InputError(f"By the satellites the antenna is {offset:.0f} m above the heights of the trajectory, "
@@ -337,7 +337,7 @@ def _scatter(signals: Signals) -> float:
         return float("nan")
 
 
-def _check_fit(signals: Signals, moved: Callable[[float, float], Signals]) -> tuple[str, ...]:
+def _check_fit(signals: Signals, retimed: Callable[[float, float], Signals]) -> tuple[str, ...]:
     """Whether the strongest signals agree at each epoch; a note where they do so badly.
 
     Raises
@@ -349,7 +349,7 @@ def _check_fit(signals: Signals, moved: Callable[[float, float], Signals]) -> tu
         return ()
     leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
     for seconds, fault in ((leap, "too early, as UTC is"), (-leap, "too late")):
-        if _scatter(moved(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
+        if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
             raise InputError(f"The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.")
     if scatter > LARGEST_SCATTER:
         raise InputError(f"The code ranges do not fit the trajectory (the strongest signals contradict each other by "

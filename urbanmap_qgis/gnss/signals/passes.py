@@ -13,7 +13,7 @@ from ...mobile.trajectory import Trajectory, unwrapped
 from ...progress import SILENT, Progress
 from ..rinex.observation_file import read_observations
 from .observations import load_observations, trajectory_shift
-from .tables import Signals, SignalSettings, join
+from .tables import Signals, SignalSettings, join_signals
 
 Span = tuple[float, float]
 
@@ -44,16 +44,16 @@ def load_passes(observation_paths: Sequence[str | os.PathLike], navigation_paths
         return load(observation_paths, trajectories[0], progress)
     spans = _spans(observation_paths, settings, progress.part(0.0, 0.2))
     if _one_time(trajectories, spans):
-        return load(observation_paths, joined(trajectories, names), progress.part(0.2, 1.0))
+        return load(observation_paths, joined_trajectory(trajectories, names), progress.part(0.2, 1.0))
     groups = _grouped(observation_paths, spans, trajectories, names)
     parts = []
     for number, (owner, paths) in enumerate(groups.items()):
         part = progress.part(0.2 + 0.8 * number / len(groups), 0.2 + 0.8 * (number + 1) / len(groups))
         parts.append(load(paths, trajectories[owner], part))
-    return join(parts)
+    return join_signals(parts)
 
 
-def joined(trajectories: Sequence[Trajectory], names: Sequence[str] = ()) -> Trajectory:
+def joined_trajectory(trajectories: Sequence[Trajectory], names: Sequence[str] = ()) -> Trajectory:
     """One trajectory of several that follow each other in time, in any order.
 
     Between two of them there is a gap, in which no observation is used.
@@ -88,7 +88,7 @@ def _one_time(trajectories: Sequence[Trajectory], spans: Sequence[Span]) -> bool
     order = sorted(trajectories, key=lambda trajectory: trajectory.time[0])
     if any(after.time[0] <= before.time[-1] for before, after in zip(order[:-1], order[1:])):
         return False
-    whole = joined(trajectories)
+    whole = joined_trajectory(trajectories)
     shift = trajectory_shift(whole, spans)
     return all(any(_overlap(trajectory, shift, span) > 0 for trajectory in trajectories) for span in spans)
 

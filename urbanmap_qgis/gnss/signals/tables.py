@@ -21,18 +21,18 @@ class SignalSettings:
     ----------
     systems : letters of the systems that are used.
     elevation_mask : satellites lower than this, in degrees, are left out.
-    least_cn0 : weaker signals, in dB-Hz, are left out; signals without a strength are kept.
+    min_cn0 : weaker signals, in dB-Hz, are left out; signals without a strength are kept.
     lever_arm : antenna in the body, (forward, right, down) m from the trajectory's origin.
-    longest_gap : epochs in a gap of the trajectory longer than this, in seconds, are left out.
+    max_gap : epochs in a gap of the trajectory longer than this, in seconds, are left out.
     humidity : relative humidity for the troposphere, 0 to 1.
     check_height : compare the heights with what the satellites say; raise where they differ by tens of metres.
     """
 
     systems: str = "GRECJ"
     elevation_mask: float = 10.0
-    least_cn0: float = 0.0
+    min_cn0: float = 0.0
     lever_arm: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    longest_gap: float = 5.0
+    max_gap: float = 5.0
     humidity: float = 0.7
     check_height: bool = True
 
@@ -63,7 +63,7 @@ class Signals:
     """Code observations, one row each; every array has n rows, sorted by epoch.
 
     A reflected signal arrives late: its residual is the receiver's clock plus the excess path plus noise. The clock
-    is common to the signals of one system at one epoch (`shared_clock.pass_clocks`).
+    is common to the signals of one system at one epoch (`receiver_clock.pass_clocks`).
 
     Attributes
     ----------
@@ -117,7 +117,7 @@ class Signals:
     def raised(self, metres: float) -> Signals:
         """The same signals as if the antenna were higher by so many metres (a correction of the geoid separation).
 
-        Raising the antenna shortens the way to a satellite by metres times the sine of its elevation. `place`
+        Raising the antenna shortens the range to a satellite by metres times the sine of its elevation. `place`
         stays: it is in the heights of the map.
         """
         return replace(self, residual=self.residual + metres * self.direction[:, 2],
@@ -128,7 +128,7 @@ _COLUMNS = ("epoch", "time", "satellite", "system", "code", "cn0", "place", "dir
             "residual", "sigma", "troposphere", "ionosphere", "age")
 
 
-def join(parts: Sequence[Signals]) -> Signals:
+def join_signals(parts: Sequence[Signals]) -> Signals:
     """Signals of several drives in one, files and epochs numbered on; all must lie in the same CRS.
 
     Estimated geoid separations are brought to their mean, weighted by their sigmas; given ones stay as they are.

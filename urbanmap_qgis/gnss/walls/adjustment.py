@@ -1,9 +1,10 @@
 """Walls put where reflected signals say they are, or left where they are with the reason (J 5.6).
 
-Signals are traced among the models; those that are blocked for sure and that exactly one wall can have reflected vote
-on the offset of that wall. The offsets of all walls are estimated together with the errors that votes share. A wall
-is adjusted only if the votes decide: enough of them, of several satellites and passes, a small sigma, one answer, the
-same from any half of the passes. The buildings are moved, the signals traced again, until the votes stay the same.
+Signals are traced among the models; those that are blocked for sure and that exactly one wall can have reflected are
+observations on the offset of that wall. The offsets of all walls are estimated together with the errors that
+observations share. A wall is adjusted only if the observations decide: enough of them, of several satellites and
+passes, a small sigma, one answer, the same from any half of the passes. The buildings are moved, the signals traced
+again, until the observations stay the same.
 """
 
 from __future__ import annotations
@@ -16,19 +17,20 @@ import shapely
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
-from ..rays.reflections import LOS, REFLECTED, TraceSettings, Ways, possible_walls, trace
-from ..rays.tracing import Obstacles, bounces
-from ..rays.wall_faces import Walls, WallTable, building_walls, wall_table
+from ..rays.reflections import LOS, REFLECTED, SignalPaths, TraceSettings, possible_walls, trace
+from ..rays.tracing import WallObstacles, mirror_reflections
+from ..rays.wall_faces import WallPieces, WallTable, building_walls, wall_table
 from ..signals.tables import Signals
-from .moved_buildings import PlanNet, applied_offsets, moved_walls, settle
-from .offset_observations import Votes, gather_votes
+from .moved_buildings import PlanNet, applied_offsets, move_buildings, moved_walls
+from .offset_observations import OffsetObservations, gather_observations
 from .offset_posterior import Offsets, estimate_offsets
 from .receiver_clock import PassClock
 from .residuals import corrected_residuals, line_of_sight_clocks
-from .signal_strength import weaker_by
+from .signal_strength import attenuation
 
 ADJUSTED, NOT_OBSERVABLE, HELD = "adjusted", "not observable", "held"
-"""Moved by its votes; left because the votes do not decide; decided, but the building would not stay valid."""
+"""Moved by its observations; left because the observations do not decide; decided, but the building would not stay
+valid."""
 
 UNWEAKENED = 3.0
 """Signals weaker by less than this are no reflections, dB."""
@@ -41,29 +43,30 @@ class AdjustmentSettings:
     Parameters
     ----------
     prior_sigma : how far walls are off before anything is measured (standard deviation, m).
-    block : signals of a satellite within this many seconds are one vote.
-    least_votes, least_satellites, least_passes : a wall with fewer is left where it is. A pass is an observation file.
-    most_sigma : a wall whose offset has a larger sigma is left where it is, m.
-    most_offset : an offset beyond this is not believed, m.
-    rounds : how often buildings are moved and signals traced again, at most.
+    block : signals of a satellite within this many seconds are one observation.
+    min_observations, min_satellites, min_passes : a wall with fewer is left where it is. A pass is an observation file.
+    max_sigma : a wall whose offset has a larger sigma is left where it is, m.
+    max_offset : an offset beyond this is not believed, m.
+    max_iterations : how often buildings are moved and signals traced again, at most.
     trace : how signals are traced.
     """
 
     prior_sigma: float = 1.0
     block: float = 30.0
-    least_votes: int = 8
-    least_satellites: int = 4
-    least_passes: int = 3
-    most_sigma: float = 0.35
-    most_offset: float = 3.0
-    rounds: int = 4
+    min_observations: int = 8
+    min_satellites: int = 4
+    min_passes: int = 3
+    max_sigma: float = 0.35
+    max_offset: float = 3.0
+    max_iterations: int = 4
     trace: TraceSettings = field(default_factory=TraceSettings)
 
     def __post_init__(self) -> None:
-        if min(self.prior_sigma, self.block, self.most_sigma, self.most_offset) <= 0 or self.rounds < 1:
-            raise InputError("Prior, block length, largest sigma, largest offset and rounds must be greater than 0.")
-        if min(self.least_votes, self.least_satellites, self.least_passes) < 1:
-            raise InputError("The least numbers of votes, satellites and passes must be at least 1.")
+        if min(self.prior_sigma, self.block, self.max_sigma, self.max_offset) <= 0 or self.max_iterations < 1:
+            raise InputError("Prior, block length, maximum sigma, maximum offset and iterations must be greater than "
+                             "0.")
+        if min(self.min_observations, self.min_satellites, self.min_passes) < 1:
+            raise InputError("The minimum numbers of observations, satellites and passes must be at least 1.")
 
 
 @dataclass(frozen=True)
@@ -73,22 +76,23 @@ class WallResult:
     Attributes
     ----------
     table : the walls where the models have them.
-    offset, sigma : (k,) outwards, m, as the votes say, whether they decide or not; NaN without votes.
-    votes, signals, satellites, passes : (k,) behind it.
-    on_time : (k,) share of the votes that are neither late nor strays; NaN without votes.
+    offset, sigma : (k,) outwards, m, as the observations say, whether they decide or not; NaN without observations.
+    observations, signals, satellites, passes : (k,) behind it.
+    inlier_share : (k,) share of the observations that are neither NLOS-delayed nor outliers; NaN without observations.
     status : (k,) ADJUSTED, NOT_OBSERVABLE or HELD.  reason : (k,) why not, empty if adjusted.
-    applied : (k,) how far the wall has moved outwards, m: by its own votes, or because its line or corners moved.
-    distance : (k,) least distance of an antenna in front of it, m; NaN if none was.
+    applied : (k,) how far the wall has moved outwards, m: by its own observations, or because its line or corners
+        moved.
+    distance : (k,) minimum distance of an antenna in front of it, m; NaN if none was.
     """
 
     table: WallTable
     offset: np.ndarray
     sigma: np.ndarray
-    votes: np.ndarray
+    observations: np.ndarray
     signals: np.ndarray
     satellites: np.ndarray
     passes: np.ndarray
-    on_time: np.ndarray
+    inlier_share: np.ndarray
     status: np.ndarray
     reason: np.ndarray
     applied: np.ndarray
@@ -104,35 +108,35 @@ class Adjustment:
     shapes : (n,) the buildings' shapes, moved.
     walls : results by wall.
     before, after : the pieces of the walls before and after.
-    ways : ways of the signals among the moved walls.
+    paths : paths of the signals among the moved walls.
     corrected : (n,) residual less the receiver's clock, m; NaN where the clock is not known.
-    used : (n,) which signals have voted.
-    votes : the votes, and `offsets` what was made of them.
+    used : (n,) which signals were used.
+    observations : the observations, and `offsets` what was made of them.
     clocks : of each pass.
-    rounds : how often the signals were traced.
+    iterations : how often the signals were traced.
     """
 
     shapes: np.ndarray
     walls: WallResult
-    before: Walls
-    after: Walls
-    ways: Ways
+    before: WallPieces
+    after: WallPieces
+    paths: SignalPaths
     corrected: np.ndarray
     used: np.ndarray
-    votes: Votes
+    observations: OffsetObservations
     offsets: Offsets | None
     clocks: list[PassClock]
-    rounds: int
+    iterations: int
 
 
 @dataclass(frozen=True)
-class _Round:
+class _Iteration:
     """One tracing and what followed from it."""
 
-    ways: Ways
+    paths: SignalPaths
     used: np.ndarray
     clocks: list[PassClock]
-    votes: Votes
+    observations: OffsetObservations
     offsets: Offsets | None
 
 
@@ -157,53 +161,53 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
     net = PlanNet.of(before)
     result = _undecided(before, signals, progress)
     walls, outwards, current = before, np.zeros(before.count), np.array(shapes, dtype=object)
-    for number in range(settings.rounds):
-        part = progress.part(0.95 * number / settings.rounds, 0.95 * (number + 1) / settings.rounds)
-        one = _round(walls, signals, outwards, settings, part.part(0.0, 0.8))
+    for number in range(settings.max_iterations):
+        part = progress.part(0.95 * number / settings.max_iterations, 0.95 * (number + 1) / settings.max_iterations)
+        one = _iterate(walls, signals, outwards, settings, part.part(0.0, 0.8))
         result = _judged(result, before, one, settings, part)
         weight = np.where(result.status == ADJUSTED, result.sigma ** -2.0, 0.0)
         wanted = np.where(weight > 0, result.offset, 0.0)
-        current, displacement, held = settle(shapes, row, before, net, wanted, np.nan_to_num(weight),
-                                             part.part(0.8, 1.0))
+        current, displacement, held = move_buildings(shapes, row, before, net, wanted, np.nan_to_num(weight),
+                                                     part.part(0.8, 1.0))
         result = _with_held(result, held, applied_offsets(before, net, displacement))
         walls = moved_walls(before, net, displacement)
-        settled = np.abs(result.applied - outwards).max(initial=0.0) < 0.03
+        converged = np.abs(result.applied - outwards).max(initial=0.0) < 0.03
         outwards = result.applied
-        if settled:
+        if converged:
             break
-    ways = trace(walls, signals, settings.trace, progress.part(0.95, 1.0))
+    paths = trace(walls, signals, settings.trace, progress.part(0.95, 1.0))
     corrected = corrected_residuals(signals, one.clocks)
     return Adjustment(current, _explained(result, before, signals, one, settings,
-                                                    progress), before, walls, ways, corrected,
-                      one.used, one.votes, one.offsets, one.clocks, number + 1)
+                                                    progress), before, walls, paths, corrected,
+                      one.used, one.observations, one.offsets, one.clocks, number + 1)
 
 
-def _round(walls: Walls, signals: Signals, outwards: np.ndarray, settings: AdjustmentSettings,
-           progress: Progress) -> _Round:
-    """Trace the signals, take the clocks off, gather votes and estimate offsets from the model's walls."""
-    obstacles = Obstacles.of(walls)
-    ways = trace(walls, signals, settings.trace, progress.part(0.0, 0.5), obstacles)
-    clocks = line_of_sight_clocks(signals, ways, progress)
-    used = _voters(walls, obstacles, signals, ways, settings, progress.part(0.5, 0.8))
-    votes = gather_votes(walls, signals, ways, used, clocks, outwards, settings.block)
+def _iterate(walls: WallPieces, signals: Signals, outwards: np.ndarray, settings: AdjustmentSettings,
+             progress: Progress) -> _Iteration:
+    """Trace the signals, take the clocks off, gather observations and estimate offsets from the model's walls."""
+    obstacles = WallObstacles.of(walls)
+    paths = trace(walls, signals, settings.trace, progress.part(0.0, 0.5), obstacles)
+    clocks = line_of_sight_clocks(signals, paths, progress)
+    used = _usable_signals(walls, obstacles, signals, paths, settings, progress.part(0.5, 0.8))
+    observations = gather_observations(walls, signals, paths, used, clocks, outwards, settings.block)
     progress.step(0.9)
-    offsets = estimate_offsets(votes, settings.prior_sigma, progress=progress) if len(votes) else None
-    return _Round(ways, used, clocks, votes, offsets)
+    offsets = estimate_offsets(observations, settings.prior_sigma, progress=progress) if len(observations) else None
+    return _Iteration(paths, used, clocks, observations, offsets)
 
 
-def _voters(walls: Walls, obstacles: Obstacles, signals: Signals, ways: Ways, settings: AdjustmentSettings,
-            progress: Progress) -> np.ndarray:
+def _usable_signals(walls: WallPieces, obstacles: WallObstacles, signals: Signals, paths: SignalPaths,
+                    settings: AdjustmentSettings, progress: Progress) -> np.ndarray:
     """(n,) signals that are blocked for sure, weakened, and that no other wall can have reflected."""
     with np.errstate(invalid="ignore"):
-        weakened = ~(weaker_by(signals, (ways.kind == LOS) & ways.sure) < UNWEAKENED)
-    rows = np.flatnonzero((ways.kind == REFLECTED) & ways.sure & weakened)
+        weakened = ~(attenuation(signals, (paths.kind == LOS) & paths.sure) < UNWEAKENED)
+    rows = np.flatnonzero((paths.kind == REFLECTED) & paths.sure & weakened)
     used = np.zeros(len(signals), bool)
     if len(rows):
         used[rows] = possible_walls(walls, obstacles, signals, rows, settings.trace, progress) == 1
     return used
 
 
-def _undecided(walls: Walls, signals: Signals, progress: Progress) -> WallResult:
+def _undecided(walls: WallPieces, signals: Signals, progress: Progress) -> WallResult:
     """The result before anything is known."""
     table = wall_table(walls)
     count = len(table)
@@ -215,7 +219,7 @@ def _undecided(walls: Walls, signals: Signals, progress: Progress) -> WallResult
 
 
 def _nearest(table: WallTable, signals: Signals, progress: Progress) -> np.ndarray:
-    """(k,) least distance in plan of an antenna that stands in front of each wall, m; NaN if none does."""
+    """(k,) minimum distance in plan of an antenna that stands in front of each wall, m; NaN if none does."""
     places = np.unique(np.round(signals.epochs.place[:, :2]), axis=0)
     nearest = np.full(len(table), np.inf)
     along = np.column_stack([-table.normal[:, 1], table.normal[:, 0]])
@@ -232,52 +236,53 @@ def _nearest(table: WallTable, signals: Signals, progress: Progress) -> np.ndarr
     return np.where(np.isfinite(nearest), nearest, np.nan)
 
 
-def _judged(result: WallResult, walls: Walls, one: _Round, settings: AdjustmentSettings,
+def _judged(result: WallResult, walls: WallPieces, one: _Iteration, settings: AdjustmentSettings,
             progress: Progress) -> WallResult:
-    """Offsets and numbers of a round, with the status of each wall that has votes."""
+    """Offsets and numbers of an iteration, with the status of each wall that has observations."""
     count = walls.count
-    offset, sigma, on_time = (np.full(count, np.nan) for _ in range(3))
-    numbers = {name: np.zeros(count, np.int64) for name in ("votes", "signals", "satellites", "passes")}
+    offset, sigma, inlier_share = (np.full(count, np.nan) for _ in range(3))
+    numbers = {name: np.zeros(count, np.int64) for name in ("observations", "signals", "satellites", "passes")}
     reason = np.full(count, "", object)
-    reason[:] = "no vote"
-    votes, found = one.votes, one.offsets
+    reason[:] = "no observation"
+    observations, found = one.observations, one.offsets
     if found is not None:
         offset[found.wall], sigma[found.wall] = found.offset, found.sigma
-        numbers["votes"] = np.bincount(votes.wall, minlength=count)
-        numbers["signals"] = np.bincount(votes.wall, votes.count, count).astype(np.int64)
-        numbers["satellites"] = _different(votes.wall, votes.satellite, count)
-        numbers["passes"] = _different(votes.wall, votes.source, count)
-        on_time[found.wall] = (np.bincount(votes.wall, found.on_time, count) / np.maximum(numbers["votes"], 1)
-                               )[found.wall]
-        halves = _halves_differ(votes, found, settings, progress)
+        numbers["observations"] = np.bincount(observations.wall, minlength=count)
+        numbers["signals"] = np.bincount(observations.wall, observations.count, count).astype(np.int64)
+        numbers["satellites"] = _different(observations.wall, observations.satellite, count)
+        numbers["passes"] = _different(observations.wall, observations.source, count)
+        inliers = np.bincount(observations.wall, found.inlier, count)
+        inlier_share[found.wall] = (inliers / np.maximum(numbers["observations"], 1))[found.wall]
+        halves = _halves_differ(observations, found, settings, progress)
         for k, wall in enumerate(found.wall):
-            reason[wall] = _objection(k, wall, found, numbers, on_time, votes, halves, settings)
+            reason[wall] = _reason_against(k, wall, found, numbers, inlier_share, observations, halves, settings)
     status = np.where(reason == "", ADJUSTED, NOT_OBSERVABLE).astype(object)
-    return replace(result, offset=offset, sigma=sigma, on_time=on_time, status=status, reason=reason, **numbers)
+    return replace(result, offset=offset, sigma=sigma, inlier_share=inlier_share, status=status, reason=reason,
+                   **numbers)
 
 
-def _objection(k: int, wall: int, found: Offsets, numbers: dict, on_time: np.ndarray, votes: Votes,
-               halves: np.ndarray, settings: AdjustmentSettings) -> str:
-    """Why the votes of a wall do not decide; empty if they do."""
-    count, satellites, passes = (int(numbers[name][wall]) for name in ("votes", "satellites", "passes"))
+def _reason_against(k: int, wall: int, found: Offsets, numbers: dict, inlier_share: np.ndarray,
+                    observations: OffsetObservations, halves: np.ndarray, settings: AdjustmentSettings) -> str:
+    """Why the observations of a wall do not decide; empty if they do."""
+    count, satellites, passes = (int(numbers[name][wall]) for name in ("observations", "satellites", "passes"))
     if satellites == 1 and count > 1:
         return "one satellite only"
-    if count < settings.least_votes:
-        return f"too few votes ({count} of {settings.least_votes})"
-    if satellites < settings.least_satellites:
-        return f"too few satellites ({satellites} of {settings.least_satellites})"
-    if passes < settings.least_passes:
-        return f"too few passes ({passes} of {settings.least_passes})"
+    if count < settings.min_observations:
+        return f"too few observations ({count} of {settings.min_observations})"
+    if satellites < settings.min_satellites:
+        return f"too few satellites ({satellites} of {settings.min_satellites})"
+    if passes < settings.min_passes:
+        return f"too few passes ({passes} of {settings.min_passes})"
     if found.rival[k] > 0.05:
-        return "contradicting votes: two offsets are possible"
-    if on_time[wall] < 0.6:
-        return "contradicting votes: most are late or strays"
+        return "contradicting observations: two offsets are possible"
+    if inlier_share[wall] < 0.6:
+        return "contradicting observations: most are NLOS-delayed or outliers"
     if halves[k] > 3.0:
-        return "contradicting votes: the passes do not agree"
-    if found.sigma[k] > settings.most_sigma:
-        flat = np.median(votes.slope[votes.wall == wall]) < 0.25
+        return "contradicting observations: the passes do not agree"
+    if found.sigma[k] > settings.max_sigma:
+        flat = np.median(observations.cosine[observations.wall == wall]) < 0.25
         return f"{'signals run along the wall' if flat else 'not precise enough'} (sigma {found.sigma[k]:.2f} m)"
-    if abs(found.offset[k]) > settings.most_offset:
+    if abs(found.offset[k]) > settings.max_offset:
         return f"offset of {found.offset[k]:.1f} m is not credible"
     return ""
 
@@ -288,20 +293,22 @@ def _different(wall: np.ndarray, values: np.ndarray, count: int) -> np.ndarray:
     return np.bincount(np.unique(np.column_stack([wall, number]), axis=0)[:, 0], minlength=count)
 
 
-def _halves_differ(votes: Votes, found: Offsets, settings: AdjustmentSettings, progress: Progress) -> np.ndarray:
+def _halves_differ(observations: OffsetObservations, found: Offsets, settings: AdjustmentSettings,
+                   progress: Progress) -> np.ndarray:
     """(k,) difference of the offsets from the one and the other half of the passes of each wall, over its sigma.
 
     Each half starts from the same prior, which pulls both to zero: their differences are then smaller, but so are
     their sigmas; the sum of the variances is that of the difference.
     """
-    rank = np.zeros(len(votes), np.int64)
+    rank = np.zeros(len(observations), np.int64)
     for wall in found.wall:
-        members = np.flatnonzero(votes.wall == wall)
-        rank[members] = np.unique(votes.source[members], return_inverse=True)[1].ravel()
+        members = np.flatnonzero(observations.wall == wall)
+        rank[members] = np.unique(observations.source[members], return_inverse=True)[1].ravel()
     parts = []
     for half in (0, 1):
         chosen = np.flatnonzero(rank % 2 == half)
-        parts.append(estimate_offsets(_some(votes, chosen), 3.0 * settings.prior_sigma, found.model, False, progress)
+        parts.append(estimate_offsets(_some(observations, chosen), 3.0 * settings.prior_sigma, found.model, False,
+                                      progress)
                      if len(chosen) else None)
     ratio = np.zeros(len(found.wall))
     if all(part is not None for part in parts):
@@ -314,13 +321,14 @@ def _halves_differ(votes: Votes, found: Offsets, settings: AdjustmentSettings, p
     return ratio
 
 
-def _some(votes: Votes, rows: np.ndarray) -> Votes:
-    """Some of the votes."""
-    columns = {name: getattr(votes, name)[rows] for name in ("wall", "source", "satellite", "block", "value", "slope",
-                                                             "distance", "variance", "count")}
-    shares = tuple(share[np.isin(np.flatnonzero(votes.source == number), rows)]
-                   for number, share in enumerate(votes.share))
-    return replace(votes, share=shares, **columns)
+def _some(observations: OffsetObservations, rows: np.ndarray) -> OffsetObservations:
+    """Some of the observations."""
+    columns = {name: getattr(observations, name)[rows]
+               for name in ("wall", "source", "satellite", "block", "value", "cosine",
+                            "distance", "variance", "count")}
+    shares = tuple(share[np.isin(np.flatnonzero(observations.source == number), rows)]
+                   for number, share in enumerate(observations.share))
+    return replace(observations, share=shares, **columns)
 
 
 def _with_held(result: WallResult, held: np.ndarray, applied: np.ndarray) -> WallResult:
@@ -331,19 +339,19 @@ def _with_held(result: WallResult, held: np.ndarray, applied: np.ndarray) -> Wal
     return replace(result, status=status, reason=reason, applied=applied)
 
 
-def _explained(result: WallResult, walls: Walls, signals: Signals, one: _Round,
+def _explained(result: WallResult, walls: WallPieces, signals: Signals, one: _Iteration,
                settings: AdjustmentSettings, progress: Progress) -> WallResult:
-    """The result with the reason for each wall that has no vote."""
+    """The result with the reason for each wall that has no observation."""
     met, blocked = (_walls_met(walls, signals, rows, settings, progress) for rows in (
-        np.arange(len(signals)), np.flatnonzero(one.ways.kind != LOS)))
-    free = np.bincount(walls.wall[one.ways.bounces.piece], minlength=walls.count) > 0
-    alone = np.zeros(walls.count, bool)
-    alone[walls.wall[one.ways.bounces.piece[one.ways.bounce[one.used]]]] = True
+        np.arange(len(signals)), np.flatnonzero(one.paths.kind != LOS)))
+    free = np.bincount(walls.wall[one.paths.reflections.piece], minlength=walls.count) > 0
+    unique = np.zeros(walls.count, bool)
+    unique[walls.wall[one.paths.reflections.piece[one.paths.reflection[one.used]]]] = True
     reason = result.reason.copy()
-    for wall in np.flatnonzero(result.votes == 0):
+    for wall in np.flatnonzero(result.observations == 0):
         if np.isnan(result.distance[wall]):
             reason[wall] = "no antenna in front of it"
-        elif result.distance[wall] > settings.trace.farthest:
+        elif result.distance[wall] > settings.trace.max_range:
             reason[wall] = f"too far ({result.distance[wall]:.0f} m)"
         elif not met[wall]:
             reason[wall] = "no received signal could meet it"
@@ -351,19 +359,19 @@ def _explained(result: WallResult, walls: Walls, signals: Signals, one: _Round,
             reason[wall] = "open sky: what it could reflect is in line of sight"
         elif not free[wall]:
             reason[wall] = "hidden behind other buildings"
-        elif not alone[wall]:
+        elif not unique[wall]:
             reason[wall] = "other walls could have reflected the same signals"
         else:
             reason[wall] = "too few signals in a row"
     return replace(result, reason=reason)
 
 
-def _walls_met(walls: Walls, signals: Signals, rows: np.ndarray, settings: AdjustmentSettings,
+def _walls_met(walls: WallPieces, signals: Signals, rows: np.ndarray, settings: AdjustmentSettings,
                progress: Progress) -> np.ndarray:
-    """(walls,) whether each wall could reflect one of the signals of some rows, whatever stands in the way."""
+    """(walls,) whether each wall could reflect one of the signals of some rows, whatever obstructs it."""
     met = np.zeros(walls.count, bool)
     if len(rows):
-        found = bounces(walls, signals.epochs.place, signals.epoch[rows], signals.direction[rows],
-                        settings.trace.farthest, progress=replace(progress, report=lambda _: None))
+        found = mirror_reflections(walls, signals.epochs.place, signals.epoch[rows], signals.direction[rows],
+                                   settings.trace.max_range, progress=replace(progress, report=lambda _: None))
         met[walls.wall[found.piece]] = True
     return met

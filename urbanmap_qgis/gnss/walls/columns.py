@@ -16,13 +16,13 @@ WALL_COLUMNS = (("building", "text"), ("edge", "int"), ("status", "text"), ("rea
 """Fields of the walls with their kinds."""
 
 
-def wall_columns(made: Adjustment, names: np.ndarray) -> dict[str, np.ndarray]:
+def adjusted_wall_columns(made: Adjustment, names: np.ndarray) -> dict[str, np.ndarray]:
     """Attributes of the walls, (k,) each; `names` (buildings,) of the buildings by row."""
     walls, table = made.walls, made.walls.table
     return {"building": np.array([str(names[row]) for row in table.building], object), "edge": table.edge,
             "status": walls.status, "reason": walls.reason, "offset": walls.offset, "sigma": walls.sigma,
-            "applied": walls.applied, "observations": walls.votes, "signals": walls.signals,
-            "satellites": walls.satellites, "passes": walls.passes, "on_time": walls.on_time,
+            "applied": walls.applied, "observations": walls.observations, "signals": walls.signals,
+            "satellites": walls.satellites, "passes": walls.passes, "on_time": walls.inlier_share,
             "distance": walls.distance, "length": table.length, "low": table.low, "top": table.top}
 
 
@@ -36,7 +36,7 @@ def wall_lines(made: Adjustment, signals: Signals) -> np.ndarray:
 
 
 def building_columns(made: Adjustment, building: np.ndarray) -> dict[str, np.ndarray]:
-    """(n,) for each feature: adjusted walls of its building, and how far the farthest of its walls has moved, m."""
+    """(n,) for each feature: adjusted walls of its building, and how far the max_range of its walls has moved, m."""
     own, rows = made.walls.table.building, np.unique(building, return_inverse=True)
     adjusted = np.bincount(own, made.walls.status == ADJUSTED, len(rows[0])).astype(np.int64)
     moved = np.zeros(len(rows[0]))

@@ -17,7 +17,7 @@ from scipy.spatial import cKDTree
 
 from ...buildings.solids.validity import check_solid
 from ...progress import SILENT, Progress
-from ..rays.wall_faces import Walls, is_solid
+from ..rays.wall_faces import WallPieces, is_solid
 
 _NODE = 2e-3
 """Corners nearer than this in plan are one, m."""
@@ -59,7 +59,7 @@ class PlanNet:
     normal: np.ndarray
 
     @classmethod
-    def of(cls, walls: Walls) -> PlanNet:
+    def of(cls, walls: WallPieces) -> PlanNet:
         """Net of walls."""
         ends = np.concatenate([walls.start, walls.end])
         owner = np.tile(walls.building, 2)
@@ -70,7 +70,7 @@ class PlanNet:
         line, facing, normal = _lines(walls)
         return cls(ends[first], owner[first], number[:len(walls)], number[len(walls):], line, facing, normal)
 
-    def displacement(self, walls: Walls, outwards: np.ndarray, weight: np.ndarray) -> np.ndarray:
+    def displacement(self, walls: WallPieces, outwards: np.ndarray, weight: np.ndarray) -> np.ndarray:
         """How corners move, (m, 2), m.
 
         Parameters
@@ -94,27 +94,27 @@ class PlanNet:
         return np.einsum("nij,nj->ni", axis, along)
 
 
-def moved_walls(walls: Walls, net: PlanNet, displacement: np.ndarray) -> Walls:
+def moved_walls(walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> WallPieces:
     """The pieces of walls between moved corners, numbered as before."""
     start, end = walls.start + displacement[net.start], walls.end + displacement[net.end]
-    way = end - start
-    length = np.hypot(way[:, 0], way[:, 1])
-    normal = np.column_stack([way[:, 1], -way[:, 0]]) / np.maximum(length, 1e-9)[:, None]
+    edge = end - start
+    length = np.hypot(edge[:, 0], edge[:, 1])
+    normal = np.column_stack([edge[:, 1], -edge[:, 0]]) / np.maximum(length, 1e-9)[:, None]
     normal = np.where((length > 1e-3)[:, None], normal, walls.normal)
     offset = np.einsum("ij,ij->i", normal, (start + end) / 2)
-    return Walls(start, end, walls.low, walls.top, normal, offset, walls.building, walls.wall)
+    return WallPieces(start, end, walls.low, walls.top, normal, offset, walls.building, walls.wall)
 
 
-def applied_offsets(walls: Walls, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
+def applied_offsets(walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
     """(walls,) how far walls have moved outwards in the mean over their length, m."""
     length = np.linalg.norm(walls.end - walls.start, axis=1)
     by = np.einsum("ij,ij->i", (displacement[net.start] + displacement[net.end]) / 2, walls.normal)
     return np.bincount(walls.wall, by * length) / np.bincount(walls.wall, length)
 
 
-def settle(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, walls: Walls, net: PlanNet,
-           outwards: np.ndarray, weight: np.ndarray, progress: Progress = SILENT
-           ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def move_buildings(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, walls: WallPieces, net: PlanNet,
+                   outwards: np.ndarray, weight: np.ndarray, progress: Progress = SILENT
+                   ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Move walls as far as the buildings stay valid and clear of each other.
 
     Parameters
@@ -138,25 +138,26 @@ def settle(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, walls: Wa
         progress.step(number / len(wanted))
         own = np.flatnonzero(row == building)
         movable = np.flatnonzero((home == building) & (weight > 0))
-        judge = _Judge(shapes[own], _neighbours(tree, plans, current, own), np.flatnonzero(net.building == building))
-        kept = _kept(judge, walls, net, outwards, weight, movable)
+        check = _MoveCheck(shapes[own], _neighbours(tree, plans, current, own),
+                           np.flatnonzero(net.building == building))
+        kept = _movable_together(check, walls, net, outwards, weight, movable)
         held[np.setdiff1d(movable, kept)] = True
         chosen = np.zeros_like(weight)
         chosen[kept] = weight[kept]
         by = net.displacement(walls, outwards, chosen)
-        displacement[judge.nodes] = by[judge.nodes]
-        current[own] = judge.moved(walls, net, by)
+        displacement[check.nodes] = by[check.nodes]
+        current[own] = check.moved(walls, net, by)
     return current, displacement, held
 
 
-def _kept(judge: _Judge, walls: Walls, net: PlanNet, outwards: np.ndarray, weight: np.ndarray,
-          movable: np.ndarray) -> np.ndarray:
+def _movable_together(check: _MoveCheck, walls: WallPieces, net: PlanNet, outwards: np.ndarray, weight: np.ndarray,
+                      movable: np.ndarray) -> np.ndarray:
     """Those of the movable walls that can be moved together: all, or the surest ones one after another."""
 
     def passes(chosen: np.ndarray) -> bool:
         only = np.zeros_like(weight)
         only[chosen] = weight[chosen]
-        return judge.accepts(walls, net, net.displacement(walls, outwards, only))
+        return check.accepts(walls, net, net.displacement(walls, outwards, only))
 
     if passes(movable):
         return movable
@@ -169,14 +170,14 @@ def _kept(judge: _Judge, walls: Walls, net: PlanNet, outwards: np.ndarray, weigh
 
 
 @dataclass(frozen=True)
-class _Judge:
-    """Says whether a building may be moved: its shapes, what stands beside it, its nodes."""
+class _MoveCheck:
+    """Tests whether a building may be moved: its shapes, what stands beside it, its nodes."""
 
     shapes: np.ndarray
     beside: shapely.Geometry
     nodes: np.ndarray
 
-    def moved(self, walls: Walls, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
+    def moved(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
         """The shapes with their corners moved."""
         follow = _Follower(walls, net, displacement, self.nodes)
         made = np.empty(len(self.shapes), dtype=object)
@@ -184,13 +185,13 @@ class _Judge:
             made[i] = None if shape is None else shapely.transform(shape, follow, include_z=shape.has_z)
         return made
 
-    def accepts(self, walls: Walls, net: PlanNet, displacement: np.ndarray) -> bool:
+    def accepts(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> bool:
         """Whether edges keep their direction, shapes their validity, and no building is run into."""
         pieces = np.flatnonzero(np.isin(net.start, self.nodes))
-        way = walls.end[pieces] - walls.start[pieces]
-        length = np.linalg.norm(way, axis=1)
-        after = way + displacement[net.end[pieces]] - displacement[net.start[pieces]]
-        along = np.einsum("ij,ij->i", after, way) / length
+        edge = walls.end[pieces] - walls.start[pieces]
+        length = np.linalg.norm(edge, axis=1)
+        after = edge + displacement[net.end[pieces]] - displacement[net.start[pieces]]
+        along = np.einsum("ij,ij->i", after, edge) / length
         if (along < np.minimum(_SHORTEST_EDGE, length) - 1e-6).any():
             return False
         moved = self.moved(walls, net, displacement)
@@ -207,7 +208,7 @@ class _Judge:
 class _Follower:
     """Moves coordinates (k, 2 or 3) with the corners of a building."""
 
-    def __init__(self, walls: Walls, net: PlanNet, displacement: np.ndarray, nodes: np.ndarray):
+    def __init__(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray, nodes: np.ndarray):
         self._tree = cKDTree(net.node[nodes])
         self._by = displacement[nodes]
         pieces = np.flatnonzero(np.isin(net.start, nodes))
@@ -291,8 +292,8 @@ def _joined(node: np.ndarray, building: np.ndarray) -> np.ndarray:
     return first
 
 
-def _lines(walls: Walls) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Line of each wall, which way it faces on it, and the normals of the lines."""
+def _lines(walls: WallPieces) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Line of each wall, which side it faces, and the normals of the lines."""
     length = np.linalg.norm(walls.end - walls.start, axis=1)
     order = np.lexsort((-length, walls.wall))
     longest = order[np.searchsorted(walls.wall[order], np.arange(walls.count))]

@@ -1,9 +1,9 @@
-"""Offsets of walls from votes whose errors are one-sided and partly shared.
+"""Offsets of walls from observations whose errors are one-sided and partly shared.
 
-A vote's own error is Gaussian noise; with some probability an exponential delay on top (a detour more than the one
-traced: always late); or the vote speaks of another way altogether (anything within tens of metres). How often and how
-much is learnt from all votes. Offsets of all walls and the latent errors of all passes are estimated together, so
-that an error shared by the votes of a pass widens the sigma of every wall that they speak of.
+An observation's own error is Gaussian noise; with some probability an exponential delay on top (NLOS-delayed beyond the
+path traced: always late); or the observation is an outlier (anything within tens of metres). How often and how
+much is learnt from all observations. Offsets of all walls and the latent errors of all passes are estimated together,
+so that an error shared by the observations of a pass widens the sigma of every wall that they speak of.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from scipy.sparse import csr_matrix
 from scipy.special import log_ndtr, logsumexp
 
 from ...progress import SILENT, Progress
-from .offset_observations import Votes
+from .offset_observations import OffsetObservations
 
-_STRAY_SPAN = 80.0
-"""Strays are spread evenly over this length, m."""
+_OUTLIER_SPAN = 80.0
+"""Outliers are spread evenly over this length, m."""
 
 _GRID = np.arange(-4.0, 4.0001, 0.02)
 """Offsets that are tried for each wall, m."""
@@ -29,54 +29,55 @@ _ROUNDS, _JUMPS = 60, 10
 _CHUNK = 2000
 
 _FACADE = 0.1
-"""What no number of votes makes smaller, m: facades are not planes, and antennas are not where the trajectory says."""
+"""What no number of observations makes smaller, m: facades are not planes, and antennas are not where the trajectory
+says."""
 
 _USUAL = 5.0
-"""Votes that the scatter of all votes counts for in that of one wall."""
+"""Observations that the scatter of all observations counts for in that of one wall."""
 
 
 @dataclass(frozen=True)
 class ErrorModel:
-    """Error of a vote: `sigma` (m) besides its noise, factor `noise` on the variance of the noise, share and mean (m)
-    of late ones, share of strays."""
+    """Error of an observation: `sigma` (m) besides its noise, factor `noise` on the variance of the noise, share and
+    mean (m) of NLOS-delayed ones, share of outliers."""
 
     sigma: float = 0.6
     noise: float = 1.0
-    late_share: float = 0.2
-    late_mean: float = 4.0
-    stray_share: float = 0.1
+    nlos_share: float = 0.2
+    nlos_mean_delay: float = 4.0
+    outlier_share: float = 0.1
 
     def variance(self, noise: np.ndarray) -> np.ndarray:
-        """Variance of errors that are on time, m2, by the variance of the votes' noise."""
+        """Variance of undelayed errors, m2, by the variance of the observations' noise."""
         return self.sigma**2 + self.noise * noise
 
     def log_parts(self, error: np.ndarray, variance: np.ndarray) -> np.ndarray:
-        """(3, ...) logarithms of the densities of errors: on time, late, stray, each with its share."""
+        """(3, ...) logarithms of the densities of errors: undelayed, NLOS-delayed, outlier, each with its share."""
         sigma = np.sqrt(self.variance(variance))
-        rate = 1.0 / self.late_mean
-        on_time = -0.5 * (error / sigma) ** 2 - np.log(np.sqrt(2 * np.pi) * sigma)
-        late = np.log(rate) + 0.5 * (sigma * rate) ** 2 - rate * error + log_ndtr(error / sigma - sigma * rate)
-        stray = np.full(error.shape, -np.log(_STRAY_SPAN))
-        return np.stack([on_time + np.log(1 - self.late_share - self.stray_share), late + np.log(self.late_share),
-                         stray + np.log(self.stray_share)])
+        rate = 1.0 / self.nlos_mean_delay
+        inlier = -0.5 * (error / sigma) ** 2 - np.log(np.sqrt(2 * np.pi) * sigma)
+        delayed = np.log(rate) + 0.5 * (sigma * rate) ** 2 - rate * error + log_ndtr(error / sigma - sigma * rate)
+        outlier = np.full(error.shape, -np.log(_OUTLIER_SPAN))
+        return np.stack([inlier + np.log(1 - self.nlos_share - self.outlier_share), delayed + np.log(self.nlos_share),
+                         outlier + np.log(self.outlier_share)])
 
     def shares(self, error: np.ndarray, variance: np.ndarray) -> np.ndarray:
-        """(3, n) probabilities that errors are on time, late, stray."""
+        """(3, n) probabilities that errors are undelayed, NLOS-delayed, outlier."""
         logs = self.log_parts(error, variance)
         return np.exp(logs - logsumexp(logs, axis=0))
 
 
 @dataclass(frozen=True)
 class Offsets:
-    """Estimates for the walls that have votes.
+    """Estimates for the walls that have observations.
 
     Attributes
     ----------
     wall : (k,) their numbers.  offset : (k,) outwards, m.  sigma : (k,) m.
     own_sigma : (k,) part of sigma that does not come from errors shared within passes, m.
     rival : (k,) share of the probability that lies nearer to another maximum than to the best one.
-    on_time : (v,) probability that each vote is neither late nor a stray.
-    error : (v,) what is left of each vote, m.
+    inlier : (v,) probability that each observation is neither NLOS-delayed nor an outlier.
+    error : (v,) what is left of each observation, m.
     model : the error model learnt.
     """
 
@@ -85,30 +86,30 @@ class Offsets:
     sigma: np.ndarray
     own_sigma: np.ndarray
     rival: np.ndarray
-    on_time: np.ndarray
+    inlier: np.ndarray
     error: np.ndarray
     model: ErrorModel
 
 
-def estimate_offsets(votes: Votes, prior_sigma: float, model: ErrorModel | None = None, learn: bool = True,
-                     progress: Progress = SILENT) -> Offsets:
-    """Offsets of all walls with votes.
+def estimate_offsets(observations: OffsetObservations, prior_sigma: float, model: ErrorModel | None = None,
+                     learn: bool = True, progress: Progress = SILENT) -> Offsets:
+    """Offsets of all walls with observations.
 
     Parameters
     ----------
     prior_sigma : how far walls are off before anything is measured, m (normal about 0).
     model : to begin with, or to keep.
-    learn : whether the error model is fitted to the votes; else it is taken as it is.
+    learn : whether the error model is fitted to the observations; else it is taken as it is.
     """
     model = model or ErrorModel()
-    system = _System.of(votes, prior_sigma)
+    system = _System.of(observations, prior_sigma)
     offset, latent = system.start(model), [np.zeros(share.shape[1]) for share in system.share]
-    fitted = np.zeros(len(votes))
+    fitted = np.zeros(len(observations))
     for number in range(_ROUNDS):
         progress.check()
         error = system.errors(offset, latent)
         if learn:
-            model = _learnt(model, model.shares(error, votes.variance), error, votes.variance, fitted)
+            model = _learnt(model, model.shares(error, observations.variance), error, observations.variance, fitted)
         new_offset, latent, covariance, fitted = system.improved(offset, latent, model)
         if number < _JUMPS:
             jumped = system.best_on_grid(latent, model)
@@ -124,22 +125,24 @@ def _learnt(model: ErrorModel, share: np.ndarray, error: np.ndarray, variance: n
             fitted: np.ndarray) -> ErrorModel:
     """The error model that fits errors best, one step of expectation and maximisation, with weak priors.
 
-    The priors count as 20 votes, so that a handful of votes does not make a model of its own. `fitted` is the
-    variance of what was fitted to each vote: what offsets and latent errors have taken up of the errors is added.
+    The priors count as 20 observations, so that a handful of observations does not make a model of its own. `fitted` is
+    the variance of what was fitted to each observation: what offsets and latent errors have taken up of the errors is
+    added.
     """
     count, weight = share.shape[1], 20.0
-    _, late, stray = share.sum(axis=1)
+    _, delayed, outlier = share.sum(axis=1)
     total = count + weight
     sigma2, noise = _spread(model, share[0], error**2 + np.minimum(fitted, model.variance(variance)), variance, weight)
     beyond = (share[1] * np.maximum(error, 0.0)).sum() + weight * 0.2 * 4.0
     return replace(model, sigma=float(np.sqrt(sigma2)), noise=float(noise),
-                   late_share=float((late + 0.2 * weight) / total), stray_share=float((stray + 0.1 * weight) / total),
-                   late_mean=float(np.clip(beyond / (late + 0.2 * weight), 1.0, 15.0)))
+                   nlos_share=float((delayed + 0.2 * weight) / total),
+                   outlier_share=float((outlier + 0.1 * weight) / total),
+                   nlos_mean_delay=float(np.clip(beyond / (delayed + 0.2 * weight), 1.0, 15.0)))
 
 
 def _spread(model: ErrorModel, share: np.ndarray, square: np.ndarray, variance: np.ndarray, weight: float
             ) -> tuple[float, float]:
-    """Variance besides the noise, and the factor of the noise, from squared errors that are on time by `share`.
+    """Variance besides the noise, and the factor of the noise, from squared undelayed errors by `share`.
 
     Weighted least squares of square = sigma2 + noise * variance; priors keep 0.6 m and 1.
     """
@@ -148,7 +151,7 @@ def _spread(model: ErrorModel, share: np.ndarray, square: np.ndarray, variance: 
     matrix = np.array([[rate.sum(), rate @ variance], [rate @ variance, rate @ variance**2]])
     right = np.array([rate @ square, rate @ (variance * square)])
     usual = np.array([0.6**2, 1.0])
-    # A prior vote is one with an error of about its sigma, and a factor of the noise known to a third.
+    # A prior observation is one with an error of about its sigma, and a factor of the noise known to a third.
     prior = np.array([weight / (2 * 0.6**4), 9.0 / 2])
     sigma2, noise = np.linalg.solve(matrix + np.diag(prior), right + prior * usual)
     return float(np.clip(sigma2, 0.3**2, 6.0**2)), float(np.clip(noise, 0.3, 6.0))
@@ -156,9 +159,9 @@ def _spread(model: ErrorModel, share: np.ndarray, square: np.ndarray, variance: 
 
 @dataclass(frozen=True)
 class _System:
-    """Votes with walls numbered 0 to k-1 and latent errors scaled to unit variance."""
+    """Observations with walls numbered 0 to k-1 and latent errors scaled to unit variance."""
 
-    votes: Votes
+    observations: OffsetObservations
     walls: np.ndarray
     wall: np.ndarray
     of_pass: tuple[np.ndarray, ...]
@@ -166,39 +169,39 @@ class _System:
     prior: float
 
     @classmethod
-    def of(cls, votes: Votes, prior: float) -> _System:
-        walls, wall = np.unique(votes.wall, return_inverse=True)
+    def of(cls, observations: OffsetObservations, prior: float) -> _System:
+        walls, wall = np.unique(observations.wall, return_inverse=True)
         of_pass, share = [], []
-        for number, (rows, covariance) in enumerate(zip(votes.share, votes.covariance)):
-            members = np.flatnonzero(votes.source == number)
+        for number, (rows, covariance) in enumerate(zip(observations.share, observations.covariance)):
+            members = np.flatnonzero(observations.source == number)
             if not len(members):
                 continue
             of_pass.append(members)
-            # What matters of the latent errors is what reaches the votes: their principal parts.
+            # What matters of the latent errors is what reaches the observations: their principal parts.
             u, size, _ = np.linalg.svd(rows @ np.linalg.cholesky(covariance), full_matrices=False)
             kept = size > 1e-3 * size.max(initial=0.0)
             share.append(u[:, kept] * size[kept])
-        return cls(votes, walls, wall.ravel(), tuple(of_pass), tuple(share), prior)
+        return cls(observations, walls, wall.ravel(), tuple(of_pass), tuple(share), prior)
 
     def errors(self, offset: np.ndarray, latent: list[np.ndarray]) -> np.ndarray:
-        """(v,) what offsets and latent errors leave of the votes."""
-        return self.votes.value - self.shared(latent) + 2 * self.votes.slope * offset[self.wall]
+        """(v,) what offsets and latent errors leave of the observations."""
+        return self.observations.value - self.shared(latent) + 2 * self.observations.cosine * offset[self.wall]
 
     def shared(self, latent: list[np.ndarray]) -> np.ndarray:
-        """(v,) what the latent errors add to the votes."""
-        added = np.zeros(len(self.votes))
+        """(v,) what the latent errors add to the observations."""
+        added = np.zeros(len(self.observations))
         for members, share, value in zip(self.of_pass, self.share, latent):
             added[members] = share @ value
         return added
 
     def log_posterior(self, latent: list[np.ndarray], model: ErrorModel) -> np.ndarray:
         """(k, grid) log probability of each offset of the grid for each wall, latent errors held."""
-        rest = self.votes.value - self.shared(latent)
+        remaining = self.observations.value - self.shared(latent)
         log = np.zeros((len(self.walls), len(_GRID)))
-        for first in range(0, len(rest), _CHUNK):
+        for first in range(0, len(remaining), _CHUNK):
             some = slice(first, first + _CHUNK)
-            error = rest[some, None] + 2 * self.votes.slope[some, None] * _GRID
-            each = np.logaddexp.reduce(model.log_parts(error, self.votes.variance[some, None]), axis=0)
+            error = remaining[some, None] + 2 * self.observations.cosine[some, None] * _GRID
+            each = np.logaddexp.reduce(model.log_parts(error, self.observations.variance[some, None]), axis=0)
             of_wall = csr_matrix((np.ones(len(each)), (self.wall[some], np.arange(len(each)))), (len(log), len(each)))
             log += of_wall @ each
         return log - 0.5 * (_GRID / self.prior) ** 2
@@ -213,25 +216,26 @@ class _System:
     def improved(self, offset, latent, model):
         """One Newton step for all offsets and latent errors; covariance of the offsets; variance of what is fitted."""
         error = self.errors(offset, latent)
-        slope, curvature = _derivatives(model, error, self.votes.variance)
-        push = 2 * self.votes.slope
-        normal = np.diag(np.bincount(self.wall, push**2 * curvature) + self.prior**-2.0)
-        right = -np.bincount(self.wall, push * slope) - offset / self.prior**2
+        slope, curvature = _derivatives(model, error, self.observations.variance)
+        design = 2 * self.observations.cosine
+        normal = np.diag(np.bincount(self.wall, design**2 * curvature) + self.prior**-2.0)
+        right = -np.bincount(self.wall, design * slope) - offset / self.prior**2
         blocks = []
         for members, share, value in zip(self.of_pass, self.share, latent):
             weight = curvature[members]
             own = (share * weight[:, None]).T @ share + np.eye(share.shape[1])
             cross = np.zeros((len(offset), share.shape[1]))
-            np.add.at(cross, self.wall[members], -(push[members] * weight)[:, None] * share)
-            pull = share.T @ slope[members] - value
+            np.add.at(cross, self.wall[members], -(design[members] * weight)[:, None] * share)
+            gradient = share.T @ slope[members] - value
             inverse = np.linalg.inv(own)
             normal -= cross @ inverse @ cross.T
-            right -= cross @ (inverse @ pull)
-            blocks.append((inverse, cross, pull))
+            right -= cross @ (inverse @ gradient)
+            blocks.append((inverse, cross, gradient))
         covariance = np.linalg.inv(normal)
         step = np.clip(covariance @ right, -0.5, 0.5)
-        latent = [value + inverse @ (pull - cross.T @ step) for value, (inverse, cross, pull) in zip(latent, blocks)]
-        fitted = push**2 * np.diag(covariance)[self.wall]
+        latent = [value + inverse @ (gradient - cross.T @ step)
+                  for value, (inverse, cross, gradient) in zip(latent, blocks)]
+        fitted = design**2 * np.diag(covariance)[self.wall]
         for members, share, (inverse, _, _) in zip(self.of_pass, self.share, blocks):
             fitted[members] += np.einsum("ij,jk,ik->i", share, inverse, share)
         return offset + step, latent, covariance, fitted
@@ -244,18 +248,19 @@ class _System:
         mean = density @ _GRID
         spread = np.einsum("kg,kg->k", density, (_GRID - mean[:, None]) ** 2)
         error = self.errors(offset, latent)
-        _, curvature = _derivatives(model, error, self.votes.variance)
-        alone = 1.0 / (np.bincount(self.wall, (2 * self.votes.slope) ** 2 * curvature) + self.prior**-2.0)
-        shared = np.maximum(np.diag(covariance) - alone, 0.0)
-        on_time = model.shares(error, self.votes.variance)[0]
-        widened = spread * self._scatter(error, on_time, model)
+        _, curvature = _derivatives(model, error, self.observations.variance)
+        separate = 1.0 / (np.bincount(self.wall, (2 * self.observations.cosine) ** 2 * curvature) + self.prior**-2.0)
+        shared = np.maximum(np.diag(covariance) - separate, 0.0)
+        inlier = model.shares(error, self.observations.variance)[0]
+        widened = spread * self._scatter(error, inlier, model)
         return Offsets(self.walls, mean, np.sqrt(widened + shared + _FACADE**2), np.sqrt(widened), _rival(density),
-                       on_time, error, model)
+                       inlier, error, model)
 
-    def _scatter(self, error: np.ndarray, on_time: np.ndarray, model: ErrorModel) -> np.ndarray:
-        """(k,) factor on the variance of walls whose votes scatter more than the model of all votes says."""
-        square = np.bincount(self.wall, on_time * error**2 / model.variance(self.votes.variance))
-        count = np.bincount(self.wall, on_time)
+    def _scatter(self, error: np.ndarray, inlier: np.ndarray, model: ErrorModel) -> np.ndarray:
+        """(k,) factor on the variance of walls whose observations scatter more than the model of all observations
+        says."""
+        square = np.bincount(self.wall, inlier * error**2 / model.variance(self.observations.variance))
+        count = np.bincount(self.wall, inlier)
         return np.maximum((square + _USUAL) / (np.maximum(count - 1.0, 0.0) + _USUAL), 1.0)
 
 
@@ -263,9 +268,9 @@ def _derivatives(model: ErrorModel, error: np.ndarray, variance: np.ndarray) -> 
     """First derivative of -log density by the error, and a positive curvature (that of expectation-maximisation)."""
     share = model.shares(error, variance)
     sigma = np.sqrt(model.variance(variance))
-    x = error / sigma - sigma / model.late_mean
+    x = error / sigma - sigma / model.nlos_mean_delay
     hazard = np.exp(-0.5 * x**2 - 0.5 * np.log(2 * np.pi) - log_ndtr(x))
-    slope = share[0] * error / sigma**2 + share[1] * (1.0 / model.late_mean - hazard / sigma)
+    slope = share[0] * error / sigma**2 + share[1] * (1.0 / model.nlos_mean_delay - hazard / sigma)
     return slope, share[0] / sigma**2 + share[1] * np.maximum(hazard * (hazard + x), 0.0) / sigma**2 + 1e-9
 
 

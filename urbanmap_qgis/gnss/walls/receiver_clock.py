@@ -39,7 +39,7 @@ class PassClock:
     ----------
     rows : (r,) rows of the signals of this file.
     corrected : (r,) residual less clock, offset and satellite error, m; NaN where the clock is not known.
-    less_clock : (r,) residual less clock and offset only, m.
+    clock_corrected : (r,) residual less clock and offset only, m.
     share : (r, k) by how much the error of each latent parameter enters `corrected`.
     covariance : (k, k) of the latent parameters, m2.
     white : (r,) variance of the clock at the epoch by noise alone, m2.
@@ -50,7 +50,7 @@ class PassClock:
 
     rows: np.ndarray
     corrected: np.ndarray
-    less_clock: np.ndarray
+    clock_corrected: np.ndarray
     share: np.ndarray
     covariance: np.ndarray
     white: np.ndarray
@@ -59,31 +59,31 @@ class PassClock:
     unit_weight: float
 
 
-def pass_clocks(signals: Signals, in_sight: np.ndarray, least: int = 3, progress: Progress = SILENT
+def pass_clocks(signals: Signals, is_los: np.ndarray, least: int = 3, progress: Progress = SILENT
                 ) -> list[PassClock]:
     """Clock of every observation file.
 
     Parameters
     ----------
-    in_sight : (n,) signals in line of sight.
+    is_los : (n,) signals in line of sight.
     least : epochs with fewer of them have no clock.
     """
     source = signals.epochs.source[signals.epoch]
     clocks = []
     for number in np.unique(source):
         rows = np.flatnonzero(source == number)
-        clocks.append(_pass_clock(signals, rows, in_sight[rows], least, progress))
+        clocks.append(_pass_clock(signals, rows, is_los[rows], least, progress))
     return clocks
 
 
-def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least: int,
+def _pass_clock(signals: Signals, rows: np.ndarray, is_los: np.ndarray, least: int,
                 progress: Progress) -> PassClock:
     _, epoch = np.unique(signals.epoch[rows], return_inverse=True)
     epoch = epoch.ravel()
-    design, systems = _design(signals.system[rows], signals.satellite[rows], in_sight)
+    design, systems = _design(signals.system[rows], signals.satellite[rows], is_los)
     residual, sigma = signals.residual[rows], signals.sigma[rows]
-    enough = np.bincount(epoch, weights=in_sight)[epoch] >= least
-    fit = in_sight & enough
+    enough = np.bincount(epoch, weights=is_los)[epoch] >= least
+    fit = is_los & enough
     satellite_error, unit = 1.0, 1.0
     weight = np.where(fit, sigma ** -2.0, 0.0)
     for number in range(_ROUNDS):
@@ -110,13 +110,13 @@ def _pass_clock(signals: Signals, rows: np.ndarray, in_sight: np.ndarray, least:
                      covariance, np.where(known, white, np.nan), fit, satellite_error, unit)
 
 
-def _design(system: np.ndarray, satellite: np.ndarray, in_sight: np.ndarray) -> tuple[np.ndarray, int]:
+def _design(system: np.ndarray, satellite: np.ndarray, is_los: np.ndarray) -> tuple[np.ndarray, int]:
     """Columns (r, k) of the latent parameters, and how many of them are offsets of systems.
 
     The system of which most signals are in sight has none: it is the reference.
     """
     names = np.unique(system)
-    count = [np.count_nonzero(in_sight & (system == name)) for name in names]
+    count = [np.count_nonzero(is_los & (system == name)) for name in names]
     others = [name for name in names if name != names[int(np.argmax(count))]]
     satellites = np.unique(satellite)
     columns = [system == name for name in others] + [satellite == name for name in satellites]

@@ -1,4 +1,4 @@
-"""Residuals of traced signals with the receiver's clock taken off: what is left is additional way and noise."""
+"""Residuals of traced signals with the receiver's clock taken off: what is left is excess path and noise."""
 
 from __future__ import annotations
 
@@ -6,39 +6,39 @@ import numpy as np
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
-from ..rays.reflections import LOS, TraceSettings, Ways, trace
-from ..rays.wall_faces import Walls
+from ..rays.reflections import LOS, SignalPaths, TraceSettings, trace
+from ..rays.wall_faces import WallPieces
 from ..signals.tables import Signals
 from .receiver_clock import PassClock, pass_clocks
-from .signal_strength import weaker_by
+from .signal_strength import attenuation
 
 WEAKENED = 7.0
 """Signals weaker than free ones by more than this are not in line of sight, whatever the model says, dB."""
 
 
-def trace_residuals(walls: Walls, signals: Signals, settings: TraceSettings | None = None,
-                    progress: Progress = SILENT) -> tuple[Ways, np.ndarray]:
-    """The way of each signal, and its residual (n,) less the receiver's clock, m; NaN where that is not known.
+def trace_residuals(walls: WallPieces, signals: Signals, settings: TraceSettings | None = None,
+                    progress: Progress = SILENT) -> tuple[SignalPaths, np.ndarray]:
+    """The path of each signal, and its residual (n,) less the receiver's clock, m; NaN where that is not known.
 
     Raises
     ------
     InsufficientDataError : no signals, all antennas within buildings, or no epoch with enough signals in sight.
     """
-    ways = trace(walls, signals, settings or TraceSettings(), progress.part(0.0, 0.8))
-    return ways, corrected_residuals(signals, line_of_sight_clocks(signals, ways, progress.part(0.8, 1.0)))
+    paths = trace(walls, signals, settings or TraceSettings(), progress.part(0.0, 0.8))
+    return paths, corrected_residuals(signals, line_of_sight_clocks(signals, paths, progress.part(0.8, 1.0)))
 
 
-def line_of_sight_clocks(signals: Signals, ways: Ways, progress: Progress = SILENT) -> list[PassClock]:
+def line_of_sight_clocks(signals: Signals, paths: SignalPaths, progress: Progress = SILENT) -> list[PassClock]:
     """Clock of every pass from the signals that are in line of sight for sure and as strong as such signals are.
 
     Raises
     ------
     InsufficientDataError : no epoch has enough of them.
     """
-    in_sight = (ways.kind == LOS) & ways.sure
+    is_los = (paths.kind == LOS) & paths.sure
     with np.errstate(invalid="ignore"):
-        in_sight &= ~(weaker_by(signals, in_sight) > WEAKENED)
-    clocks = pass_clocks(signals, in_sight, progress=progress)
+        is_los &= ~(attenuation(signals, is_los) > WEAKENED)
+    clocks = pass_clocks(signals, is_los, progress=progress)
     if not any(np.isfinite(clock.corrected).any() for clock in clocks):
         raise InsufficientDataError("At no epoch are three satellites in line of sight, so that the receiver's clock "
                                     "is not known: give observations of more satellites, or check heights and "
@@ -54,5 +54,5 @@ def corrected_residuals(signals: Signals, clocks: list[PassClock]) -> np.ndarray
     """
     corrected = np.full(len(signals), np.nan)
     for clock in clocks:
-        corrected[clock.rows] = clock.less_clock
+        corrected[clock.rows] = clock.clock_corrected
     return corrected

@@ -17,14 +17,14 @@ _LEAST = 30
 """Signals in a class for a figure of its own."""
 
 
-def usual_strength(signals: Signals, in_sight: np.ndarray) -> np.ndarray:
+def expected_cn0(signals: Signals, is_los: np.ndarray) -> np.ndarray:
     """(n,) usual strength of a free signal of the same system and elevation, dB-Hz; NaN where none can be told.
 
-    It is the upper quartile of the signals `in_sight` (n,) in classes of elevation, so that a large share of wrongly
+    It is the upper quartile of the signals `is_los` (n,) in classes of elevation, so that a large share of wrongly
     classed ones does no harm; classes with few signals take the figure of the whole system.
     """
     usual = np.full(len(signals), np.nan)
-    known = in_sight & np.isfinite(signals.cn0)
+    known = is_los & np.isfinite(signals.cn0)
     level = np.floor(signals.elevation / _BIN)
     for system in np.unique(signals.system):
         own = signals.system == system
@@ -38,6 +38,6 @@ def usual_strength(signals: Signals, in_sight: np.ndarray) -> np.ndarray:
     return usual
 
 
-def weaker_by(signals: Signals, in_sight: np.ndarray) -> np.ndarray:
+def attenuation(signals: Signals, is_los: np.ndarray) -> np.ndarray:
     """(n,) dB by which signals are weaker than free ones usually are; NaN where that is not known."""
-    return usual_strength(signals, in_sight) - signals.cn0
+    return expected_cn0(signals, is_los) - signals.cn0
