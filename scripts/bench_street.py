@@ -26,7 +26,7 @@ from urbanmap_qgis.mobile.registration.records import MarkingPoints, Registratio
 from urbanmap_qgis.mobile.registration.register import register_windows
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
-from urbanmap_qgis.mobile.trajectory import Trajectory, driven_way, interpolate
+from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 WINDOW = 15.0
@@ -87,7 +87,7 @@ def read_survey(folder: Path) -> Survey:
 
 def speed_rows(survey: Survey, reference: float) -> list[tuple]:
     """Each step of the mobile side: CPU seconds, per kilometre or ten million points, and as a ratio."""
-    length = float(driven_way(survey.reported)[-1])
+    length = float(path_chainage(survey.reported)[-1])
     run = RegistrationRun(RegistrationSettings(three_d=True))
     made, registration = timed(lambda: register_markings(survey.markings, survey.reported, survey.reference, run))
     _, windows = timed(lambda: register_windows(survey.markings, survey.reported, survey.reference,
@@ -106,7 +106,7 @@ def speed_rows(survey: Survey, reference: float) -> list[tuple]:
 def peer_rows(survey: Survey) -> list[tuple]:
     """Windows every `EVERY` metres registered by this program and by the peers: CPU ms a window, errors in plan (m)."""
     windows = register_windows(survey.markings, survey.reported, survey.reference, RegistrationSettings(three_d=True))
-    way = driven_way(survey.reported)
+    way = path_chainage(survey.reported)
     middles = np.arange(WINDOW, way[-1] - WINDOW, EVERY)
     moment = np.interp(middles, way, survey.reported.time)
     wanted = interpolate(survey.true, moment).place - interpolate(survey.reported, moment).place

@@ -28,12 +28,12 @@ from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.control import ControlPoints, accuracy, in_survey_time, read_control, residuals
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
-from urbanmap_qgis.mobile.movement import movement_between
+from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings, WindowResults
 from urbanmap_qgis.mobile.registration.register import register_windows
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
-from urbanmap_qgis.mobile.trajectory import Trajectory, driven_way
+from urbanmap_qgis.mobile.trajectory import Trajectory, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 START_ERROR = 3.0
@@ -69,7 +69,7 @@ class Survey:
 
     def errors(self, corrected: Trajectory | None) -> np.ndarray:
         """(n, 3) m at the control points that no method may use."""
-        return residuals(self.checks, movement_between(self.trajectory, corrected) if corrected else None)
+        return residuals(self.checks, correction_between(self.trajectory, corrected) if corrected else None)
 
 
 def read_survey(name: str, points: Path, trajectory: Path, control: Path, calibration: Path | None,
@@ -128,7 +128,7 @@ class Evaluation:
         for survey in self.surveys:
             made, seconds = self.ours(survey)
             ours = made.trajectory
-            rows, length = [], float(driven_way(survey.trajectory)[-1])
+            rows, length = [], float(path_chainage(survey.trajectory)[-1])
             for name, corrected in (("reported", None), ("landmark updating", update_by_landmarks(
                     survey.trajectory, survey.marks)), ("the paper to the letter", self.letter(survey)[0]),
                     ("this program", ours)):
@@ -167,7 +167,7 @@ class Evaluation:
         places = []
         for survey in self.surveys:
             made, _ = self.ours(survey)
-            left = residuals(survey.control, movement_between(survey.trajectory, made.trajectory))
+            left = residuals(survey.control, correction_between(survey.trajectory, made.trajectory))
             places.append(dict(zip(survey.control.id, left)))
         rows = []
         for first in range(len(places)):
@@ -218,7 +218,7 @@ def figures(errors: np.ndarray) -> tuple[float, ...]:
 
 def covered(survey: Survey, made) -> tuple[float, float, float]:
     """Shares of the errors east and north at control points within one and two sigma, and the median sigma."""
-    errors = residuals(survey.control, movement_between(survey.trajectory, made.trajectory))[:, :2]
+    errors = residuals(survey.control, correction_between(survey.trajectory, made.trajectory))[:, :2]
     sigma = made.correction.sigma()
     at = np.column_stack([np.interp(survey.control.time, made.correction.time, sigma[:, axis]) for axis in (0, 1)])
     ratio = np.abs(errors) / at

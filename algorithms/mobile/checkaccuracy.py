@@ -44,7 +44,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.mobile.accuracy_report import write_accuracy_report
         from ...urbanmap_qgis.mobile.control import accuracy, in_survey_time, residuals
-        from ...urbanmap_qgis.mobile.movement import movement_between
+        from ...urbanmap_qgis.mobile.pose_correction import correction_between
 
         progress = self.progress(feedback)
         control, crs = read_control(self, parameters, context, progress)
@@ -55,7 +55,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
             progress.warn(f"{left_out} control points were not measured during this survey: they are left out.")
         errors = {tr("as reported"): residuals(used)}
         if corrected:
-            errors[tr("corrected")] = residuals(used, movement_between(reported.trajectory, corrected.trajectory))
+            errors[tr("corrected")] = residuals(used, correction_between(reported.trajectory, corrected.trajectory))
         figures = accuracy(list(errors.values())[-1])
         results = {name: getattr(figures, name.lower()) for name in FIGURES}
         results = {name: value for name, value in results.items() if value == value}

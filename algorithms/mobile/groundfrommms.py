@@ -59,4 +59,4 @@ class GroundFromMms(UrbanMapAlgorithm):
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             made = classify_ground_files(paths, output, settings, self.progress(feedback), executor)
         return {"OUTPUT": str(output), "POINTS_READ": made.points, "POINTS_USED": made.usable,
-                "GROUND_POINTS": made.ground, "GROUND_SHARE": made.ground / made.usable, "PASSES": made.legs}
+                "GROUND_POINTS": made.ground, "GROUND_SHARE": made.ground / made.usable, "PASSES": made.passes}

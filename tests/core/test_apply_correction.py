@@ -11,7 +11,7 @@ from pyproj import CRS
 
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
-from urbanmap_qgis.mobile.movement import movement_between
+from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.trajectory import Trajectory, move_points, rotations
 from urbanmap_qgis.progress import Progress
 
@@ -107,7 +107,7 @@ def test_table_is_as_exact_as_interpolation_for_coarse_epochs():
     rng = np.random.default_rng(0)
     time = rng.uniform(1000.0, 1020.0, 2000)
     points = np.array([X0, Y0, 30.0]) + rng.uniform(-80, 80, (2000, 3))
-    moved = points + movement_between(reported, other).at(points, time)
+    moved = points + correction_between(reported, other).at(points, time)
     assert np.abs(moved - move_points(points, time, reported, other)).max() < 1e-4
 
 

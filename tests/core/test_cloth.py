@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.sampling import sample
-from urbanmap_qgis.terrain.cloth import ClothSettings, Levels, classify_ground, cloth_surface, hang
+from urbanmap_qgis.terrain.cloth import ClothSettings, LowestHeights, classify_ground, cloth_surface, first_cloth
 from urbanmap_qgis.terrain.outliers import isolated, plausible
 from urbanmap_qgis.terrain.trend import trend_surface
 
@@ -154,10 +154,10 @@ def test_a_few_points_do_not_fail():
 
 def test_only_pits_cannot_be_draped():
     empty = np.full((6, 6), np.inf)
-    levels = Levels(empty.copy(), empty, np.zeros((6, 6), dtype=int))
+    levels = LowestHeights(empty.copy(), empty, np.zeros((6, 6), dtype=int))
     levels.lowest[2, 2] = 3.0
     with pytest.raises(InsufficientDataError):
-        hang(levels, ClothSettings())
+        first_cloth(levels, ClothSettings())
 
 
 def test_trend_continues_a_slope_across_a_gap():

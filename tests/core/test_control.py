@@ -16,7 +16,7 @@ from urbanmap_qgis.mobile.control import (
     residuals,
 )
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
-from urbanmap_qgis.mobile.movement import movement_between
+from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 HEADER = "id,x,y,z,time,x_mms,y_mms,z_mms\n"
@@ -52,7 +52,7 @@ def test_correction_with_a_turn_moves_control_points_like_points():
     reported = straight()
     control = points_of(reported, [10.0, 50.0], 0.0)
     turned = Trajectory(reported.time, reported.place, reported.angles + np.array([0.0, 0.0, 1.0]))  # clockwise
-    errors = residuals(control, movement_between(reported, turned))
+    errors = residuals(control, correction_between(reported, turned))
     # 5 m to the left of a vehicle that drives east: a turn by 1 degree to the right pulls it forward.
     assert np.allclose(errors[:, :2], [5 * np.sin(np.radians(1)), 5 * (np.cos(np.radians(1)) - 1)], atol=1e-5)
 
@@ -99,7 +99,7 @@ def test_landmark_updating_is_exact_at_landmarks_linear_between_and_rigid_outsid
     error = np.array([[1.0, -0.5, 0.4], [2.0, 0.5, 0.2]])
     control = points_of(reported, [20.0, 60.0], error)
     updated = update_by_landmarks(reported, control)
-    assert np.abs(residuals(control, movement_between(reported, updated))).max() < 1e-5
+    assert np.abs(residuals(control, correction_between(reported, updated))).max() < 1e-5
     moved = updated.place - reported.place
     at = {t: moved[np.searchsorted(reported.time, t - 1e-6)] for t in (0.0, 40.0, 100.0)}
     assert np.allclose(at[0.0], -error[0]) and np.allclose(at[100.0], -error[1])

@@ -15,7 +15,7 @@ from urbanmap_qgis.imagery.facades import facades_of, on_facade, texel_grid
 from urbanmap_qgis.imagery.obstacles import Voxels, obstacles_within, voxels_of
 from urbanmap_qgis.imagery.texture_stage import Building, buildings_of, summary, texture_buildings
 from urbanmap_qgis.imagery.views import FrameSource, strip_source
-from urbanmap_qgis.mobile.calibration import Camera
+from urbanmap_qgis.mobile.calibration import MountedCamera
 from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
@@ -44,7 +44,7 @@ def drive(speed=8.0, seconds=6.0):
     return Trajectory(time, place, angles)
 
 
-CAMERA = LineCamera(Camera("1", np.array([-0.5, -0.6, -0.4]), np.array([0.0, 0.0, -90.0])), 640, 270.0, 319.5)
+CAMERA = LineCamera(MountedCamera("1", np.array([-0.5, -0.6, -0.4]), np.array([0.0, 0.0, -90.0])), 640, 270.0, 319.5)
 
 
 def wall_colour(right, high):

@@ -9,15 +9,15 @@ from pyproj import CRS
 from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
-from urbanmap_qgis.mobile.calibration import Calibration, Scanner, read_calibration
+from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner, read_calibration
 from urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans, place_ranges
 from urbanmap_qgis.mobile.lines.range_scans import read_scans
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 from urbanmap_qgis.progress import Progress
 
-LEFT = Scanner("left", np.array([0.4, -0.5, -0.4]), np.array([1.5, -88.0, 44.0]), 1, 100.0)
-RIGHT = Scanner("right", np.array([0.4, 0.5, -0.4]), np.array([0.0, -90.0, -45.0]), 2, 60.0)
+LEFT = MountedScanner("left", np.array([0.4, -0.5, -0.4]), np.array([1.5, -88.0, 44.0]), 1, 100.0)
+RIGHT = MountedScanner("right", np.array([0.4, 0.5, -0.4]), np.array([0.0, -90.0, -45.0]), 2, 60.0)
 BOTH = Calibration((LEFT, RIGHT))
 HEADER = "time,angle,range,intensity,scanner\n"
 
@@ -84,7 +84,7 @@ def test_our_axes_and_the_paper_s_give_the_same_point(scanner):
 
 def test_angle_nought_of_a_scanner_pitched_down_looks_down_and_ninety_right():
     still = Trajectory(np.array([0.0, 1.0]), np.zeros((2, 3)), np.zeros((2, 3)))
-    scanner = Scanner("a", np.zeros(3), np.array([0.0, -90.0, 0.0]), 1)
+    scanner = MountedScanner("a", np.zeros(3), np.array([0.0, -90.0, 0.0]), 1)
     points = place_ranges(still, scanner, np.zeros(2), np.array([0.0, 90.0]), np.array([5.0, 7.0]))
     np.testing.assert_allclose(points, [[0, 0, -5], [7, 0, 0]], atol=1e-12)
 

@@ -11,12 +11,12 @@ from urbanmap_qgis.imagery.image_outlines import image_outlines
 from urbanmap_qgis.imagery.object_stage import measure
 from urbanmap_qgis.imagery.outline_points import outline_points
 from urbanmap_qgis.imagery.views import FrameSource, strip_source
-from urbanmap_qgis.mobile.calibration import Camera
+from urbanmap_qgis.mobile.calibration import MountedCamera
 from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, project
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 PLACE = np.array([-7000.0, -34000.0, 10.0])
-CAMERA = LineCamera(Camera("1", np.array([-0.5, -0.6, -0.4]), np.array([0.0, 0.0, -90.0])), 2048, 900.0, 1023.5)
+CAMERA = LineCamera(MountedCamera("1", np.array([-0.5, -0.6, -0.4]), np.array([0.0, 0.0, -90.0])), 2048, 900.0, 1023.5)
 
 
 @pytest.fixture(scope="module")

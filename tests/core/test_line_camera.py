@@ -5,12 +5,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.mobile.calibration import Camera
+from urbanmap_qgis.mobile.calibration import MountedCamera
 from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays, project
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 TO_MAP = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])
-MOUNT = Camera("1", np.array([-0.6, -0.5, -0.4]), np.array([1.0, -2.0, -85.0]))
+MOUNT = MountedCamera("1", np.array([-0.6, -0.5, -0.4]), np.array([1.0, -2.0, -85.0]))
 CAMERA = LineCamera(MOUNT, 640, 270.0, 319.5)
 
 
@@ -128,7 +128,7 @@ def test_all_solutions_of_a_turn_are_those_of_a_dense_search():
 def test_straight_drive_is_exact():
     """North at 8 m/s, camera square to the left: the column is the northing, the row the angle."""
     trajectory = Trajectory(np.array([0.0, 100.0]), np.array([[0, 0, 10.0], [0, 800.0, 10.0]]), np.zeros((2, 3)))
-    camera = LineCamera(Camera("a", np.zeros(3), np.array([0, 0, -90.0])), 640, 270.0, 319.5)
+    camera = LineCamera(MountedCamera("a", np.zeros(3), np.array([0, 0, -90.0])), 640, 270.0, 319.5)
     image = StripImage(camera, np.arange(0.0, 100.0, 0.5))
     found = project([[-5.0, 123.4, 10.0], [-3.0, 400.0, 13.0], [4.0, 100.0, 10.0], [-5.0, 900.0, 10.0]], image,
                     trajectory, 50.0)
@@ -143,7 +143,8 @@ def test_a_standing_vehicle_shows_a_place_once():
     way = np.interp(time, [0, 20, 40, 60], [0, 100.0, 100.0, 200.0])
     noise = np.random.default_rng(4).normal(0, 0.002, len(time))
     trajectory = Trajectory(time, np.column_stack([0 * time, way + noise, 0 * time]), np.zeros((len(time), 3)))
-    image = StripImage(LineCamera(Camera("a", np.zeros(3), np.array([0, 0, -90.0])), 640, 270.0, 319.5), time[::2])
+    mount = MountedCamera("a", np.zeros(3), np.array([0, 0, -90.0]))
+    image = StripImage(LineCamera(mount, 640, 270.0, 319.5), time[::2])
     found = project([[-6.0, 100.0, 1.0], [-6.0, 50.0, 1.0]], image, trajectory)
     assert len(found) <= 3 and np.count_nonzero(found.point_index == 1) == 1
 

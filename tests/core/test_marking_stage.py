@@ -11,7 +11,7 @@ import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.io.pointcloud import open_cloud
-from urbanmap_qgis.mobile.calibration import Calibration, Scanner
+from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner
 from urbanmap_qgis.mobile.markings import marking_stage, survey_points
 from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings, extract_markings, markings_to_file
@@ -69,7 +69,7 @@ def drive(length=70.0, start=1000.0, seed=1, lift=0.0, shift=0.0, wait=0.0):
     return Drive(X0 + u, Y0 + v + shift, height, time, intensity, paint, trajectory)
 
 
-CALIBRATION = Calibration((Scanner("front", ARM, np.zeros(3), 1, 60.0),))
+CALIBRATION = Calibration((MountedScanner("front", ARM, np.zeros(3), 1, 60.0),))
 
 
 @pytest.fixture
@@ -213,7 +213,7 @@ def test_without_calibration_and_without_markings(write, tmp_path):
 def test_a_scanner_that_sees_no_road_is_left_out(write):
     made = drive(40.0)
     wall = np.abs(made.y - Y0) > 6.9
-    calibration = Calibration((*CALIBRATION.scanners, Scanner("up", ARM, np.zeros(3), 2, 60.0)))
+    calibration = Calibration((*CALIBRATION.scanners, MountedScanner("up", ARM, np.zeros(3), 2, 60.0)))
     found = extract(write(made, point_source_id=np.where(wall, 2, 1)), made, calibration)
     assert set(found.curves) == {1}
     assert score(found.number, made.paint)[1] > 0.93
@@ -224,7 +224,7 @@ def test_sweep_numbers_are_no_scanners(write):
     sweeps = ((made.time - 1000) * 10).astype(int)
     found = extract(write(made, point_source_id=sweeps), made, None)
     assert set(found.curves) == {0}
-    single = Calibration((Scanner("spinning", ARM, np.zeros(3)),))
+    single = Calibration((MountedScanner("spinning", ARM, np.zeros(3)),))
     found = extract(write(made, point_source_id=sweeps), made, single)
     assert set(found.curves) == {0} and score(found.number, made.paint)[1] > 0.93
 
@@ -285,6 +285,7 @@ def test_cancel_leaves_nothing(write, tmp_path, at):
 
 def test_long_stops():
     made = drive(40.0, wait=20.0)
-    stops = survey_points.long_stops(made.trajectory, survey_points.driven_way(made.trajectory))
+    stops = survey_points.long_stops(made.trajectory, survey_points.path_chainage(made.trajectory))
     assert stops == pytest.approx([1012.0], abs=0.6)
-    assert not len(survey_points.long_stops(drive(40.0).trajectory, survey_points.driven_way(drive(40.0).trajectory)))
+    slow = drive(40.0).trajectory
+    assert not len(survey_points.long_stops(slow, survey_points.path_chainage(slow)))

@@ -62,7 +62,7 @@ def test_ground_is_class_2_and_all_else_stays(survey, tmp_path):
         if name != "classification":
             assert np.array_equal(before[name], after[name]), name
     assert after.header.parse_crs() == before.header.parse_crs()
-    assert made.points == made.usable == len(x) and made.ground == ground_class.sum() and made.legs == 1
+    assert made.points == made.usable == len(x) and made.ground == ground_class.sum() and made.passes == 1
 
 
 def test_the_same_as_the_filter_in_memory_whatever_the_tiles(survey, tmp_path, monkeypatch):
@@ -82,7 +82,7 @@ def test_a_second_pass_that_lies_higher_keeps_its_ground(survey, tmp_path):
     path, truth = survey(parts=both)
     made = classify_ground_files([path], tmp_path / "g.laz")
     found = classes(tmp_path / "g.laz") == 2
-    assert made.legs == 2
+    assert made.passes == 2
     for half in (slice(0, len(first[0])), slice(len(first[0]), None)):
         assert (found[half] & truth[half]).sum() / truth[half].sum() > 0.999
     # The passes in two files, the later one first, are told apart too.
@@ -105,7 +105,7 @@ def test_other_classes_and_noise_stay(survey, tmp_path):
 def test_without_gps_time(make_cloud, tmp_path):
     x, y, z, _time, truth = street()
     path = make_cloud(tmp_path / "a.las", x, y, z, point_format=0)
-    assert classify_ground_files([path], tmp_path / "g.las").legs == 1
+    assert classify_ground_files([path], tmp_path / "g.las").passes == 1
     assert ((classes(tmp_path / "g.las") == 2) & truth).sum() / truth.sum() > 0.999
 
 

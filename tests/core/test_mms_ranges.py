@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.mobile.calibration import Calibration, Scanner
+from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner
 from urbanmap_qgis.mobile.markings.ranges import Tracks, ranges
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
@@ -34,7 +34,7 @@ def scanner_place(trajectory, time, arm):
 
 
 def calibration(*numbers):
-    return Calibration(tuple(Scanner(f"s{number}", ARM * (1 + i), np.zeros(3), number, 40.0)
+    return Calibration(tuple(MountedScanner(f"s{number}", ARM * (1 + i), np.zeros(3), number, 40.0)
                              for i, number in enumerate(numbers)))
 
 

@@ -14,7 +14,7 @@ from urbanmap_qgis.mobile.registration.matching.patch_sums import PLANE, SPACE, 
 from urbanmap_qgis.mobile.registration.matching.subpixel import MarkingField, field_terms
 from urbanmap_qgis.mobile.registration.start.patch_points import PatchPoints
 from urbanmap_qgis.mobile.registration.start.reference import Coverage, Reference
-from urbanmap_qgis.mobile.trajectory import Trajectory, angles_of, move_points, rotations
+from urbanmap_qgis.mobile.trajectory import Trajectory, attitude_angles, move_points, rotations
 
 BACKGROUND = 0.1
 CRS_WKT = CRS.from_epsg(6677).to_wkt()
@@ -164,7 +164,7 @@ def test_a_course_moves_points_as_the_corrected_trajectory_does():
     angles = np.column_stack([np.full_like(time, 1.0), np.full_like(time, -2.0), 60 + time])
     reported = Trajectory(time, place, angles)
     turn, shift = rng.normal(0, 2e-3, (len(time), 3)), rng.normal(0, 0.8, (len(time), 3))
-    turned = [angles_of(Pose.at_rest(np.zeros(3)).after(np.r_[0, 0, 0, t]).turn[None] @ rotations(a[None]))[0]
+    turned = [attitude_angles(Pose.at_rest(np.zeros(3)).after(np.r_[0, 0, 0, t]).turn[None] @ rotations(a[None]))[0]
               for t, a in zip(turn, angles)]
     corrected = Trajectory(time, place + shift, np.array(turned))
     at = rng.uniform(0, 9.5, 300)

@@ -6,13 +6,13 @@ import pytest
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.mobile.trajectory import (
     Trajectory,
-    angles_of,
+    attitude_angles,
     body_to_map,
-    driven_way,
     gaps,
     interpolate,
     jumps,
     move_points,
+    path_chainage,
     rotations,
 )
 
@@ -52,7 +52,7 @@ def test_turns_are_those_of_the_matrices():
     angles = rng.uniform([-60, -80, 0], [60, 80, 360], (50, 3))
     expected = np.array([matrix(*row) for row in angles])
     assert np.allclose(rotations(angles), expected, atol=1e-12)
-    assert np.allclose(angles_of(expected), angles, atol=1e-9)
+    assert np.allclose(attitude_angles(expected), angles, atol=1e-9)
     body = rng.normal(size=(50, 3))
     still = [Trajectory(np.array([0.0, 1.0]), np.zeros((2, 3)), np.tile(row, (2, 1))) for row in angles]
     turned = np.array([body_to_map(one, np.array([0.3]), b)[0] for one, b in zip(still, body)])
@@ -93,8 +93,8 @@ def test_way_leaves_out_the_wander_of_a_standing_vehicle():
     stand = np.tile(drive.place[-1], (600, 1)) + noise * rng.standard_normal((600, 3))
     time = np.concatenate([drive.time, drive.time[-1] + 0.1 * np.arange(1, 601)])
     waits = Trajectory(time, np.vstack([drive.place, stand]), np.tile(drive.angles[0], (len(time), 1)))
-    assert driven_way(waits)[-1] == pytest.approx(100.0, abs=0.3)
-    assert (np.diff(driven_way(waits)) >= 0).all()
+    assert path_chainage(waits)[-1] == pytest.approx(100.0, abs=0.3)
+    assert (np.diff(path_chainage(waits)) >= 0).all()
 
 
 def test_gaps_and_jumps_are_found():

@@ -9,7 +9,7 @@ from pyproj import CRS, Transformer
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.pointcloud import open_cloud
-from urbanmap_qgis.mobile.calibration import read_calibration, scanner_of, scanner_places
+from urbanmap_qgis.mobile.calibration import read_calibration, scanner_of, scanner_positions
 from urbanmap_qgis.mobile.gps_time import shift_between, time_shift
 from urbanmap_qgis.mobile.image_poses import move_images, read_image_poses, write_image_poses
 from urbanmap_qgis.mobile.trajectory import Trajectory, body_to_map
@@ -136,7 +136,7 @@ def test_scanner_lies_at_its_lever_arm(tmp_path):
     scanner = scanner_of(read_calibration(path), 7)
     assert scanner.max_range == 60.0 and np.allclose(scanner.angles, [0, -25, 0])
     drive = Trajectory(np.array([0.0, 1.0]), np.zeros((2, 3)), np.tile([0.0, 0.0, 90.0], (2, 1)))
-    assert np.allclose(scanner_places(drive, scanner, np.array([0.5])), [[1.0, -0.5, 0.2]])
+    assert np.allclose(scanner_positions(drive, scanner, np.array([0.5])), [[1.0, -0.5, 0.2]])
 
 
 @pytest.mark.parametrize(("content", "sentence"), [

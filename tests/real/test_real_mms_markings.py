@@ -60,7 +60,7 @@ def test_spinning_scanner_in_a_queue(real_data):
 def test_a_tile_of_ground_alone_is_ground(real_data, tmp_path):
     path = real_data / "mobile" / "amsterdam" / "road_ground_labelled_2293_9698.laz"
     made = classify_ground_files([path], tmp_path / "g.laz")
-    assert made.ground > 0.99 * made.points and made.legs > 1
+    assert made.ground > 0.99 * made.points and made.passes > 1
     before, after = laspy.read(path), laspy.read(tmp_path / "g.laz")
     assert all(np.array_equal(before[name], after[name]) for name in before.point_format.dimension_names
                if name != "classification")

@@ -17,7 +17,7 @@ from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, open_cloud
 from ..progress import SILENT, Progress
 from .gps_time import time_shift
 from .image_poses import ImagePoses, move_images, read_image_poses, write_image_poses
-from .movement import Movement, movement_between
+from .pose_correction import PoseCorrection, correction_between
 from .trajectory import Trajectory
 
 OUTSIDE = ("move", "keep", "refuse")
@@ -32,7 +32,7 @@ _COPC = ("copc",)
 
 
 @dataclass(frozen=True)
-class Moved:
+class CorrectionSummary:
     """What was done.
 
     Attributes
@@ -53,7 +53,8 @@ class Moved:
 
 
 def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, corrected: Trajectory,
-                     output: str | os.PathLike, outside: str = "move", progress: Progress = SILENT) -> Moved:
+                     output: str | os.PathLike, outside: str = "move",
+                     progress: Progress = SILENT) -> CorrectionSummary:
     """Write a survey as the corrected trajectory places it; attributes, VLRs, EVLRs and the points' order are kept.
 
     Parameters
@@ -68,23 +69,24 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
     if Path(output).suffix.lower() not in (".las", ".laz"):
         raise InputError(f"{Path(output).name} must end in .laz or .las.")
     cloud = open_cloud(paths)
-    movement = movement_between(reported, corrected)
+    movement = correction_between(reported, corrected)
     shift = survey_time_shift(cloud, reported)
     writing = _Writing(cloud, movement, progress)
-    tally = _Tally()
+    statistics = _Statistics()
     with written_beside(output) as temporary:
         compress = Path(output).suffix.lower() == ".laz"
         with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress) as writer:
             for chunk in iter_chunks(cloud, progress):
-                writer.write_points(writing.moved(chunk, np.asarray(chunk.gps_time) + shift, outside, tally))
+                writer.write_points(writing.moved(chunk, np.asarray(chunk.gps_time) + shift, outside, statistics))
             _write_evlrs(writer, _evlrs(cloud))
-    moved = tally.result()
-    _tell(moved, outside, progress)
+    moved = statistics.result()
+    _report(moved, outside, progress)
     return moved
 
 
 def apply_to_images(path: str | os.PathLike, reported: Trajectory, corrected: Trajectory,
-                    output: str | os.PathLike, moved: Moved, progress: Progress = SILENT) -> Moved:
+                    output: str | os.PathLike, moved: CorrectionSummary,
+                    progress: Progress = SILENT) -> CorrectionSummary:
     """Write image poses as the corrected trajectory gives them; `moved` with their numbers is given back.
 
     Images taken outside the trajectories move with the nearest pose.
@@ -124,7 +126,7 @@ def survey_time_shift(cloud: PointCloud, trajectory: Trajectory) -> float:
     return time_shift(cloud, trajectory)
 
 
-class _Tally:
+class _Statistics:
     """Counts over the chunks."""
 
     def __init__(self):
@@ -140,24 +142,24 @@ class _Tally:
             self.total += float(length.sum(dtype=np.float64))
             self.largest = max(self.largest, float(length.max()))
 
-    def result(self) -> Moved:
+    def result(self) -> CorrectionSummary:
         inside = self.points - self.outside
         if not inside:
             raise InsufficientDataError("No point was measured during the trajectory: give those of one survey.")
-        return Moved(self.points, self.outside, self.in_gaps, self.total / inside, self.largest)
+        return CorrectionSummary(self.points, self.outside, self.in_gaps, self.total / inside, self.largest)
 
 
 class _Writing:
     """How the chunks of a cloud become records of the output."""
 
-    def __init__(self, cloud: PointCloud, movement: Movement, progress: Progress):
+    def __init__(self, cloud: PointCloud, movement: PoseCorrection, progress: Progress):
         self.movement = movement
         self.layout = PointLayout(cloud) if len(cloud.paths) > 1 else None
         header = copy.deepcopy(self.layout.header if self.layout else cloud.headers[0])
         for number in reversed([k for k, vlr in enumerate(header.vlrs) if vlr.user_id in _COPC]):
             header.vlrs.pop(number)
         self.coarse = header.scales > COARSEST_SCALE
-        farthest = movement.farthest(np.stack([cloud.minimum, cloud.maximum])) + 1.0
+        farthest = movement.max_displacement(np.stack([cloud.minimum, cloud.maximum])) + 1.0
         scales = np.where(self.coarse, COARSEST_SCALE, header.scales)
         offsets = header.offsets.copy()
         low, high = cloud.minimum - farthest, cloud.maximum + farthest
@@ -173,7 +175,7 @@ class _Writing:
         self.header = header
 
     def moved(self, chunk: laspy.ScaleAwarePointRecord, time: np.ndarray, outside: str,
-              tally: _Tally) -> laspy.PackedPointRecord:
+              statistics: _Statistics) -> laspy.PackedPointRecord:
         """The chunk's records with new coordinates."""
         within = self.movement.within(time)
         if outside == "refuse" and not within.all():
@@ -184,7 +186,7 @@ class _Writing:
         movement = self.movement.at(places, time)
         if outside == "keep":
             movement[~within] = 0.0
-        tally.add(movement, within, self.movement.in_gap(time))
+        statistics.add(movement, within, self.movement.in_gap(time))
         records = self.layout.adapt(chunk, np.ones(len(chunk), bool)) if self.layout else chunk.array.copy()
         same = np.array_equal(chunk.scales, self.header.scales) and np.array_equal(chunk.offsets, self.header.offsets)
         for axis, name in enumerate("XYZ"):
@@ -227,7 +229,7 @@ def _write_evlrs(writer: laspy.LasWriter, records: list) -> None:
         place += 60 + len(record.record_data_bytes())
 
 
-def _tell(moved: Moved, outside: str, progress: Progress) -> None:
+def _report(moved: CorrectionSummary, outside: str, progress: Progress) -> None:
     if moved.outside:
         done = "moved with its nearest pose" if outside == "move" else "left where they were"
         progress.warn(f"{moved.outside:,} of {moved.points:,} points were measured outside the trajectory's time: they "

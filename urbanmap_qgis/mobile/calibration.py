@@ -33,7 +33,7 @@ class Mount:
 
 
 @dataclass(frozen=True)
-class Scanner(Mount):
+class MountedScanner(Mount):
     """A laser scanner.
 
     Attributes
@@ -47,7 +47,7 @@ class Scanner(Mount):
 
 
 @dataclass(frozen=True)
-class Camera(Mount):
+class MountedCamera(Mount):
     """A camera; `properties` are all its entries of the file (focal length, rows, image centre)."""
 
     properties: Mapping[str, object] = field(default_factory=dict)
@@ -57,8 +57,8 @@ class Camera(Mount):
 class Calibration:
     """Scanners and cameras of a vehicle."""
 
-    scanners: tuple[Scanner, ...]
-    cameras: tuple[Camera, ...] = ()
+    scanners: tuple[MountedScanner, ...]
+    cameras: tuple[MountedCamera, ...] = ()
 
 
 def read_calibration(path: str | os.PathLike) -> Calibration:
@@ -86,17 +86,17 @@ def _entries(value: object, name: str) -> list[Mapping]:
     return value
 
 
-def _scanner(entry: Mapping, name: str) -> Scanner:
+def _scanner(entry: Mapping, name: str) -> MountedScanner:
     source = entry.get("point_source_id", entry.get("id"))
     try:
         source = int(source)
     except (TypeError, ValueError):
         source = None
-    return Scanner(*_mount(entry, name), source, _number(entry, "max_range", name, np.inf))
+    return MountedScanner(*_mount(entry, name), source, _number(entry, "max_range", name, np.inf))
 
 
-def _camera(entry: Mapping, name: str) -> Camera:
-    return Camera(*_mount(entry, name), dict(entry))
+def _camera(entry: Mapping, name: str) -> MountedCamera:
+    return MountedCamera(*_mount(entry, name), dict(entry))
 
 
 def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
@@ -124,7 +124,7 @@ def _is_number(value: object) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and not np.isnan(value)
 
 
-def scanner_of(calibration: Calibration, point_source_id: int) -> Scanner:
+def scanner_of(calibration: Calibration, point_source_id: int) -> MountedScanner:
     """The scanner whose points carry a number.
 
     A calibration of a single scanner without a number stands for all points.
@@ -143,7 +143,7 @@ def scanner_of(calibration: Calibration, point_source_id: int) -> Scanner:
                      "it, or choose the calibration of this survey.")
 
 
-def scanner_places(trajectory: Trajectory, scanner: Mount, time: np.ndarray) -> np.ndarray:
+def scanner_positions(trajectory: Trajectory, scanner: Mount, time: np.ndarray) -> np.ndarray:
     """Places (m, 3) of a scanner or camera in the map at times (m,): p(t) + R(t) lever arm.
 
     Raises

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..errors import InputError, InsufficientDataError
 from .gps_time import shift_between
-from .movement import Movement
+from .pose_correction import PoseCorrection
 from .trajectory import Trajectory
 
 COLUMNS = ("id", "x", "y", "z", "time", "x_mms", "y_mms", "z_mms")
@@ -134,7 +134,7 @@ def in_survey_time(control: ControlPoints, trajectory: Trajectory) -> tuple[Cont
     return moved.take(within), int(np.count_nonzero(~within))
 
 
-def residuals(control: ControlPoints, movement: Movement | None = None) -> np.ndarray:
+def residuals(control: ControlPoints, movement: PoseCorrection | None = None) -> np.ndarray:
     """Errors (n, 3) of the survey, m: where it has a point less where it is; corrected by a movement if one is given.
 
     Raises

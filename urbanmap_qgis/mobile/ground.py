@@ -16,11 +16,11 @@ from ..geometry.grid import Grid
 from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, valid_points
 from ..progress import SILENT, Progress
-from ..terrain.cloth import JAVANMARDI, ClothSettings, Levels, bottom_points, hang, settle
-from ..terrain.outliers import lonely_limit, plausible
+from ..terrain.cloth import JAVANMARDI, ClothSettings, LowestHeights, bottom_points, final_cloth, first_cloth
+from ..terrain.outliers import isolation_limit, plausible
 from ..terrain.surface_files import metric_crs_wkt
-from ..terrain.tiles import ClothPart, TilePoints, Tiling, layer_of_tile, levels_of_tile, point_margin
-from .legs import BlockPlaces, Legs
+from ..terrain.tiles import ClothPart, TilePoints, Tiling, layer_of_tile, lowest_heights_of_tile, point_margin
+from .passes import BlockPositions, SurveyPasses
 
 GROUND, UNASSIGNED = 2, 1
 UNDECIDED = (0, UNASSIGNED, GROUND)
@@ -38,24 +38,24 @@ class GroundSummary:
     Attributes
     ----------
     points : in the files. usable : without noise, withheld points and absurd heights. ground : ground points.
-    legs : passes that were filtered apart (1 without GPS time).
+    passes : passes that were filtered apart (1 without GPS time).
     crs_wkt : of the cloud.
     """
 
     points: int
     usable: int
     ground: int
-    legs: int
+    passes: int
     crs_wkt: str
 
 
 @dataclass(frozen=True)
-class LegGround:
-    """The settled cloth of one leg.
+class PassGround:
+    """The converged cloth of one pass.
 
     Attributes
     ----------
-    grid : of the cloth's nodes. lowest : (rows, columns) believed lowest heights, cloth : settled heights, m.
+    grid : of the cloth's nodes. lowest : (rows, columns) believed lowest heights, cloth : converged heights, m.
     """
 
     grid: Grid
@@ -76,7 +76,7 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     """Write a survey's points with ground as class 2; all else of them, and their order, stays as it is.
 
     Points of other classes than 0, 1 and 2 keep them. Passes through the same place are filtered apart by their GPS
-    time (`legs`). The points are read twice; memory holds some tiles and the cloth. The result does not depend on the
+    time (`passes`). The points are read twice; memory holds some tiles and the cloth. The result does not depend on the
     tiles nor on the executor.
 
     Parameters
@@ -94,24 +94,24 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
         survey = _Survey(cloud, settings, buckets, executor)
         survey.read(progress.part(0.0, 0.35))
         grounds = survey.grounds(progress.part(0.35, 0.65))
-    ground = _write(cloud, output, survey.legs, grounds, settings, progress.part(0.65, 1.0))
-    return GroundSummary(cloud.point_count, survey.usable, ground, survey.legs.count, wkt)
+    ground = _write(cloud, output, survey.passes, grounds, settings, progress.part(0.65, 1.0))
+    return GroundSummary(cloud.point_count, survey.usable, ground, survey.passes.count, wkt)
 
 
 class _Survey:
-    """The points of a survey in tiles, on their way to the cloths of its legs."""
+    """The points of a survey in tiles, on their way to the cloths of its passes."""
 
     def __init__(self, cloud: PointCloud, settings: ClothSettings, buckets: PointBuckets, executor: Executor | None):
         self.cloud, self.settings, self.buckets, self.executor = cloud, settings, buckets, executor
         self.tiling = Tiling(settings.resolution, max(int(np.ceil(_TILE / settings.resolution)), 16))
         self.keys: list[int] = []
-        self.legs = Legs(np.empty(0))
+        self.passes = SurveyPasses(np.empty(0))
         self.usable = 0
 
     def read(self, progress: Progress) -> None:
-        """Sort the points into tiles and find the legs."""
+        """Sort the points into tiles and find the passes."""
         timed = self.cloud.has_dimension("gps_time")
-        places, keys = BlockPlaces(), set()
+        positions, keys = BlockPositions(), set()
         for chunk in iter_chunks(self.cloud, progress):
             records = np.zeros(len(chunk), dtype=_RECORD)
             for name in "xyz":
@@ -121,37 +121,38 @@ class _Survey:
             if not len(records):
                 continue
             self.usable += len(records)
-            places.add(records["x"], records["y"], records["t"])
+            positions.add(records["x"], records["y"], records["t"])
             tile = self.tiling.keys(records["x"], records["y"])
             keys.update(np.unique(tile).tolist())
             self.buckets.add(tile, records)
         if not keys:
             raise InsufficientDataError(f"{self.cloud.paths[0].name} holds no usable points: all are noise, withheld "
                                         "or have no valid height.")
-        self.keys, self.legs = sorted(keys), places.legs()
+        self.keys, self.passes = sorted(keys), positions.passes()
 
-    def grounds(self, progress: Progress) -> list[LegGround | None]:
-        """The cloth of each leg."""
+    def grounds(self, progress: Progress) -> list[PassGround | None]:
+        """The cloth of each pass."""
         extents = self._extents(progress.part(0.0, 0.1))
         done = []
-        for leg in range(self.legs.count):
-            part = progress.part(0.1 + 0.9 * leg / self.legs.count, 0.1 + 0.9 * (leg + 1) / self.legs.count)
-            done.append(self._ground(leg, extents[leg], part) if extents[leg] else None)
+        share = 0.9 / self.passes.count
+        for pass_number in range(self.passes.count):
+            part = progress.part(0.1 + share * pass_number, 0.1 + share * (pass_number + 1))
+            done.append(self._ground(pass_number, extents[pass_number], part) if extents[pass_number] else None)
         return done
 
     def _extents(self, progress: Progress) -> list[dict[int, tuple]]:
-        """For each leg the tiles that hold points of it, with their number and extent."""
-        found: list[dict[int, tuple]] = [{} for _ in range(self.legs.count)]
+        """For each pass the tiles that hold points of it, with their number and extent."""
+        found: list[dict[int, tuple]] = [{} for _ in range(self.passes.count)]
         for step, key in enumerate(self.keys):
             records = self.buckets.read(key)
-            leg = self.legs.of(records["t"])
-            for number in np.unique(leg).tolist():
-                x, y = (records[name][leg == number] for name in "xy")
+            pass_number = self.passes.of(records["t"])
+            for number in np.unique(pass_number).tolist():
+                x, y = (records[name][pass_number == number] for name in "xy")
                 found[number][key] = (len(x), x.min(), y.min(), x.max(), y.max())
             progress.step((step + 1) / len(self.keys))
         return found
 
-    def _ground(self, leg: int, extent: dict[int, tuple], progress: Progress) -> LegGround:
+    def _ground(self, pass_number: int, extent: dict[int, tuple], progress: Progress) -> PassGround:
         table = np.array(list(extent.values()))
         (x_min, y_min), (x_max, y_max) = table[:, 1:3].min(axis=0), table[:, 3:5].max(axis=0)
         cloth = self.settings
@@ -162,41 +163,41 @@ class _Survey:
                              "parts of it.")
         keys = sorted(extent)
         area = len(keys) * self.tiling.side ** 2
-        lonely = lonely_limit(int(table[:, 0].sum()), min(area, max((x_max - x_min) * (y_max - y_min), 1.0)))
+        neighbours = isolation_limit(int(table[:, 0].sum()), min(area, max((x_max - x_min) * (y_max - y_min), 1.0)))
         levels = [np.full(grid.shape, fill) for fill in (np.inf, np.inf, 0)]
-        work = partial(levels_of_tile, cloth_grid=grid, lonely=lonely)
-        for step, part in enumerate(in_order(work, self._tiles(keys, leg, point_margin(cloth)), self.executor,
+        work = partial(lowest_heights_of_tile, cloth_grid=grid, neighbours=neighbours)
+        for step, part in enumerate(in_order(work, self._tiles(keys, pass_number, point_margin(cloth)), self.executor,
                                              progress.check)):
             _put(levels, part)
             progress.step(0.5 * (step + 1) / len(keys))
-        first, trend, lowest = hang(Levels(*levels), cloth, progress.part(0.5, 0.6))
+        first, trend, lowest = first_cloth(LowestHeights(*levels), cloth, progress.part(0.5, 0.6))
         layer = [np.full(grid.shape, np.inf)]
         work = partial(layer_of_tile, cloth_grid=grid, lowest=lowest, cloth=first)
-        for step, part in enumerate(in_order(work, self._tiles(keys, leg, cloth.resolution), self.executor,
+        for step, part in enumerate(in_order(work, self._tiles(keys, pass_number, cloth.resolution), self.executor,
                                              progress.check)):
             _put(layer, part)
             progress.step(0.6 + 0.3 * (step + 1) / len(keys))
-        settled = settle(layer[0], trend, cloth, progress.part(0.9, 1.0))
-        return LegGround(grid, lowest, settled)
+        converged = final_cloth(layer[0], trend, cloth, progress.part(0.9, 1.0))
+        return PassGround(grid, lowest, converged)
 
-    def _tiles(self, keys: list[int], leg: int, margin: float) -> Iterator[TilePoints]:
-        """The points of each tile and of a margin round it, of one leg."""
+    def _tiles(self, keys: list[int], pass_number: int, margin: float) -> Iterator[TilePoints]:
+        """The points of each tile and of a margin round it, of one pass."""
         known, held = set(keys), {}
         for key in keys:
             box, (column, row) = self.tiling.box(key), self.tiling.place(key)
             around = [near for near in self.tiling.around(key) if near in known]
             # Keys grow by rows: most neighbours were neighbours of the tile before.
-            held = {near: held[near] if near in held else self._of_leg(near, leg) for near in around}
+            held = {near: held[near] if near in held else self._of_pass(near, pass_number) for near in around}
             parts = [held[key]]
             for near in around[1:]:
                 other_column, other_row = self.tiling.place(near)
                 parts.append(_beside(held[near], box, margin, other_column - column, other_row - row))
             yield TilePoints(np.concatenate(parts), len(parts[0]), box)
 
-    def _of_leg(self, key: int, leg: int) -> np.ndarray:
-        """The points of a tile that were measured in a leg."""
+    def _of_pass(self, key: int, pass_number: int) -> np.ndarray:
+        """The points of a tile that were measured in a pass."""
         records = self.buckets.read(key)
-        return records if self.legs.count == 1 else records[self.legs.of(records["t"]) == leg]
+        return records if self.passes.count == 1 else records[self.passes.of(records["t"]) == pass_number]
 
 
 def _beside(records: np.ndarray, box: tuple[float, float, float, float], margin: float, right: int,
@@ -214,14 +215,14 @@ def _put(layers: list[np.ndarray], part: ClothPart) -> None:
         layer[part.rows, part.columns] = values
 
 
-def _write(cloud: PointCloud, output: str | os.PathLike, legs: Legs, grounds: list[LegGround | None],
+def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, grounds: list[PassGround | None],
            settings: ClothSettings, progress: Progress) -> int:
     """Write all points with their new classes; the number of ground points."""
     layout = PointLayout(cloud)
     total = 0
     with cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress):
-            ground = _ground_of(chunk, legs, grounds, settings.threshold)
+            ground = _ground_of(chunk, passes, grounds, settings.threshold)
             total += int(np.count_nonzero(ground))
             classes = np.asarray(chunk.classification)
             undecided = np.isin(classes, UNDECIDED)
@@ -232,14 +233,14 @@ def _write(cloud: PointCloud, output: str | os.PathLike, legs: Legs, grounds: li
     return total
 
 
-def _ground_of(chunk, legs: Legs, grounds: list[LegGround | None], threshold: float) -> np.ndarray:
+def _ground_of(chunk, passes: SurveyPasses, grounds: list[PassGround | None], threshold: float) -> np.ndarray:
     """Which points of a chunk are ground, (n,) bool."""
     x, y, z = (np.asarray(chunk[name]) for name in "xyz")
     candidate = valid_points(chunk) & plausible(x, y, z) & np.isin(np.asarray(chunk.classification), UNDECIDED)
-    leg = legs.of(np.asarray(chunk["gps_time"])) if legs.count > 1 else np.zeros(len(z), dtype=int)
+    pass_number = passes.of(np.asarray(chunk["gps_time"])) if passes.count > 1 else np.zeros(len(z), dtype=int)
     found = np.zeros(len(z), dtype=bool)
-    for number in np.unique(leg[candidate]).tolist():
-        some = np.flatnonzero(candidate & (leg == number))
+    for number in np.unique(pass_number[candidate]).tolist():
+        some = np.flatnonzero(candidate & (pass_number == number))
         if grounds[number] is not None:
             found[some] = grounds[number].mask(x[some], y[some], z[some], threshold)
     return found

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.atomic import written_beside
-from .trajectory import Trajectory, angles_of, interpolate, rotations, unwrapped
+from .trajectory import Trajectory, attitude_angles, interpolate, rotations, unwrapped
 
 COLUMNS = ("id", "time", "x", "y", "z", "roll", "pitch", "heading")
 
@@ -79,7 +79,7 @@ def move_images(poses: ImagePoses, reported: Trajectory, corrected: Trajectory) 
     InputError : an image was taken outside a trajectory's time.
     """
     before, after = interpolate(reported, poses.time), interpolate(corrected, poses.time)
-    turn = rotations(after.angles) @ np.swapaxes(rotations(before.angles), 1, 2)
-    place = after.place + np.einsum("nij,nj->ni", turn, poses.place - before.place)
-    angles = angles_of(turn @ rotations(poses.angles))
+    rotation = rotations(after.angles) @ np.swapaxes(rotations(before.angles), 1, 2)
+    place = after.place + np.einsum("nij,nj->ni", rotation, poses.place - before.place)
+    angles = attitude_angles(rotation @ rotations(poses.angles))
     return ImagePoses(poses.id, poses.time, place, angles, poses.others)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..errors import InputError
 
-STANDING = 0.15
+STOP_SPEED = 0.15
 """Below this speed a vehicle stands, m/s: what still moves is noise of its navigation."""
 
 
@@ -101,7 +101,7 @@ def rotations(angles: np.ndarray) -> np.ndarray:
     return np.stack([east, north, up], axis=-2)
 
 
-def angles_of(matrices: np.ndarray) -> np.ndarray:
+def attitude_angles(matrices: np.ndarray) -> np.ndarray:
     """Roll, pitch and heading (m, 3) in degrees of matrices as of `rotations`; heading 0 to 360."""
     matrices = np.asarray(matrices, float)
     east, north, up = matrices[..., 0, :], matrices[..., 1, :], matrices[..., 2, :]
@@ -119,7 +119,7 @@ def body_to_map(trajectory: Trajectory, time: np.ndarray, body: np.ndarray) -> n
     InputError : a time lies outside the trajectory.
     """
     pose = interpolate(trajectory, time)
-    return pose.place + _turned(pose.angles, np.broadcast_to(body, pose.place.shape))
+    return pose.place + _rotated_to_map(pose.angles, np.broadcast_to(body, pose.place.shape))
 
 
 def move_points(points: np.ndarray, time: np.ndarray, reported: Trajectory, corrected: Trajectory) -> np.ndarray:
@@ -132,42 +132,42 @@ def move_points(points: np.ndarray, time: np.ndarray, reported: Trajectory, corr
     InputError : a time lies outside a trajectory.
     """
     before, after = interpolate(reported, time), interpolate(corrected, time)
-    return after.place + _turned(after.angles, _turned_back(before.angles, points - before.place))
+    return after.place + _rotated_to_map(after.angles, _rotated_to_body(before.angles, points - before.place))
 
 
-def _turned(angles: np.ndarray, body: np.ndarray) -> np.ndarray:
+def _rotated_to_map(angles: np.ndarray, body: np.ndarray) -> np.ndarray:
     """Body vectors (m, 3) in the map's axes, turned axis by axis: no matrix is made for each point."""
     roll, pitch, heading = np.radians(angles).T
     x, y, z = body.T
-    y, z = _plane_turn(y, z, roll)
-    z, x = _plane_turn(z, x, pitch)
-    x, y = _plane_turn(x, y, heading)
+    y, z = _plane_rotation(y, z, roll)
+    z, x = _plane_rotation(z, x, pitch)
+    x, y = _plane_rotation(x, y, heading)
     return np.column_stack([y, x, -z])
 
 
-def _turned_back(angles: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+def _rotated_to_body(angles: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     """Vectors (m, 3) of the map in the body's axes."""
     roll, pitch, heading = np.radians(angles).T
     y, x, z = vectors[:, 0], vectors[:, 1], -vectors[:, 2]
-    x, y = _plane_turn(x, y, -heading)
-    z, x = _plane_turn(z, x, -pitch)
-    y, z = _plane_turn(y, z, -roll)
+    x, y = _plane_rotation(x, y, -heading)
+    z, x = _plane_rotation(z, x, -pitch)
+    y, z = _plane_rotation(y, z, -roll)
     return np.column_stack([x, y, z])
 
 
-def _plane_turn(u: np.ndarray, v: np.ndarray, angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _plane_rotation(u: np.ndarray, v: np.ndarray, angle: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Two coordinates turned from the first axis towards the second."""
     cos, sin = np.cos(angle), np.sin(angle)
     return cos * u - sin * v, sin * u + cos * v
 
 
-def driven_way(trajectory: Trajectory, standing: float = STANDING) -> np.ndarray:
+def path_chainage(trajectory: Trajectory, stop_speed: float = STOP_SPEED) -> np.ndarray:
     """Way driven in plan (n,) since the first epoch, m; what a standing vehicle's navigation wanders does not count.
 
-    `standing` : speed in m/s, over about a second, below which the vehicle stands.
+    `stop_speed` : speed in m/s, over about a second, below which the vehicle stands.
     """
     step = np.hypot(*np.diff(trajectory.place[:, :2], axis=0).T)
-    moving = _speeds(trajectory) >= standing
+    moving = _speeds(trajectory) >= stop_speed
     return np.concatenate([[0.0], np.cumsum(np.where(moving, step, 0.0))])
 
 
@@ -181,15 +181,15 @@ def _speeds(trajectory: Trajectory) -> np.ndarray:
     return np.hypot(*(end - start).T) / np.maximum(ends[1] - ends[0], 1e-9)
 
 
-def gaps(trajectory: Trajectory, longest: float = 1.0) -> np.ndarray:
-    """Spans of time (k, 2), s, between epochs that are more than `longest` seconds apart."""
-    return _spans(trajectory, np.diff(trajectory.time) > longest)
+def gaps(trajectory: Trajectory, max_step: float = 1.0) -> np.ndarray:
+    """Spans of time (k, 2), s, between epochs that are more than `max_step` seconds apart."""
+    return _spans(trajectory, np.diff(trajectory.time) > max_step)
 
 
-def jumps(trajectory: Trajectory, fastest: float = 60.0) -> np.ndarray:
-    """Spans of time (k, 2), s, between epochs from which the body moves faster than `fastest` m/s."""
+def jumps(trajectory: Trajectory, max_speed: float = 60.0) -> np.ndarray:
+    """Spans of time (k, 2), s, between epochs from which the body moves faster than `max_speed` m/s."""
     step = np.linalg.norm(np.diff(trajectory.place, axis=0), axis=1)
-    return _spans(trajectory, step > fastest * np.diff(trajectory.time))
+    return _spans(trajectory, step > max_speed * np.diff(trajectory.time))
 
 
 def _spans(trajectory: Trajectory, steps: np.ndarray) -> np.ndarray:

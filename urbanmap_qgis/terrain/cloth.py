@@ -26,13 +26,13 @@ from ..geometry.grid import Grid
 from ..geometry.sampling import Bilinear
 from ..progress import SILENT, Progress
 from .delaunay import extreme_in_cells
-from .outliers import isolated, lonely_limit, plausible
+from .outliers import isolated, isolation_limit, plausible
 from .trend import trend_surface
 
 # Curvature of the free cloth, 1/m, by rigidness: 1 steep slopes, 2 hills, 3 flat towns. At 0.002 it sags 1.5 m
 # under a hall of 100 m by 100 m.
 _CURVATURE = {1: 0.02, 2: 0.006, 3: 0.002}
-_SETTLED = 0.002
+_CONVERGED = 0.002
 _STEP = 0.3
 _LAYER = 0.2
 _LOOSE_DEPTH = 0.5
@@ -54,7 +54,7 @@ class ClothSettings:
     ----------
     resolution : spacing of the cloth's nodes, m (J Table 3-2: 2 m).
     threshold : largest distance of a ground point from the cloth, m (0.2 m).
-    iterations : most sweeps on each level of detail; it stops earlier when settled (1000).
+    iterations : most sweeps on each level of detail; it stops earlier when converged (1000).
     rigidness : 1 (steep slopes), 2 (hills) or 3 (flat towns, large buildings).
     """
 
@@ -101,7 +101,7 @@ def classify_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: Cloth
 
 def cloth_surface(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings = JAVANMARDI,
                   progress: Progress = SILENT) -> tuple[Grid, np.ndarray]:
-    """The settled cloth.
+    """The converged cloth.
 
     Parameters
     ----------
@@ -131,20 +131,20 @@ def _usable(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray | slice:
 
 def _drape(x: np.ndarray, y: np.ndarray, z: np.ndarray, settings: ClothSettings,
            progress: Progress) -> tuple[Grid, np.ndarray, BottomPoints]:
-    """The settled cloth, and the points near the bottom of each cell."""
+    """The converged cloth, and the points near the bottom of each cell."""
     grid = Grid.covering(x.min(), y.min(), x.max(), y.max(), settings.resolution)
     # One cell more: bilinear places need two in each direction.
     grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
-    levels = lowest_heights(x, y, z, grid, lonely_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0))
+    levels = lowest_heights(x, y, z, grid, isolation_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0))
     progress.step(0.4)
-    first, trend, lowest = hang(levels, settings, progress.part(0.4, 0.5))
+    first, trend, lowest = first_cloth(levels, settings, progress.part(0.4, 0.5))
     bottom = bottom_points(x, y, z, grid, lowest)
     lowest = lowest_layer(bottom, first)
     progress.step(0.7)
-    return grid, settle(lowest, trend, settings, progress.part(0.7, 0.9)), bottom
+    return grid, final_cloth(lowest, trend, settings, progress.part(0.7, 0.9)), bottom
 
 
-def cell_numbers(x: np.ndarray, y: np.ndarray, grid: Grid) -> np.ndarray:
+def node_of_points(x: np.ndarray, y: np.ndarray, grid: Grid) -> np.ndarray:
     """Flat cell number of each point, (n,) int32; the grid must cover all points."""
     column = ((x - grid.x_min) * (1.0 / grid.cell)).astype(np.int32)
     row = ((grid.y_max - y) * (1.0 / grid.cell)).astype(np.int32)
@@ -157,7 +157,7 @@ def cell_numbers(x: np.ndarray, y: np.ndarray, grid: Grid) -> np.ndarray:
 
 
 @dataclass(frozen=True)
-class Levels:
+class LowestHeights:
     """Lowest heights of the cells of a grid.
 
     Attributes
@@ -173,7 +173,7 @@ class Levels:
     support: np.ndarray
 
 
-def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lonely: int = 5) -> Levels:
+def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, neighbours: int = 5) -> LowestHeights:
     """Lowest believable heights of each cell.
 
     Left out are points alone in space (`outliers.isolated`), and the lowest points of a cell where fewer than
@@ -183,8 +183,8 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lone
     All points must be plausible and on the grid. A cell's answer depends on the points within two voxels and
     two cells of it.
     """
-    cell, height = cell_numbers(x, y, grid), z
-    alone = isolated(x, y, z, lonely=lonely)
+    cell, height = node_of_points(x, y, grid), z
+    alone = isolated(x, y, z, neighbours=neighbours)
     if alone.any():
         height = np.where(alone, np.inf, z)
     size = grid.rows * grid.columns
@@ -206,7 +206,7 @@ def lowest_heights(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lone
     upper = members[height[members] >= lowest[cell[members]] + _PIT_DEPTH]
     second = extreme_in_cells(cell[upper], height[upper], size, highest=False)
     support = np.where(sparse, 0, support)
-    return Levels(*(values.reshape(grid.shape) for values in (lowest, second, support)))
+    return LowestHeights(*(values.reshape(grid.shape) for values in (lowest, second, support)))
 
 
 def _support(lowest: np.ndarray, cell: np.ndarray, height: np.ndarray) -> np.ndarray:
@@ -259,9 +259,9 @@ def bottom_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowes
 
     Parameters
     ----------
-    x, y, z : (n,) metres, all on the grid. lowest : (rows, columns) from `hang`.
+    x, y, z : (n,) metres, all on the grid. lowest : (rows, columns) from `first_cloth`.
     """
-    cell = cell_numbers(x, y, grid)
+    cell = node_of_points(x, y, grid)
     height = z - lowest.ravel()[cell]
     points = np.flatnonzero((height >= 0) & (height < 2 * grid.cell))
     return BottomPoints(points, cell[points], z[points], Bilinear.at(grid, x[points], y[points]))
@@ -284,7 +284,7 @@ def lowest_layer(bottom: BottomPoints, cloth: np.ndarray) -> np.ndarray:
     return cloth + mean.reshape(cloth.shape)
 
 
-def hang(levels: Levels, settings: ClothSettings,
+def first_cloth(levels: LowestHeights, settings: ClothSettings,
          progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The first cloth: at rest, with pits below the ground left out.
 
@@ -307,7 +307,7 @@ def hang(levels: Levels, settings: ClothSettings,
     trend = trend_surface(np.where(firm, lowest, np.inf) if enough else lowest, settings.resolution)
     for _ in range(_PIT_ROUNDS):
         obstacle = lowest - trend
-        cloth = _rest(obstacle, settings, np.zeros(lowest.shape, dtype=bool), progress)
+        cloth = _equilibrium(obstacle, settings, np.zeros(lowest.shape, dtype=bool), progress)
         pit = _pits(obstacle, _grow(obstacle, obstacle - cloth <= _PIT_DEPTH), firm)
         if not pit.any():
             break
@@ -340,7 +340,7 @@ def _pits(obstacle: np.ndarray, ground: np.ndarray, firm: np.ndarray) -> np.ndar
     return is_pit[patch]
 
 
-def settle(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
+def final_cloth(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
            progress: Progress = SILENT) -> np.ndarray:
     """Cloth at rest against `lowest`, lifted to all ground that continues without a jump.
 
@@ -354,14 +354,14 @@ def settle(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
     """
     obstacle = lowest - trend
     pinned = np.zeros(lowest.shape, dtype=bool)
-    cloth = _rest(obstacle, settings, pinned, progress)
+    cloth = _equilibrium(obstacle, settings, pinned, progress)
     for _ in range(_LIFTS):
         progress.check()
         grown = _grow(obstacle, pinned | (obstacle - cloth <= settings.threshold))
         if np.array_equal(grown, pinned):
             break
         pinned = grown
-        cloth = _rest(obstacle, settings, pinned, progress, start=np.where(pinned, obstacle, cloth))
+        cloth = _equilibrium(obstacle, settings, pinned, progress, start=np.where(pinned, obstacle, cloth))
     return trend + cloth
 
 
@@ -381,7 +381,7 @@ def _grow(obstacle: np.ndarray, ground: np.ndarray) -> np.ndarray:
     return reached[label].reshape(obstacle.shape)
 
 
-def _rest(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarray, progress: Progress,
+def _equilibrium(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarray, progress: Progress,
           start: np.ndarray | None = None) -> np.ndarray:
     """Membrane at rest below `obstacle` (inf: none), held to it where `pinned`.
 
@@ -397,7 +397,7 @@ def _rest(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarray, pro
             coarse = ClothSettings(settings.resolution * 2, settings.threshold, settings.iterations,
                                    settings.rigidness)
             pooled = _lowest_of_four(obstacle)
-            start = _rest(pooled, coarse, np.zeros(pooled.shape, dtype=bool), progress)
+            start = _equilibrium(pooled, coarse, np.zeros(pooled.shape, dtype=bool), progress)
             start = start.repeat(2, axis=0).repeat(2, axis=1)[:obstacle.shape[0], :obstacle.shape[1]]
     return _relax(start, obstacle, np.where(finite, settings.sag, 0.0), pinned, settings.iterations, progress)
 
@@ -440,7 +440,7 @@ def _relax(start: np.ndarray, obstacle: np.ndarray, sag: np.ndarray, pinned: np.
             inner[quarter] = new
         cloth[0], cloth[-1] = cloth[1], cloth[-2]
         cloth[:, 0], cloth[:, -1] = cloth[:, 1], cloth[:, -2]
-        if moved < _SETTLED:
+        if moved < _CONVERGED:
             break
         if sweep % 50 == 49:
             progress.check()

@@ -7,7 +7,7 @@ import numpy as np
 LOWEST_HEIGHT = -500.0
 HIGHEST_HEIGHT = 9000.0
 VOXEL = 4.0
-LONELY = 5
+MIN_NEIGHBOURS = 5
 _FEWEST = 100
 
 
@@ -17,22 +17,22 @@ def plausible(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray:
         return (np.isfinite(x) & np.isfinite(y) & (z >= LOWEST_HEIGHT) & (z <= HIGHEST_HEIGHT))
 
 
-def lonely_limit(count: int, area: float, voxel: float = VOXEL) -> int:
+def isolation_limit(count: int, area: float, voxel: float = VOXEL) -> int:
     """Limit of `isolated` for `count` points on `area` m2: at most a quarter of what flat ground would have.
 
     0, which finds none, for clouds of fewer than 100 points: they are too few to tell.
     """
     if count < _FEWEST:
         return 0
-    return int(min(LONELY, 0.25 * count / area * (3 * voxel) ** 2))
+    return int(min(MIN_NEIGHBOURS, 0.25 * count / area * (3 * voxel) ** 2))
 
 
 def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,
-             lonely: int = LONELY) -> np.ndarray:
-    """Points with at most `lonely` points, themselves included, in the 3 x 3 x 3 voxels round them, (n,) bool.
+             neighbours: int = MIN_NEIGHBOURS) -> np.ndarray:
+    """Points with at most `neighbours` points, themselves included, in the 3 x 3 x 3 voxels round them, (n,) bool.
 
     Voxels lie on multiples of `voxel` metres, so that the answer for a point depends only on the points within
-    two voxels of it, not on the tile. `lonely_limit` gives a limit that suits sparse clouds.
+    two voxels of it, not on the tile. `isolation_limit` gives a limit that suits sparse clouds.
     """
     if not len(z):
         return np.zeros(0, dtype=bool)
@@ -44,7 +44,7 @@ def isolated(x: np.ndarray, y: np.ndarray, z: np.ndarray, voxel: float = VOXEL,
     around = count.reshape(levels, rows, columns)
     for axis in range(3):
         around = _sum_of_three(around, axis)
-    return (around.ravel() <= lonely)[index]
+    return (around.ravel() <= neighbours)[index]
 
 
 def _steps(coordinate: np.ndarray, voxel: float) -> tuple[np.ndarray, int]:

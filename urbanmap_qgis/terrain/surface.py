@@ -13,7 +13,7 @@ from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
 from .cloth import JAVANMARDI, ClothSettings, classify_ground
 from .delaunay import highest_in_cells, triangulate
-from .outliers import isolated, lonely_limit, plausible
+from .outliers import isolated, isolation_limit, plausible
 from .rasterise import rasterise
 
 __all__ = ["NODATA", "ground_mask", "ground_raster", "ground_source", "sample", "surface_raster", "thin_highest",
@@ -139,8 +139,8 @@ def surface_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, max_
     usable = plausible(x, y, z)
     x, y, z = x[usable], y[usable], z[usable]
     if len(z):
-        lonely = lonely_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0)
-        crowd = ~isolated(x, y, z, lonely=lonely)
+        neighbours = isolation_limit(len(z), float(np.ptp(x) * np.ptp(y)) or 1.0)
+        crowd = ~isolated(x, y, z, neighbours=neighbours)
         x, y, z = x[crowd], y[crowd], z[crowd]
     top = thin_highest(x, y, z, grid.cell)
     x, y, z = x[top], y[top], z[top]
@@ -159,7 +159,7 @@ def shorter(x: np.ndarray, y: np.ndarray, triangles: np.ndarray, max_edge: float
     return triangles[length.max(axis=1) <= max_edge]
 
 
-def cell_numbers(x: np.ndarray, y: np.ndarray, cell: float) -> tuple[np.ndarray, int, int, int]:
+def plan_cells(x: np.ndarray, y: np.ndarray, cell: float) -> tuple[np.ndarray, int, int, int]:
     """Number of the cell (on multiples of `cell`) of each point, and first column, first row and columns."""
     column, row = np.floor(x / cell).astype(np.int64), np.floor(y / cell).astype(np.int64)
     first_column, first_row = (int(column.min()), int(row.min())) if len(x) else (0, 0)
@@ -169,7 +169,7 @@ def cell_numbers(x: np.ndarray, y: np.ndarray, cell: float) -> tuple[np.ndarray,
 
 def thin_highest(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: float) -> np.ndarray:
     """Indices of the highest point of each cell of the plan, ordered by cell (rows from the south)."""
-    number, *_ = cell_numbers(x, y, cell)
+    number, *_ = plan_cells(x, y, cell)
     if not len(number):
         return np.empty(0, dtype=np.int64)
     return highest_in_cells(number, z, int(number.max()) + 1, tie=(x, y))
@@ -180,7 +180,7 @@ def thin_mean(x: np.ndarray, y: np.ndarray, z: np.ndarray,
     """Centres of gravity x, y, z of the points of each cell of the plan, ordered by cell."""
     if not len(z):
         return x, y, z
-    number, *_ = cell_numbers(x, y, cell)
+    number, *_ = plan_cells(x, y, cell)
     count = np.bincount(number)
     filled = count > 0
     # Taken about a near origin: sums of large coordinates would lose digits.

@@ -23,9 +23,9 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, iter_chunks, open_cloud, plan_crs, valid_points
 from ..io.raster import write_raster
 from ..progress import SILENT, Progress
-from .cloth import JAVANMARDI, ClothSettings, Levels, hang, settle
+from .cloth import JAVANMARDI, ClothSettings, LowestHeights, final_cloth, first_cloth
 from .delaunay import Blocks, bridge, cancel_twins
-from .outliers import lonely_limit, plausible
+from .outliers import isolation_limit, plausible
 from .rasterise import rasterise
 from .surface import GROUND_CLASSES, GroundSource, frame_points, ground_source, shorter
 from .tiles import (
@@ -186,7 +186,7 @@ class _Work:
         extent = np.maximum(cloud.maximum[:2] - cloud.minimum[:2], settings.resolution)
         area = float(extent[0] * extent[1])
         spacing = math.sqrt(area / cloud.point_count)
-        self.lonely = lonely_limit(cloud.point_count, area)
+        self.neighbours = isolation_limit(cloud.point_count, area)
         self.blocks = Blocks.for_spacing(max(settings.resolution, min(spacing, _WIDEST_SPACING)))
         self.tiling = Tiling.for_blocks(settings.resolution, self.blocks)
         self.points = stack.enter_context(PointBuckets(POINT))
@@ -235,7 +235,7 @@ class _Work:
         if grid and grid.rows * grid.columns > _MOST_NODES:
             raise InputError("The area is too large for one cloth: choose a coarser cloth resolution.")
         levels = [np.full(grid.shape, fill) for fill in (np.inf, np.inf, 0)] if grid else []
-        work = partial(reduce_tile, cell=self.settings.resolution, lonely=self.lonely, cloth_grid=grid)
+        work = partial(reduce_tile, cell=self.settings.resolution, neighbours=self.neighbours, cloth_grid=grid)
         progress.message("Finding the highest points of the cells.")
         pieces = self._tiles(point_margin(self.settings.cloth))
         for step, (highest, ground, part) in enumerate(in_order(work, pieces, self.executor)):
@@ -245,23 +245,23 @@ class _Work:
                 _put(levels, part)
             progress.step(0.4 * (step + 1) / len(self.keys))
         if with_cloth:
-            self._drape(Levels(*levels), progress.part(0.4, 1.0))
+            self._drape(LowestHeights(*levels), progress.part(0.4, 1.0))
         elif source:
             self.ground_points = int(self.class_counts[list(GROUND_CLASSES)].sum())
 
-    def _drape(self, levels: Levels, progress: Progress) -> None:
+    def _drape(self, levels: LowestHeights, progress: Progress) -> None:
         """Ground points by the cloth."""
         cloth = self.settings.cloth
         progress.message("Settling the cloth.")
-        first, trend, lowest = hang(levels, cloth, progress.part(0.0, 0.2))
+        first, trend, lowest = first_cloth(levels, cloth, progress.part(0.0, 0.2))
         layer = [np.full(lowest.shape, np.inf)]
         work = partial(layer_of_tile, cloth_grid=self.cloth_grid, lowest=lowest, cloth=first)
         for step, part in enumerate(in_order(work, self._tiles(cloth.resolution), self.executor)):
             _put(layer, part)
             progress.step(0.2 + 0.3 * (step + 1) / len(self.keys))
-        settled = settle(layer[0], trend, cloth, progress.part(0.5, 0.6))
+        converged = final_cloth(layer[0], trend, cloth, progress.part(0.5, 0.6))
         work = partial(ground_of_tile, cell=self.settings.resolution, cloth_grid=self.cloth_grid, lowest=lowest,
-                       cloth=settled, threshold=cloth.threshold)
+                       cloth=converged, threshold=cloth.threshold)
         for step, (ground, count) in enumerate(in_order(work, self._tiles(0.0), self.executor)):
             self.ground.add(self.keys[step], ground)
             self.ground_points += count

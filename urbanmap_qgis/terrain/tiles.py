@@ -100,13 +100,13 @@ def point_margin(settings: ClothSettings) -> float:
     return 2 * VOXEL + 4 * settings.resolution
 
 
-def reduce_tile(tile: TilePoints, cell: float, lonely: int, cloth_grid: Grid | None
+def reduce_tile(tile: TilePoints, cell: float, neighbours: int, cloth_grid: Grid | None
                 ) -> tuple[np.ndarray, np.ndarray, ClothPart | None]:
     """What a tile's points leave behind at first reading.
 
     Parameters
     ----------
-    cell : raster cell, m. lonely : see `outliers.isolated`.
+    cell : raster cell, m. neighbours : see `outliers.isolated`.
     cloth_grid : grid of the whole cloth; None if ground points are told by class.
 
     Returns
@@ -115,7 +115,7 @@ def reduce_tile(tile: TilePoints, cell: float, lonely: int, cloth_grid: Grid | N
     empty with a cloth), and the cloth's levels in the tile.
     """
     x, y, z, classes = (tile.records[name] for name in "xyzc")
-    crowd = ~isolated(x, y, z, lonely=lonely)
+    crowd = ~isolated(x, y, z, neighbours=neighbours)
     own = crowd[:tile.own]
     ox, oy, oz = (np.ascontiguousarray(values[:tile.own][own]) for values in (x, y, z))
     top = thin_highest(ox, oy, oz, cell)
@@ -123,14 +123,14 @@ def reduce_tile(tile: TilePoints, cell: float, lonely: int, cloth_grid: Grid | N
     if cloth_grid is None:
         ground = np.isin(classes[:tile.own][own], GROUND_CLASSES)
         return highest, _vertices(*thin_mean(ox[ground], oy[ground], oz[ground], cell)), None
-    return highest, _vertices(ox[:0], oy[:0], oz[:0]), levels_of_tile(tile, lonely, cloth_grid)
+    return highest, _vertices(ox[:0], oy[:0], oz[:0]), lowest_heights_of_tile(tile, neighbours, cloth_grid)
 
 
-def levels_of_tile(tile: TilePoints, lonely: int, cloth_grid: Grid) -> ClothPart:
-    """Lowest heights (see `cloth.Levels`) of the cloth's nodes in a tile; parameters as of `reduce_tile`."""
+def lowest_heights_of_tile(tile: TilePoints, neighbours: int, cloth_grid: Grid) -> ClothPart:
+    """Lowest heights (see `cloth.LowestHeights`) of the cloth's nodes in a tile; parameters as of `reduce_tile`."""
     x, y, z = (np.ascontiguousarray(tile.records[name]) for name in "xyz")
     grid = _window(cloth_grid, x, y)
-    levels = lowest_heights(x, y, z, grid, lonely)
+    levels = lowest_heights(x, y, z, grid, neighbours)
     return _own_nodes(cloth_grid, grid, tile.box, (levels.lowest, levels.second, levels.support))
 
 
@@ -154,7 +154,7 @@ def ground_of_tile(tile: TilePoints, cell: float, cloth_grid: Grid, lowest: np.n
 
     Parameters
     ----------
-    lowest, cloth : (rows, columns) of the whole cloth: believed lowest heights, settled cloth.
+    lowest, cloth : (rows, columns) of the whole cloth: believed lowest heights, converged cloth.
     """
     records = tile.records[:tile.own]
     records = records[records["c"] != 6]

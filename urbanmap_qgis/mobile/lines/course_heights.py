@@ -18,7 +18,7 @@ from scipy.optimize import minimize
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
-from ..trajectory import Trajectory, driven_way
+from ..trajectory import Trajectory, path_chainage
 
 SPACING = 2.0
 """m along the course between samples."""
@@ -112,7 +112,7 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
 
 def _samples(trajectory: Trajectory) -> np.ndarray:
     """Epochs at equal distances along the course, and some while the vehicle stands."""
-    way = driven_way(trajectory)
+    way = path_chainage(trajectory)
     row = np.searchsorted(way, np.arange(0.0, way[-1] + 1e-9, SPACING))
     row = np.unique(np.minimum(row, len(way) - 1))
     standing = np.searchsorted(trajectory.time, np.arange(trajectory.time[0], trajectory.time[-1], STANDING_STEP))

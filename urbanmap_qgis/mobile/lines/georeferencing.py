@@ -19,7 +19,7 @@ from pyproj import CRS
 from ...errors import InputError, InsufficientDataError
 from ...io.atomic import written_beside
 from ...progress import SILENT, Progress
-from ..calibration import Calibration, Scanner, scanner_of
+from ..calibration import Calibration, MountedScanner, scanner_of
 from ..gps_time import shift_between
 from ..trajectory import Trajectory, body_to_map, gaps
 from .line_camera import mount_matrix
@@ -72,7 +72,7 @@ class Placed:
     shift: float
 
 
-def place_ranges(trajectory: Trajectory, scanner: Scanner, time: np.ndarray, angle: np.ndarray,
+def place_ranges(trajectory: Trajectory, scanner: MountedScanner, time: np.ndarray, angle: np.ndarray,
                  distance: np.ndarray) -> np.ndarray:
     """Points (n, 3) in the map of returns at times (n,) s, angles (n,) degrees and ranges (n,) m (Z eq. 1).
 
@@ -165,7 +165,7 @@ class _Work:
         self.by_scanner[source] = self.by_scanner.get(source, 0) + len(near)
         return points, near, np.full(len(near), source)
 
-    def _scanner(self, number: int) -> Scanner:
+    def _scanner(self, number: int) -> MountedScanner:
         """The scanner of a number; the only one where the files name none."""
         if number >= 0:
             return scanner_of(self.calibration, number)

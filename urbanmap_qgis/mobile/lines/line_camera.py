@@ -16,7 +16,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
-from ..calibration import Camera
+from ..calibration import MountedCamera
 from ..trajectory import Trajectory, interpolate, rotations
 from .plane_sweep import Sweep, sweep_times
 
@@ -40,7 +40,7 @@ class LineCamera:
     margin : rows at either end that are not used, for they are too distorted (Z 2.1).
     """
 
-    mount: Camera
+    mount: MountedCamera
     rows: int
     focal: float
     centre: float

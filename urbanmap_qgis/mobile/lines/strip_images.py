@@ -14,7 +14,7 @@ from rasterio.windows import Window
 
 from ...errors import InputError
 from ...io.raster import own_gdal
-from ..calibration import Calibration, Camera
+from ..calibration import Calibration, MountedCamera
 from .line_camera import LineCamera, StripImage
 
 TIMES_ENDING = "_times.csv"
@@ -23,7 +23,7 @@ TIMES_ENDING = "_times.csv"
 SUFFIXES = (".png", ".tif", ".tiff", ".jpg", ".jpeg")
 
 
-def line_camera_of(camera: Camera) -> LineCamera:
+def line_camera_of(camera: MountedCamera) -> LineCamera:
     """The line camera of a calibration entry with `rows`, `focal_length_px`, `centre_px` and, if wanted, `margin_px`.
 
     Raises
@@ -60,7 +60,7 @@ def read_strips(images: Sequence[str | os.PathLike], calibration: Calibration) -
     return [read_strip(path, _camera_of(Path(path), calibration)) for path in images]
 
 
-def _camera_of(path: Path, calibration: Calibration) -> Camera:
+def _camera_of(path: Path, calibration: Calibration) -> MountedCamera:
     """The calibration entry of an image."""
     named = [camera for camera in calibration.cameras if str(camera.properties.get("image", "")) == path.name]
     if not named:
@@ -75,7 +75,7 @@ def _camera_of(path: Path, calibration: Calibration) -> Camera:
     return named[0]
 
 
-def read_strip(path: str | os.PathLike, camera: Camera, times: str | os.PathLike | None = None) -> StripImage:
+def read_strip(path: str | os.PathLike, camera: MountedCamera, times: str | os.PathLike | None = None) -> StripImage:
     """One strip image with its times; `times` names their file where it is neither in the calibration nor beside.
 
     Raises

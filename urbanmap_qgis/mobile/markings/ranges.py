@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..calibration import Calibration, Scanner, scanner_of, scanner_places
+from ..calibration import Calibration, MountedScanner, scanner_of, scanner_positions
 from ..trajectory import Trajectory, interpolate
 
 STEP = 0.1
@@ -56,10 +56,10 @@ class Tracks:
             self.by_source[source] = self._made[key]
         return self.by_source[source]
 
-    def _track(self, scanner: Scanner | None) -> Track:
+    def _track(self, scanner: MountedScanner | None) -> Track:
         if scanner is None:
             return Track(self._time, interpolate(self._trajectory, self._time).place)
-        return Track(self._time, scanner_places(self._trajectory, scanner, self._time), scanner.max_range)
+        return Track(self._time, scanner_positions(self._trajectory, scanner, self._time), scanner.max_range)
 
 
 def _times(epochs: np.ndarray) -> np.ndarray:

@@ -16,8 +16,8 @@ from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ..calibration import Calibration
 from ..gps_time import time_range, time_shift
-from ..legs import BlockPlaces
-from ..trajectory import Trajectory, driven_way, gaps
+from ..passes import BlockPositions
+from ..trajectory import Trajectory, gaps, path_chainage
 from .ranges import Tracks, ranges
 
 RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("time", "<f8"), ("number", "<i8"), ("intensity", "<f4"),
@@ -81,7 +81,7 @@ class SurveyPoints:
         self.cloud, self.trajectory, self.calibration = cloud, trajectory, calibration
         self.max_range, self.buckets = max_range, buckets
         self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
-        self.way = driven_way(trajectory)
+        self.way = path_chainage(trajectory)
         self.gaps = gaps(trajectory)
         self.breaks = breaks(trajectory, self.way)
         self.tracks = Tracks(trajectory, calibration)
@@ -195,16 +195,16 @@ class SurveyPoints:
 def breaks(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
     """Times (k,), s, over which points do not fit: long stops, gaps, and returns to a place.
 
-    `way` (n,) as of `driven_way`.
+    `way` (n,) as of `path_chainage`.
     """
-    places = BlockPlaces()
+    places = BlockPositions()
     places.add(*trajectory.place[:, :2].T, trajectory.time)
-    returns = places.legs(RETURN).starts
+    returns = places.passes(RETURN).starts
     return np.unique(np.concatenate([long_stops(trajectory, way), gaps(trajectory).mean(axis=1), returns]))
 
 
 def long_stops(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
-    """Times (k,), s, in the middle of stops of more than `LONG_STOP` seconds; `way` (n,) as of `driven_way`."""
+    """Times (k,), s, in the middle of stops of more than `LONG_STOP` seconds; `way` (n,) as of `path_chainage`."""
     moving = np.flatnonzero(np.diff(way) > 0)
     if not len(moving):
         return np.empty(0)

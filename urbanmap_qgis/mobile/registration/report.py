@@ -14,7 +14,7 @@ from ...io.raster import RasterSampler
 from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, profile
 from ...io.svg_profile import Stretch as Shade
-from ..movement import movement_between
+from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .stage import RegisteredSurvey, stretches
 from .start.reference import Reference
@@ -114,7 +114,7 @@ def _before_and_after(report: Report, made: RegisteredSurvey, reference: Referen
     report.section("Markings before and after")
     report.paragraph("Marking points of the survey over the " + ("aerial image" if image else "reference markings")
                      + f": left as reported (red), right corrected (green). A picture is {_SIDE:.0f} m wide.")
-    moved = movement_between(made.reported, made.trajectory)
+    moved = correction_between(made.reported, made.trajectory)
     with tempfile.TemporaryDirectory() as folder:
         for number, patch in enumerate(places):
             picture = _picture(made, patch, moved, reference, image)

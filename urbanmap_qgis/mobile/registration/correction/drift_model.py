@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...trajectory import Trajectory, driven_way, jumps
+from ...trajectory import Trajectory, jumps, path_chainage
 
 
 @dataclass(frozen=True)
@@ -74,12 +74,12 @@ class DriftModel:
 
 def drift_clock(trajectory: Trajectory, standing: float) -> np.ndarray:
     """Readings (n,) of the process's clock at the trajectory's epochs, m."""
-    return driven_way(trajectory) + standing * (trajectory.time - trajectory.time[0])
+    return path_chainage(trajectory) + standing * (trajectory.time - trajectory.time[0])
 
 
 def waited_steps(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:
     """(k,) s that the vehicle stands between k + 1 times."""
-    still = np.diff(driven_way(trajectory)) == 0
+    still = np.diff(path_chainage(trajectory)) == 0
     waited = np.concatenate([[0.0], np.cumsum(np.diff(trajectory.time) * still)])
     return np.diff(np.interp(time, trajectory.time, waited))
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...trajectory import angles_of, rotations
+from ...trajectory import attitude_angles, rotations
 from ..records import (
     AMBIGUOUS,
     MODES,
@@ -171,7 +171,7 @@ def _statuses(points: np.ndarray, overlap: np.ndarray, covariance: np.ndarray, p
 
 def turned_angles(angles: np.ndarray, turn: np.ndarray) -> np.ndarray:
     """(n, 3) degrees that turns (n, 3) (rotation vectors in the map's axes, radians) add to roll, pitch, heading."""
-    change = angles_of(turn_matrix(turn) @ rotations(angles)) - angles
+    change = attitude_angles(turn_matrix(turn) @ rotations(angles)) - angles
     return (change + 180.0) % 360.0 - 180.0
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....errors import InsufficientDataError
-from ...trajectory import Trajectory, driven_way, interpolate
+from ...trajectory import Trajectory, interpolate, path_chainage
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ def cut_patches(trajectory: Trajectory, length: float) -> Patches:
     ------
     InsufficientDataError : the vehicle drives less than one patch.
     """
-    way = driven_way(trajectory)
+    way = path_chainage(trajectory)
     count = int(np.ceil(way[-1] / length - 1e-9))
     if count < 1:
         raise InsufficientDataError(f"The trajectory drives {way[-1]:.2f} m, less than one patch of {length:g} m: "

@@ -9,13 +9,13 @@ import numpy as np
 from ..errors import InputError
 from .trajectory import Trajectory, gaps, interpolate, rotations
 
-STEP = 0.02
+MAX_STEP = 0.02
 """Longest step of the table, s: between its entries a movement is linear, where poses are linear before they meet."""
 
 
 @dataclass(frozen=True)
-class Movement:
-    """T_corrected(t) T_reported(t)^-1 (J 3.2.4.3) at k times: the movement of a point p is turn (p - centre) + shift.
+class PoseCorrection:
+    """T_corrected(t) T_reported(t)^-1 (J 3.2.4.3) at k times; a point p moves by rotation (p - centre) + shift.
 
     Attributes
     ----------
@@ -56,11 +56,11 @@ class Movement:
             moved[:, axis] = np.einsum("ij,ij->i", values[:, :3], local) + values[:, 3]
         return moved
 
-    def farthest(self, points: np.ndarray) -> float:
+    def max_displacement(self, points: np.ndarray) -> float:
         """A bound of every movement inside the box of points (m, 3), m."""
-        reach = np.abs(points - self.centre).max()
-        turn, shift = np.abs(self.table[:, [0, 1, 2, 4, 5, 6, 8, 9, 10]]), np.abs(self.table[:, 3::4])
-        return float(shift.max() + 3 * turn.max() * reach)
+        extent = np.abs(points - self.centre).max()
+        rotation, shift = np.abs(self.table[:, [0, 1, 2, 4, 5, 6, 8, 9, 10]]), np.abs(self.table[:, 3::4])
+        return float(shift.max() + 3 * rotation.max() * extent)
 
     def _steps(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number of the table's entry before each time, and the share of the step to the next."""
@@ -70,7 +70,7 @@ class Movement:
         return step, np.clip(share, 0.0, 1.0).astype(np.float32)
 
 
-def movement_between(reported: Trajectory, corrected: Trajectory) -> Movement:
+def correction_between(reported: Trajectory, corrected: Trajectory) -> PoseCorrection:
     """The table of what a correction does; the two trajectories need not have the same epochs.
 
     Raises
@@ -84,25 +84,25 @@ def movement_between(reported: Trajectory, corrected: Trajectory) -> Movement:
                          "survey.")
     time = _times(reported.time, corrected.time, start, end)
     before, after = interpolate(reported, time), interpolate(corrected, time)
-    turn = _turns(before.angles, after.angles)
+    rotation = _rotations_between(before.angles, after.angles)
     centre = before.place.mean(axis=0)
-    shift = after.place - before.place - np.einsum("kij,kj->ki", turn, before.place - centre)
-    table = np.concatenate([turn, shift[:, :, None]], axis=2).reshape(-1, 12).astype(np.float32)
-    return Movement(time, centre, table, np.concatenate([gaps(reported), gaps(corrected)]))
+    shift = after.place - before.place - np.einsum("kij,kj->ki", rotation, before.place - centre)
+    table = np.concatenate([rotation, shift[:, :, None]], axis=2).reshape(-1, 12).astype(np.float32)
+    return PoseCorrection(time, centre, table, np.concatenate([gaps(reported), gaps(corrected)]))
 
 
-def _turns(before: np.ndarray, after: np.ndarray) -> np.ndarray:
+def _rotations_between(before: np.ndarray, after: np.ndarray) -> np.ndarray:
     """Rotations (k, 3, 3) from one attitude to another, less the identity; exactly none where both are alike."""
-    turn = rotations(after) @ np.swapaxes(rotations(before), 1, 2) - np.eye(3)
-    turn[(before == after).all(axis=1)] = 0.0
-    return turn
+    rotation = rotations(after) @ np.swapaxes(rotations(before), 1, 2) - np.eye(3)
+    rotation[(before == after).all(axis=1)] = 0.0
+    return rotation
 
 
 def _times(first: np.ndarray, second: np.ndarray, start: float, end: float) -> np.ndarray:
-    """Epochs of both trajectories inside the common span, and more where they are further apart than `STEP`."""
+    """Epochs of both trajectories inside the common span, and more where they are further apart than `MAX_STEP`."""
     time = np.unique(np.concatenate([first, second, [start, end]]))
     time = time[(time >= start) & (time <= end)]
-    parts = np.ceil(np.diff(time) / STEP).astype(int)
+    parts = np.ceil(np.diff(time) / MAX_STEP).astype(int)
     number = np.repeat(np.arange(len(parts)), parts)
     within = np.arange(len(number)) - np.repeat(np.cumsum(parts) - parts, parts)
     fine = time[number] + (time[number + 1] - time[number]) * within / parts[number]

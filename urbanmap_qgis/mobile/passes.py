@@ -1,4 +1,4 @@
-"""Legs of a survey: lengths of time in which the vehicle comes to no place twice.
+"""Passes of a survey: spans of time in which the vehicle visits no place twice.
 
 When a street is driven again, the navigation's error is another one: the two passes may lie half a metre apart in
 height. What looks at the neighbours of a point must therefore not mix them.
@@ -13,14 +13,14 @@ import numpy as np
 BLOCK = 1.0
 """s; the vehicle's place is the mean of the points of a block."""
 
-AWAY = 30.0
+MIN_ABSENCE = 30.0
 """s; who comes back to a place after so long has been away."""
 
-PLACE = 16.0
-"""m, side of the cells by which places are told."""
+CELL = 16.0
+"""m, side of the cells of the grid on which places are compared."""
 
 
-class BlockPlaces:
+class BlockPositions:
     """Collects the mean place of the points of each second, chunk by chunk."""
 
     def __init__(self) -> None:
@@ -43,40 +43,40 @@ class BlockPlaces:
             if row[0]:
                 self._sums[name] = self._sums.get(name, 0.0) + row
 
-    def legs(self, away: float = AWAY) -> Legs:
-        """The legs of all points taken; who comes back to a place after `away` seconds begins a new one."""
+    def passes(self, min_absence: float = MIN_ABSENCE) -> SurveyPasses:
+        """The passes of all points taken; who comes back to a place after `min_absence` seconds begins a new one."""
         blocks = np.array(sorted(self._sums), dtype=np.int64)
         if not len(blocks):
-            return Legs(np.empty(0))
+            return SurveyPasses(np.empty(0))
         count, x, y = np.array([self._sums[block] for block in blocks.tolist()]).T
-        cells = np.floor(np.column_stack([x, y]) / count[:, None] / PLACE).astype(np.int64)
+        cells = np.floor(np.column_stack([x, y]) / count[:, None] / CELL).astype(np.int64)
         starts, seen = [], {}
         for block, (column, row) in zip(blocks.tolist(), cells.tolist()):
             around = [(column + i, row + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-            if any(block - seen.get(cell, block) > away / BLOCK for cell in around):
+            if any(block - seen.get(cell, block) > min_absence / BLOCK for cell in around):
                 starts.append(block * BLOCK)
                 seen = {}
             # A vehicle that waits has not been away.
             seen.update(dict.fromkeys(around, block))
-        return Legs(np.array(starts))
+        return SurveyPasses(np.array(starts))
 
 
 @dataclass(frozen=True)
-class Legs:
-    """Legs of a survey.
+class SurveyPasses:
+    """Passes of a survey.
 
     Attributes
     ----------
-    starts : (k - 1,) s, times at which the second and later legs begin, increasing.
+    starts : (k - 1,) s, times at which the second and later passes begin, increasing.
     """
 
     starts: np.ndarray
 
     @property
     def count(self) -> int:
-        """Number of legs, k."""
+        """Number of passes, k."""
         return len(self.starts) + 1
 
     def of(self, time: np.ndarray) -> np.ndarray:
-        """Number of the leg, from 0, of each time (n,)."""
+        """Number of the pass, from 0, of each time (n,)."""
         return np.searchsorted(self.starts, time, side="right")
