@@ -3,6 +3,11 @@
 Every message is one sentence for the user: what was wrong and what to do.
 """
 
+from __future__ import annotations
+
+import errno
+import sqlite3
+
 
 class UrbanMapError(Exception):
     """Root of all errors that the core raises on purpose."""
@@ -25,3 +30,19 @@ class Cancelled(UrbanMapError):
 
     def __init__(self, message: str = "The run was cancelled."):
         super().__init__(message)
+
+
+SYSTEM_TROUBLES = (OSError, MemoryError, sqlite3.OperationalError)
+"""What a system without room raises."""
+
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT if hasattr(errno, "EDQUOT") else errno.ENOSPC, errno.EFBIG)
+
+
+def system_sentence(error: BaseException) -> str:
+    """One sentence for an error that the system's lack of room caused; empty for any other, a mistake of ours."""
+    if isinstance(error, MemoryError):
+        return "The memory is not enough for this run: give less data at a time, or a coarser resolution."
+    full = isinstance(error, OSError) and error.errno in _NO_ROOM
+    if full or (isinstance(error, sqlite3.OperationalError) and "full" in str(error)):
+        return "The disk is full: make room on the disk of the outputs and of temporary files, and run again."
+    return ""

@@ -19,10 +19,11 @@ from qgis.core import (
 )
 from qgis.PyQt.QtGui import QIcon
 
-from ...urbanmap_qgis.errors import Cancelled, InputError, OutputError, UrbanMapError
+from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, InputError, UrbanMapError, system_sentence
+from ...urbanmap_qgis.io.staging import Staging, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from . import crs as crs_checks
-from . import layers
+from . import destinations, layers
 from .dependencies import refusal
 from .interrupt import signals_cancel
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
@@ -153,15 +154,34 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         with signals_cancel(feedback) as signals:
             try:
                 self._check_all(parameters, context)
-                return self.compute(parameters, context, feedback)
+                with Staging() as staging:
+                    return self._compute_apart(parameters, context, feedback, staging)
             except Cancelled as error:
                 if feedback.isCanceled() and not signals:
                     return {}
                 raise QgsProcessingException(str(error)) from None
             except UrbanMapError as error:
                 raise QgsProcessingException(str(error)) from None
+            except SYSTEM_TROUBLES as error:
+                sentence = system_sentence(error)
+                if not sentence:
+                    raise
+                raise QgsProcessingException(sentence) from None
+
+    def _compute_apart(self, parameters: Mapping, context: QgsProcessingContext, feedback: QgsProcessingFeedback,
+                       staging: Staging) -> dict:
+        """Compute with all outputs beside their places, then move them there together."""
+        try:
+            results = self.compute(destinations.staged(self, parameters, context, staging), context, feedback)
+            staging.publish()
+        except UrbanMapError as error:
+            if final_text(str(error)) == str(error):
+                raise
+            raise type(error)(final_text(str(error))) from error
+        return destinations.results_outside(results, staging)
 
     def _check_all(self, parameters: Mapping, context: QgsProcessingContext) -> None:
+        destinations.check_destinations(self, parameters, context)
         for definition in self.parameterDefinitions():
             name = definition.name()
             if name in self.points_names():
@@ -170,10 +190,6 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
                 self._check_trajectory(parameters, name, context)
             elif definition.type() == "file":
                 self.input_path(parameters, name, context)
-            elif definition.type() == "fileDestination":
-                self.output_path(parameters, name, context)
-            elif definition.type() == "sink":
-                layers.check_place(self, parameters, name, context)
         self.check(parameters, context)
 
     def _check_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
@@ -234,21 +250,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     def output_path(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
         """Path of a file to write; None where an optional one is not wanted.
 
-        Raises
-        ------
-        OutputError : its folder does not exist or cannot be written.
+        In `compute` it is a scratch path beside the output's place, with the output's own name.
         """
         text = self.parameterAsFileOutput(parameters, name, context)
-        if not text:
-            return None
-        folder = Path(text).parent
-        if not folder.is_dir():
-            raise OutputError(tr("{0}: the folder {1} does not exist; create it or choose another output.").format(
-                self.label_of(name), folder))
-        if not os.access(folder, os.W_OK):
-            raise OutputError(tr("{0}: the folder {1} cannot be written; choose another output.").format(
-                self.label_of(name), folder))
-        return Path(text)
+        return Path(text) if text else None
 
     def output_layer_path(self, parameters: Mapping, name: str, context: QgsProcessingContext,
                           style: str = "") -> Path | None:
@@ -272,7 +277,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     def progress(self, feedback: QgsProcessingFeedback) -> Progress:
         """The core's progress object that speaks to QGIS and obeys its Cancel button."""
         return Progress(report=lambda fraction: feedback.setProgress(100.0 * fraction),
-                        message=feedback.pushInfo, warn=feedback.pushWarning, cancelled=feedback.isCanceled)
+                        message=lambda text: feedback.pushInfo(final_text(text)),
+                        warn=lambda text: feedback.pushWarning(final_text(text)), cancelled=feedback.isCanceled)
 
     # Steps of a chain
 

@@ -24,7 +24,6 @@ from qgis.core import (
     QgsField,
     QgsFields,
     QgsGeometry,
-    QgsProcessing,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
     QgsProcessingLayerPostProcessorInterface,
@@ -37,8 +36,10 @@ from qgis.core import (
 from qgis.PyQt.QtCore import QMetaType, QVariant
 
 from ...urbanmap_qgis.errors import InputError, OutputError
+from ...urbanmap_qgis.io.staging import JOURNALS, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from .crs import crs_from, require_projected, wkt_of
+from .destinations import definition_of, sink_file
 from .parameters import tr
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
@@ -194,7 +195,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     wkb_type = getattr(QgsWkbTypes.Type, geometry_type)
     features = features_of(fields, columns, geometries, progress)
     reference = crs_from(crs)
-    path = _plain_file(parameters, name, context)
+    path = sink_file(parameters, name, context)
     if path is None:
         sink, place = algorithm.parameterAsSink(parameters, name, context, fields, wkb_type, reference)
         if sink is None:
@@ -214,6 +215,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
 def give_style(context: QgsProcessingContext, place: str, style: str) -> None:
     """Let QGIS give resources/styles/`style`.qml to the layer at `place` when it loads it after the run."""
+    place = final_text(place)
     if context.willLoadLayerOnCompletion(place) and style_path(style).is_file():
         context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style))
 
@@ -326,11 +328,6 @@ def _fill(sink: QgsFeatureSink, features: Iterable[list[QgsFeature]], label: str
         del sink
 
 
-def _definition(parameters: Mapping, name: str) -> QgsProcessingOutputLayerDefinition | None:
-    value = parameters.get(name)
-    return value if isinstance(value, QgsProcessingOutputLayerDefinition) else None
-
-
 def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext) -> None:
     """Refuse a layer output whose folder does not exist or cannot be written, before anything is computed.
 
@@ -338,25 +335,10 @@ def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     ------
     OutputError : with what to do.
     """
-    path = _plain_file(parameters, name, context)
+    path = sink_file(parameters, name, context)
     if path is not None and not (path.parent.is_dir() and os.access(path.parent, os.W_OK)):
         raise OutputError(tr("{0}: the folder {1} does not exist or cannot be written; choose another output.").format(
             algorithm.label_of(name), path.parent))
-
-
-def _plain_file(parameters: Mapping, name: str, context: QgsProcessingContext) -> Path | None:
-    """The file that a layer output is to be written to; None for memory layers, databases and the like."""
-    value = parameters.get(name)
-    definition = _definition(parameters, name)
-    if definition is not None:
-        if hasattr(definition, "useRemapping") and definition.useRemapping():
-            return None
-        value, _ = definition.sink.valueAsString(context.expressionContext(), "")
-    if not isinstance(value, str) or value == QgsProcessing.TEMPORARY_OUTPUT or not Path(value).suffix:
-        return None
-    if value.startswith(("memory:", "ogr:", "postgis:", "spatialite:")) or "|" in value or "dbname=" in value:
-        return None
-    return Path(value)
 
 
 def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, path: Path,
@@ -364,9 +346,9 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     label = algorithm.label_of(name)
     folder = path.parent
     check_place(algorithm, parameters, name, context)
-    definition = _definition(parameters, name)
+    definition = definition_of(parameters, name)
     try:
-        with tempfile.TemporaryDirectory(prefix=f".{path.stem}-", dir=folder) as scratch:
+        with tempfile.TemporaryDirectory(prefix=".urbanmap_", dir=folder) as scratch:
             target = Path(scratch) / path.name
             beside = QgsProcessingOutputLayerDefinition(str(target))
             if definition is not None:
@@ -387,7 +369,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     place = str(folder / Path(written).name)
     if definition is not None and definition.destinationProject is not None:
         title = definition.destinationName or label
-        context.addLayerToLoadOnCompletion(place, QgsProcessingContext.LayerDetails(
+        context.addLayerToLoadOnCompletion(final_text(place), QgsProcessingContext.LayerDetails(
             title, definition.destinationProject, name, QgsProcessingUtils.LayerHint.Vector))
     return place
 
@@ -418,7 +400,7 @@ def _move_into_place(scratch: Path, folder: Path) -> None:
     for file in sorted(scratch.iterdir()):
         target = folder / file.name
         # A journal left by a program that still shows the old file would be replayed into the new one.
-        for journal in ("-wal", "-shm", "-journal"):
+        for journal in JOURNALS:
             shutil.rmtree(target.with_name(target.name + journal), ignore_errors=True)
             target.with_name(target.name + journal).unlink(missing_ok=True)
         os.replace(file, target)

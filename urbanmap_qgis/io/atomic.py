@@ -9,6 +9,10 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import OutputError
+from .staging import final_text
+
+STEM_LENGTH = 32
+"""Characters of a name that its temporary file shows, so that long names stay within what file systems take."""
 
 
 @contextmanager
@@ -23,24 +27,29 @@ def written_beside(path: str | os.PathLike) -> Iterator[Path]:
     OutputError : the folder does not exist or cannot be written, or the file is locked.
     """
     target = Path(path)
-    folder = target.parent
-    if not folder.is_dir():
-        raise OutputError(f"The folder {folder} does not exist: create it or choose another output.")
-    if not os.access(folder, os.W_OK):
-        raise OutputError(f"The folder {folder} cannot be written: choose another output.")
-    if target.is_dir():
-        raise OutputError(f"{target} is a folder: give the name of a file.")
+    folder, shown = target.parent, final_text(str(target))
+    try:
+        if not folder.is_dir():
+            raise OutputError(f"The folder {final_text(str(folder))} does not exist: create it or choose another "
+                              "output.")
+        if not os.access(folder, os.W_OK):
+            raise OutputError(f"The folder {final_text(str(folder))} cannot be written: choose another output.")
+        if target.is_dir():
+            raise OutputError(f"{shown} is a folder: give the name of a file.")
+    except OSError as error:
+        raise OutputError(f"{shown} cannot be the name of a file ({error.strerror}): choose another output.") from error
     suffix = "".join(target.suffixes[-2:]) or target.suffix
-    temporary = folder / f".{target.stem.split('.')[0]}-{uuid.uuid4().hex[:8]}{suffix}"
+    suffix = suffix if len(suffix) <= STEM_LENGTH else target.suffix
+    temporary = folder / f".{target.stem.split('.')[0][:STEM_LENGTH]}-{uuid.uuid4().hex[:8]}{suffix}"
     try:
         yield temporary
         try:
             os.replace(temporary, target)
         except OSError as error:
             raise OutputError(
-                f"{target} cannot be replaced ({error.strerror}): close the program that has it open."
+                f"{shown} cannot be replaced ({error.strerror}): close the program that has it open."
             ) from error
     except OSError as error:
-        raise OutputError(f"{target} cannot be written ({error.strerror}).") from error
+        raise OutputError(f"{shown} cannot be written ({error.strerror}).") from error
     finally:
         temporary.unlink(missing_ok=True)
