@@ -36,10 +36,10 @@ class FacadeTextures(UrbanMapAlgorithm):
                         source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_points("POINTS", "Laser points", "Points of the survey; what stands before a facade hides it.", True)
         self.add_distance("RESOLUTION", "Resolution", "Side of a pixel on the facade.", 0.05, 0.005, 1.0)
-        self.add_distance("REACH", "Reach", "Line images are used up to this distance.", 40.0, 1.0, 200.0,
+        self.add_distance("REACH", "Maximum range", "Line images are used up to this distance.", 40.0, 1.0, 200.0,
                           advanced=True)
-        self.add_number("MIN_SEEN", "Least share seen", "Facades of which images show less get no texture.", 0.02, 0.0,
-                        1.0, advanced=True)
+        self.add_number("MIN_SEEN", "Minimum share seen", "Facades of which images show less get no texture.", 0.02,
+                        0.0, 1.0, advanced=True)
         self.add_workers()
         self.add_file_output("OUTPUT", "Textured model", "By its ending: .glb holds its images; .obj and .city.json "
                              "have theirs in a folder beside.", MODEL_FILTER)

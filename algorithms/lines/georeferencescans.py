@@ -36,9 +36,9 @@ class GeoreferenceScans(UrbanMapAlgorithm):
         self.add_calibration()
         self.add_crs("CRS", "Coordinate reference system", "Of the trajectory, where its layer does not say it; it is "
                      "written into the point cloud, and needed for SBET trajectories.", optional=True)
-        self.add_distance("MAX_RANGE", "Largest range", "Returns from farther away, in metres, are left out; 0 takes "
+        self.add_distance("MAX_RANGE", "Maximum range", "Returns from farther away, in metres, are left out; 0 takes "
                           "each scanner's own limit from the calibration.", 0.0, 0.0, advanced=True)
-        self.add_distance("MIN_RANGE", "Smallest range", "Nearer returns, in metres, are left out, such as those of "
+        self.add_distance("MIN_RANGE", "Minimum range", "Nearer returns, in metres, are left out, such as those of "
                           "the vehicle itself.", 0.0, 0.0, advanced=True)
         self.add_choice("ANGLE_UNIT", "Unit of the angles", "Unit of the angles in the file.", ANGLE_UNITS, "degrees",
                         advanced=True)

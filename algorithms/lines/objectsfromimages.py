@@ -26,8 +26,8 @@ class ObjectsFromImages(UrbanMapAlgorithm):
     HELP = (
         "Brings outlines that were drawn on line images or frames into the map: sign boards, signals and lights as "
         "polygons or points, kerbs as lines.\n"
-        "Laser points are projected into the image; those inside the outline and on the nearest surface that hangs "
-        "together give the outline its place, size, orientation and height. All fields of the outlines are kept.\n"
+        "Laser points are projected into the image; those inside the outline and on the nearest connected "
+        "surface give the outline its place, size, orientation and height. All fields of the outlines are kept.\n"
         "Open the image in QGIS without a coordinate reference system and draw on it: x runs along the columns, y "
         "is negative downwards. A field image names the file where there are several.\n"
         "Images and points must be placed by the same trajectory."
@@ -38,8 +38,8 @@ class ObjectsFromImages(UrbanMapAlgorithm):
         add_images(self)
         self.add_vector("OUTLINES", "Outlines", "Polygons, lines or points drawn on the images, in pixels.",
                         source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
-        self.add_distance("REACH", "Reach", "Laser points farther from the camera are not used (line images).", 50.0,
-                          1.0, 500.0, advanced=True)
+        self.add_distance("REACH", "Maximum range", "Laser points farther from the camera are not used (line images).",
+                          50.0, 1.0, 500.0, advanced=True)
         self.add_layer_output("OUTPUT", "Objects", "One feature an outline, with z: the fields of the outlines and "
                               "width, height (m), azimuth (degrees, where the surface faces), area (m2), z_low, "
                               "z_high, distance (m, from the camera), points, rmse, sigma (m), status, reason.",

@@ -59,7 +59,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                               "correction, misfit within the set, how far off it would lie without itself (predicted), "
                               "and its status.", optional=True)
         self.add_layer_output("OUTPUT_EPOCHS", "Epochs", "One point an epoch: correction, sigma and status (between "
-                              "sets, or carried on before the first or after the last).", optional=True)
+                              "sets, or carried on (extrapolated) before the first or after the last).", optional=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "Before and after, set by set, as HTML.", HTML_FILTER,
                              optional=True, by_default=True)
         self.add_number_output("SETS", "Sets", "Sets of tie points within the trajectory's time.")
@@ -71,8 +71,8 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                                "if it were not used.", unit="m")
         self.add_number_output("MEAN_SIGMA", "Mean sigma", "Mean standard deviation of a plan coordinate between the "
                                "sets.", unit="m")
-        self.add_number_output("MAX_SIGMA", "Greatest sigma", "Greatest of all epochs.", unit="m")
-        self.add_number_output("HELD_SHARE", "Share carried on", "Share of the epochs before the first or after the "
+        self.add_number_output("MAX_SIGMA", "Maximum sigma", "Largest of all epochs.", unit="m")
+        self.add_number_output("HELD_SHARE", "Share extrapolated", "Share of the epochs before the first or after the "
                                "last set, 0 to 1.")
         self.add_number_output("HEIGHT_BEFORE", "Height before", "Root mean square distance from the ground as "
                                "reported; no value without a ground.", unit="m")
@@ -148,8 +148,8 @@ class RectifyTrajectory(UrbanMapAlgorithm):
 
         results = {}
         if parameters.get("OUTPUT_SETS"):
-            columns = list(zip(*((item.name, item.time, item.pairs, item.before, item.after, *item.shift, item.turn,
-                                  item.fit, item.predicted, item.status) for item in made.sets)))
+            columns = list(zip(*((item.name, item.time, item.pairs, item.before, item.after, *item.shift, item.heading,
+                                  item.misfit, item.predicted, item.status) for item in made.sets)))
             results["OUTPUT_SETS"] = self.write_layer(
                 parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
                 dict(zip((name for name, _ in SET_FIELDS), columns)), crs,

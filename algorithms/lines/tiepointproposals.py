@@ -31,13 +31,14 @@ class TiePointProposals(UrbanMapAlgorithm):
                         "times.")
         self.add_trajectory()
         self.add_polygons("BUILDINGS", "Buildings", "Outlines of the walls in the survey's coordinate system.")
-        self.add_distance("REACH", "Reach", "Corners farther from the course, in metres, are left out.", 30.0, 1.0,
-                          200.0)
-        self.add_distance("SEARCH", "Search", "How far survey and outlines may lie apart, in metres.", 2.5, 0.2, 20.0)
+        self.add_distance("REACH", "Maximum distance", "Corners farther from the course, in metres, are left out.",
+                          30.0, 1.0, 200.0)
+        self.add_distance("SEARCH", "Search range", "How far survey and outlines may lie apart, in metres.", 2.5, 0.2,
+                          20.0)
         self.add_distance("AGREEMENT", "Agreement", "Shifts of neighbouring corners that differ by less, in metres, "
                           "agree: as good as the outlines are.", 0.5, 0.05, 5.0, advanced=True)
         self.add_layer_output("OUTPUT", "Tie points", "Lines from the survey to the reference with set, time (s), "
-                              "length (m), support (other corners shifted alike) and fit of the walls (m).",
+                              "length (m), support (other corners shifted likewise) and fit of the walls (m).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_number_output("CORNERS", "Corners", "Corners of outlines near the course.")
         self.add_number_output("FOUND", "Corners found", "Corners that the survey shows.")

@@ -7,7 +7,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.mobile.calibration import read_calibration
-from urbanmap_qgis.mobile.lines.line_camera import project
+from urbanmap_qgis.mobile.lines.line_camera import project_to_strip
 from urbanmap_qgis.mobile.lines.strip_images import read_strips
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
@@ -38,7 +38,7 @@ def drawn(small_city):
         corners = shapely.get_coordinates(part.exterior, include_z=True)[:-1]
         if not part.has_z or len(corners) > 40 or part.area < 0.2:
             continue
-        found = project(corners, strip, trajectory, 20.0)
+        found = project_to_strip(corners, strip, trajectory, 20.0)
         if np.array_equal(found.point_index, np.arange(len(corners))) and np.ptp(found.column) < 150:
             pairs.append((shapely.Polygon(np.column_stack([found.column + 0.5, -found.row - 0.5])), corners))
     assert len(pairs) >= 3

@@ -3,8 +3,14 @@
 import numpy as np
 import pytest
 
-from urbanmap_qgis.mobile.lines.drift_adjustment import Pairs, Walk, fit_drift, misfit_of_others, predicted_misfits
-from urbanmap_qgis.mobile.lines.ground_truths import turned
+from urbanmap_qgis.mobile.lines.drift_adjustment import (
+    RandomWalk,
+    TiePairs,
+    fit_drift,
+    leave_one_out_misfits,
+    misfit_of_excluded,
+)
+from urbanmap_qgis.mobile.lines.ground_truths import rotated_vectors
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 
@@ -18,7 +24,8 @@ def course(seconds=600.0, speed=6.0, step=0.2):
 def walked(trajectory, walk, rng):
     """A drift (n, 3) that walks as told."""
     step = np.diff(trajectory.time)[:, None]
-    noise = rng.normal(size=(len(step), 3)) * np.sqrt(step) * [walk.pace, walk.pace, walk.turn_pace]
+    noise = rng.normal(size=(len(step), 3)) * np.sqrt(step) * [walk.position_walk, walk.position_walk,
+                                                               walk.heading_walk]
     turn = rng.normal(0, walk.heading_sigma) + np.concatenate([[0.0], np.cumsum(noise[:, 2])])
     way = np.diff(trajectory.place[:, :2], axis=0)
     aside = turn[:-1, None] * np.column_stack([-way[:, 1], way[:, 0]]) * walk.coupled
@@ -32,8 +39,8 @@ def observed(trajectory, drift, walk, rng, sets=12, margin=20.0):
     time = np.column_stack([start, start + rng.uniform(0.5, 2.0, sets)]).ravel()
     seen = np.tile([[-8.0, 1.0], [9.0, 6.0]], (sets, 1)) + rng.normal(0, 2, (2 * sets, 2))
     at = np.column_stack([np.interp(time, trajectory.time, column) for column in drift.T])
-    true = at[:, :2] + turned(seen, at[:, 2]) + rng.normal(0, walk.sigma, seen.shape)
-    return Pairs(seen, true, time, np.repeat(np.arange(sets), 2))
+    true = at[:, :2] + rotated_vectors(seen, at[:, 2]) + rng.normal(0, walk.sigma, seen.shape)
+    return TiePairs(seen, true, time, np.repeat(np.arange(sets), 2))
 
 
 def model_of(pairs, trajectory, walk):
@@ -50,7 +57,7 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
     """Best linear estimate with the covariance of a finely stepped walk, at times between and outside the sets."""
     rng = np.random.default_rng(1)
     trajectory = course(60.0)
-    walk = Walk(0.05, np.radians(0.02), 0.03, np.radians(0.5), coupled)
+    walk = RandomWalk(0.05, np.radians(0.02), 0.03, np.radians(0.5), coupled)
     pairs = observed(trajectory, walked(trajectory, walk, rng), walk, rng, sets=4, margin=8.0)
     model = model_of(pairs, trajectory, walk)
     time = np.unique(np.concatenate([np.arange(0, 60.01, 0.25), pairs.time]))
@@ -64,17 +71,17 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
         covariance[k + 1, :, :k + 1] = np.einsum("ij,jkl->ikl", f, covariance[k, :, :k + 1])
         covariance[:k + 1, :, k + 1] = covariance[k + 1, :, :k + 1].transpose(1, 2, 0)
         step = time[k + 1] - time[k]
-        state = f @ state @ f.T + step * np.diag([walk.pace**2, walk.pace**2, walk.turn_pace**2])
+        state = f @ state @ f.T + step * np.diag([walk.position_walk**2, walk.position_walk**2, walk.heading_walk**2])
         covariance[k + 1, :, k + 1] = state
     turn = model.at(pairs.time)[:, 2]
-    lever = turned(pairs.seen, turn + np.pi / 2)
+    lever = rotated_vectors(pairs.seen, turn + np.pi / 2)
     design = np.zeros((2 * len(turn), len(time), 3))
     for row, node in enumerate(np.searchsorted(time, pairs.time)):
         design[2 * row:2 * row + 2, node] = [[1, 0, lever[row, 0]], [0, 1, lever[row, 1]]]
     design = design.reshape(2 * len(turn), -1)
     whole = covariance.reshape(3 * len(time), -1)
     gain = whole @ design.T @ np.linalg.inv(design @ whole @ design.T + walk.sigma**2 * np.eye(len(design)))
-    linear = (pairs.true - turned(pairs.seen, turn) + lever * turn[:, None]).ravel()
+    linear = (pairs.true - rotated_vectors(pairs.seen, turn) + lever * turn[:, None]).ravel()
     value = (gain @ linear).reshape(-1, 3)
     variance = np.diag(whole - gain @ design @ whole).reshape(-1, 3)
     np.testing.assert_allclose(model.at(time), value, atol=2e-3)
@@ -83,13 +90,13 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
 
 def test_sigma_bridges_between_sets_and_grows_outside():
     rng = np.random.default_rng(2)
-    trajectory, walk = course(), Walk()
+    trajectory, walk = course(), RandomWalk()
     model = fit_drift(observed(trajectory, walked(trajectory, walk, rng), walk, rng, sets=6, margin=100.0), trajectory,
-                      Walk())
+                      RandomWalk())
     sigma = np.sqrt(model.variances(trajectory.time)[:, 0])
     at = np.interp([100.0, 140.0, 180.0, 0.0, 600.0], trajectory.time, sigma)
     assert at[1] > 2 * at[0] and at[1] > 2 * at[2]
-    assert at[3] == pytest.approx(np.hypot(at[0], model.walk.pace * 10.0), rel=0.1)
+    assert at[3] == pytest.approx(np.hypot(at[0], model.walk.position_walk * 10.0), rel=0.1)
     assert at[4] > at[0]
 
 
@@ -97,39 +104,39 @@ def test_sigma_bridges_between_sets_and_grows_outside():
 def test_walk_and_sigma_are_found_and_errors_are_as_large_as_said(coupled):
     rng = np.random.default_rng(3)
     trajectory = course(1500.0, step=0.5)
-    walk = Walk(0.03, np.radians(0.005), 0.02, np.radians(0.3), coupled)
+    walk = RandomWalk(0.03, np.radians(0.005), 0.02, np.radians(0.3), coupled)
     ratios, paces, told = [], [], []
     for _ in range(5):
         drift = walked(trajectory, walk, rng)
-        model = fit_drift(observed(trajectory, drift, walk, rng, sets=25), trajectory, Walk())
+        model = fit_drift(observed(trajectory, drift, walk, rng, sets=25), trajectory, RandomWalk())
         error = model.at(trajectory.time) - drift
         ratios.append(np.mean(error**2 / model.variances(trajectory.time), axis=0))
-        paces.append([model.walk.pace, model.walk.sigma])
+        paces.append([model.walk.position_walk, model.walk.sigma])
         told.append(model.walk.coupled)
     assert all(found == coupled for found in told)
-    np.testing.assert_allclose(np.mean(paces, axis=0), [walk.pace, walk.sigma], rtol=0.35)
+    np.testing.assert_allclose(np.mean(paces, axis=0), [walk.position_walk, walk.sigma], rtol=0.35)
     assert np.all(np.sqrt(np.mean(ratios, axis=0)) < 1.5) and np.all(np.sqrt(np.mean(ratios, axis=0)) > 0.5)
 
 
 @pytest.mark.parametrize("coupled", [False, True])
 def test_predicted_misfits_are_those_of_refits_without_the_set(coupled):
     rng = np.random.default_rng(4)
-    trajectory, walk = course(), Walk(0.05, np.radians(0.01), 0.03, np.radians(0.5), coupled)
+    trajectory, walk = course(), RandomWalk(0.05, np.radians(0.01), 0.03, np.radians(0.5), coupled)
     pairs = observed(trajectory, walked(trajectory, walk, rng), walk, rng, sets=8)
-    away, sigmas = predicted_misfits(pairs, model_of(pairs, trajectory, walk))
+    away, sigmas = leave_one_out_misfits(pairs, model_of(pairs, trajectory, walk))
     for number in range(8):
         own = pairs.sets == number
-        rest, left = (Pairs(pairs.seen[rows], pairs.true[rows], pairs.time[rows], pairs.sets[rows])
+        rest, left = (TiePairs(pairs.seen[rows], pairs.true[rows], pairs.time[rows], pairs.sets[rows])
                       for rows in (~own, own))
-        distance, in_sigmas = misfit_of_others(left, model_of(rest, trajectory, walk))
+        distance, in_sigmas = misfit_of_excluded(left, model_of(rest, trajectory, walk))
         assert away[number] == pytest.approx(distance, rel=0.02, abs=2e-3)
         assert sigmas[number] == pytest.approx(in_sigmas, rel=0.05, abs=0.02)
 
 
 def test_one_set_holds_and_tells_no_prediction():
     rng = np.random.default_rng(5)
-    trajectory, walk = course(), Walk()
+    trajectory, walk = course(), RandomWalk()
     pairs = observed(trajectory, np.tile([1.0, -2.0, 0.001], (len(trajectory), 1)), walk, rng, sets=1, margin=300.0)
     model = fit_drift(pairs, trajectory, walk)
     np.testing.assert_allclose(model.at(np.array([0.0, 600.0]))[:, :2], [[1.0, -2.0]] * 2, atol=0.15)
-    assert np.isnan(predicted_misfits(pairs, model)[0]).all()
+    assert np.isnan(leave_one_out_misfits(pairs, model)[0]).all()

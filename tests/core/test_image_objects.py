@@ -12,7 +12,7 @@ from urbanmap_qgis.imagery.object_stage import measure
 from urbanmap_qgis.imagery.outline_points import outline_points
 from urbanmap_qgis.imagery.views import FrameSource, strip_source
 from urbanmap_qgis.mobile.calibration import MountedCamera
-from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, project
+from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, project_to_strip
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 PLACE = np.array([-7000.0, -34000.0, 10.0])
@@ -32,7 +32,7 @@ def source():
 
 def drawn(source, places, kind=shapely.Polygon):
     """What a user draws on the image over places (n, 3), in QGIS's coordinates."""
-    found = project(places, source.strip, source.trajectory)
+    found = project_to_strip(places, source.strip, source.trajectory)
     assert (found.point_index == np.arange(len(places))).all()
     return kind(np.column_stack([found.column + 0.5, -found.row - 0.5]))
 

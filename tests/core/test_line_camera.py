@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.mobile.calibration import MountedCamera
-from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays, project
+from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays, project_to_strip
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 TO_MAP = np.array([[0, 1, 0], [1, 0, 0], [0, 0, -1.0]])
@@ -83,7 +83,7 @@ def test_places_are_found_where_their_ray_passed(turn, hertz):
     columns, rows = rng.uniform(1, image.columns - 2, 5000), rng.uniform(0, 639, 5000)
     origin, direction = pixel_rays(image, trajectory, columns, rows)
     distance = rng.uniform(2, 80, 5000)
-    found = project(origin + distance[:, None] * direction, image, trajectory, 120.0)
+    found = project_to_strip(origin + distance[:, None] * direction, image, trajectory, 120.0)
     error = np.hypot(found.column - columns[found.point_index], found.row - rows[found.point_index])
     best = np.full(5000, np.inf)
     np.minimum.at(best, found.point_index, error)
@@ -101,7 +101,7 @@ def test_all_solutions_of_a_turn_are_those_of_a_dense_search():
     trajectory, image = course(turn=-90.0, wobble=0.0), strip()
     rng = np.random.default_rng(3)
     points = np.column_stack([rng.uniform(-90, 20, 400), rng.uniform(40, 260, 400), rng.uniform(15, 30, 400)])
-    found = project(points, image, trajectory, 60.0)
+    found = project_to_strip(points, image, trajectory, 60.0)
     time = np.linspace(image.times[0], image.times[-1], 20 * image.columns)
     body = rotation(trajectory, time)
     axes = body @ Rotation.from_euler("ZYX", MOUNT.angles[::-1], degrees=True).as_matrix()
@@ -130,8 +130,8 @@ def test_straight_drive_is_exact():
     trajectory = Trajectory(np.array([0.0, 100.0]), np.array([[0, 0, 10.0], [0, 800.0, 10.0]]), np.zeros((2, 3)))
     camera = LineCamera(MountedCamera("a", np.zeros(3), np.array([0, 0, -90.0])), 640, 270.0, 319.5)
     image = StripImage(camera, np.arange(0.0, 100.0, 0.5))
-    found = project([[-5.0, 123.4, 10.0], [-3.0, 400.0, 13.0], [4.0, 100.0, 10.0], [-5.0, 900.0, 10.0]], image,
-                    trajectory, 50.0)
+    found = project_to_strip([[-5.0, 123.4, 10.0], [-3.0, 400.0, 13.0], [4.0, 100.0, 10.0], [-5.0, 900.0, 10.0]], image,
+                             trajectory, 50.0)
     assert found.point_index.tolist() == [0, 1]
     np.testing.assert_allclose(found.column, [123.4 / 4, 100.0], atol=1e-6)
     np.testing.assert_allclose(found.row, [319.5, 319.5 - 540 * np.sin(np.pi / 8)], atol=1e-6)
@@ -145,24 +145,24 @@ def test_a_standing_vehicle_shows_a_place_once():
     trajectory = Trajectory(time, np.column_stack([0 * time, way + noise, 0 * time]), np.zeros((len(time), 3)))
     mount = MountedCamera("a", np.zeros(3), np.array([0, 0, -90.0]))
     image = StripImage(LineCamera(mount, 640, 270.0, 319.5), time[::2])
-    found = project([[-6.0, 100.0, 1.0], [-6.0, 50.0, 1.0]], image, trajectory)
+    found = project_to_strip([[-6.0, 100.0, 1.0], [-6.0, 50.0, 1.0]], image, trajectory)
     assert len(found) <= 3 and np.count_nonzero(found.point_index == 1) == 1
 
 
 def test_nothing_is_swept_over_a_gap_in_the_times():
     trajectory = course(wobble=0.0)
     times = np.concatenate([np.arange(0, 10, 0.02), np.arange(25, 39, 0.02)]) + 5000.0
-    found = project(np.column_stack([np.full(300, -5.0), np.linspace(5, 300, 300), np.full(300, 20.0)]),
-                    StripImage(CAMERA, times), trajectory)
+    found = project_to_strip(np.column_stack([np.full(300, -5.0), np.linspace(5, 300, 300), np.full(300, 20.0)]),
+                             StripImage(CAMERA, times), trajectory)
     assert len(found) > 100 and not np.any((found.time > 5010) & (found.time < 5025))
 
 
 def test_strip_outside_the_trajectory_is_refused_and_partly_outside_is_used():
     trajectory = course()
     with pytest.raises(InputError, match="one survey"):
-        project([[0.0, 0.0, 0.0]], StripImage(CAMERA, np.arange(10.0)), trajectory)
+        project_to_strip([[0.0, 0.0, 0.0]], StripImage(CAMERA, np.arange(10.0)), trajectory)
     partly = StripImage(CAMERA, 4990.0 + np.arange(0, 40, 0.02))
-    found = project([[-5.0, 80.0, 20.0]], partly, trajectory)
+    found = project_to_strip([[-5.0, 80.0, 20.0]], partly, trajectory)
     assert len(found) == 1 and found.column[0] == pytest.approx((found.time[0] - 4990.0) / 0.02)
-    assert len(project(np.empty((0, 3)), partly, trajectory)) == 0
-    assert len(project([[5000.0, 80.0, 20.0]], partly, trajectory)) == 0
+    assert len(project_to_strip(np.empty((0, 3)), partly, trajectory)) == 0
+    assert len(project_to_strip([[5000.0, 80.0, 20.0]], partly, trajectory)) == 0

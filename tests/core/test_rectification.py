@@ -11,7 +11,7 @@ from urbanmap_qgis.mobile.lines.rectification import (
     BETWEEN,
     BLUNDER,
     CONTRADICTING,
-    HELD,
+    EXTRAPOLATED,
     METHODS,
     POSITION_ONLY,
     SUSPECT,
@@ -52,11 +52,11 @@ def drive(epochs=46_000, length=15_700.0, seconds=2_830.0, seed=0):
     return Trajectory(time + 1000.0, place, angles)
 
 
-def wandering(true, seed, pace=0.04):
+def wandering(true, seed, position_walk=0.04):
     """Position and heading wander apart from each other, as GNSS does between buildings: 4 cm per root second."""
     rng = np.random.default_rng(seed)
     step = np.diff(true.time)[0]
-    walk = np.cumsum(rng.normal(0, np.sqrt(step), (len(true), 4)) * [pace, pace, 0.02, 0.01], axis=0)
+    walk = np.cumsum(rng.normal(0, np.sqrt(step), (len(true), 4)) * [position_walk, position_walk, 0.02, 0.01], axis=0)
     walk = gaussian_filter1d(walk, 5.0 / step, axis=0) + rng.normal(0, [0.8, 0.8, 0.5, 0.1])
     return Trajectory(true.time, true.place + walk[:, :3], true.angles + np.outer(walk[:, 3], [0, 0, 1.0]))
 
@@ -163,7 +163,7 @@ def test_sample_city(small_city):
 
 def short(seed=0, count=8):
     true = drive(6000, 2000.0, 400.0, seed)
-    reported = wandering(true, seed, pace=0.02)
+    reported = wandering(true, seed, position_walk=0.02)
     return true, reported, tie_sets(true, reported, count)
 
 
@@ -235,7 +235,7 @@ def test_tie_points_in_one_place_only_carry_on_with_growing_sigma():
     _, reported, ties = short()
     told, progress = warned()
     made = rectify(reported, ties.of(ties.sets == "2"), None, None, progress)
-    assert "only moved along" in told[0] and (made.status == HELD).mean() > 0.95
+    assert "only moved along" in told[0] and (made.status == EXTRAPOLATED).mean() > 0.95
     at = int(np.abs(made.trajectory.time - made.sets[0].time).argmin())
     assert made.plan_sigma[-1] > 3 * made.plan_sigma[at] and np.all(np.diff(made.plan_sigma[at + 100:]) >= 0)
     assert np.isnan(made.sets[0].predicted) and "PREDICTED" not in made.figures()

@@ -8,7 +8,7 @@ import shapely
 
 from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
-from urbanmap_qgis.mobile.lines.line_camera import project
+from urbanmap_qgis.mobile.lines.line_camera import project_to_strip
 from urbanmap_qgis.mobile.lines.strip_images import read_columns, read_strips, sample_pixels
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
@@ -60,7 +60,7 @@ def offsets(small_city):
              if polygon.distance(course) < 10.0 for places in edge_profiles(polygon)]
     flat = np.concatenate([places.reshape(-1, 2) for places in edges])
     with RasterSampler(small_city / "truth" / "ground.tif") as ground:
-        seen = project(np.column_stack([flat, ground.sample(*flat.T)]), strip, true, 15.0)
+        seen = project_to_strip(np.column_stack([flat, ground.sample(*flat.T)]), strip, true, 15.0)
     place = np.full((len(flat), 2), np.nan)
     place[seen.point_index[::-1]] = np.column_stack([seen.column, seen.row])[::-1]
     found, first = [], 0

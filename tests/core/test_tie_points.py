@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.mobile.lines.tie_points import ends_of, read_tie_points, tie_points_from_columns, usable
+from urbanmap_qgis.mobile.lines.tie_points import ends_of, pairs_within, read_tie_points, tie_points_from_columns
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress
 
@@ -48,22 +48,22 @@ def ties_at(*times):
 
 def test_pairs_outside_the_time_or_in_gaps_are_left_out_and_told():
     told = []
-    left = usable(ties_at(-1.0, 2.5, 7.0, 11.0, 99.0), DRIVE, Progress(warn=told.append))
+    left = pairs_within(ties_at(-1.0, 2.5, 7.0, 11.0, 99.0), DRIVE, Progress(warn=told.append))
     assert left.time.tolist() == [2.5, 11.0]
     assert "2 tie points lie outside" in told[0] and "(set 0, 4)" in told[0] and "gap" in told[1]
 
 
 def test_no_pair_within_the_time_is_refused():
     with pytest.raises(InputError, match="one survey"):
-        usable(ties_at(50.0, 60.0), DRIVE)
+        pairs_within(ties_at(50.0, 60.0), DRIVE)
     with pytest.raises(InputError, match="gaps"):
-        usable(ties_at(7.0), DRIVE)
+        pairs_within(ties_at(7.0), DRIVE)
 
 
 def test_times_of_the_week_and_adjusted_times_are_brought_together():
     """Tie points in adjusted standard time, the trajectory in seconds of the week."""
     start = 2200 * 604800.0 - 1e9
     told = []
-    left = usable(ties_at(start + 1.0, start + 2.5), DRIVE, Progress(warn=told.append))
+    left = pairs_within(ties_at(start + 1.0, start + 2.5), DRIVE, Progress(warn=told.append))
     assert f"{-start:.0f} s were added" in told[0]
     np.testing.assert_allclose(left.time, [1.0, 2.5])

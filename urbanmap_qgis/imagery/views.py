@@ -13,8 +13,7 @@ from ..aerial.camera import FrameCamera, frame_rays, project_to_frame, read_came
 from ..aerial.frames import AerialFrame, FrameImage, find_frames
 from ..errors import InputError
 from ..mobile.calibration import read_calibration
-from ..mobile.lines.line_camera import StripImage, camera_poses, pixel_rays
-from ..mobile.lines.line_camera import project as project_strip
+from ..mobile.lines.line_camera import StripImage, camera_poses, pixel_rays, project_to_strip
 from ..mobile.lines.strip_images import read_columns, read_strips, sample_pixels
 from ..mobile.trajectory import Trajectory
 
@@ -106,7 +105,7 @@ class StripSource:
         if last - first < 2:
             return []
         strip = StripImage(self.strip.camera, self.strip.times[first:last])
-        found = project_strip(places, strip, self.trajectory, reach)
+        found = project_to_strip(places, strip, self.trajectory, reach)
         if not len(found):
             return []
         turn = np.arange(len(found)) - np.searchsorted(found.point_index, found.point_index)
@@ -140,7 +139,7 @@ class StripSource:
         left, top, right, bottom = window
         first, last = max(int(left) - 1, 0), min(int(right) + 2, self.strip.columns)
         strip = StripImage(self.strip.camera, self.strip.times[first:last])
-        found = project_strip(points, strip, self.trajectory, reach)
+        found = project_to_strip(points, strip, self.trajectory, reach)
         column = found.column + first
         keep = (column >= left) & (column <= right) & (found.row >= top) & (found.row <= bottom)
         return found.point_index[keep], column[keep], found.row[keep], found.distance[keep]

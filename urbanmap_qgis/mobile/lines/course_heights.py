@@ -1,7 +1,7 @@
 """Heights of a trajectory from the ground along its course (Z 3.2, vertical registration).
 
 Where the vehicle is, its body's origin lies a known height above the ground: o_z' = ground(o_x, o_y) + h. Samples are
-taken at equal distances along the course. What stands on the ground in a surface model (vehicles, bridges, crowns)
+taken at equal chainages along the course. What stands on the ground in a surface model (vehicles, bridges, crowns)
 raises it, and is recognised by its step against the lowest samples around. The error of height is a random walk in
 time through the others.
 """
@@ -26,14 +26,14 @@ SPACING = 2.0
 STANDING_STEP = 5.0
 """s between samples where the vehicle stands."""
 
-LARGEST_ERROR = 3.0
+MAX_ERROR = 3.0
 """m: ground farther from where it should be is not believed to be the vehicle's (bridges, roofs)."""
 
 _WINDOW = 51  # samples
-_LEAST_SCATTER = 0.03  # m
+_MIN_SCATTER = 0.03  # m
 _LOWEST_EIGHTH = 0.48  # sigmas from the lower quartile to the lowest eighth
 _SIGMAS = 4.0
-_FEWEST = 5
+_MIN_SAMPLES = 5
 _SPANS = (2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0)  # s
 _EXPECTED = np.log([0.01, 0.03])  # m per square root of a second, m
 _SPREAD = np.log([4.0, 4.0])
@@ -86,15 +86,15 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     place = trajectory.place[row]
     below = np.asarray(ground(place[:, 0], place[:, 1]), float)
     there = np.isfinite(below)
-    if np.count_nonzero(there) < _FEWEST:
+    if np.count_nonzero(there) < _MIN_SAMPLES:
         raise InsufficientDataError("The ground does not reach the trajectory's course: give a ground of the same "
                                     "place and coordinate reference system.")
     time, above = trajectory.time[row[there]], (place[:, 2] - below)[there]
     found = sensor_height is None
     # What stands on the ground comes nearer to the vehicle: the upper quarter is the road's.
     start = float(np.percentile(above, 75)) if found else float(sensor_height)
-    believed = np.abs(start - above) <= LARGEST_ERROR
-    if np.count_nonzero(believed) < _FEWEST:
+    believed = np.abs(start - above) <= MAX_ERROR
+    if np.count_nonzero(believed) < _MIN_SAMPLES:
         raise InsufficientDataError(f"The trajectory lies {np.median(above):.1f} m above the ground (median), not "
                                     f"{start:.1f} m: check the origin's height and both height systems.")
     kept = np.flatnonzero(believed)[_on_the_ground(start - above[believed])]
@@ -111,10 +111,10 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
 
 
 def _samples(trajectory: Trajectory) -> np.ndarray:
-    """Epochs at equal distances along the course, and some while the vehicle stands."""
-    way = path_chainage(trajectory)
-    row = np.searchsorted(way, np.arange(0.0, way[-1] + 1e-9, SPACING))
-    row = np.unique(np.minimum(row, len(way) - 1))
+    """Epochs at equal chainages along the course, and some while the vehicle stands."""
+    chainage = path_chainage(trajectory)
+    row = np.searchsorted(chainage, np.arange(0.0, chainage[-1] + 1e-9, SPACING))
+    row = np.unique(np.minimum(row, len(chainage) - 1))
     standing = np.searchsorted(trajectory.time, np.arange(trajectory.time[0], trajectory.time[-1], STANDING_STEP))
     taken = np.concatenate([[-np.inf], trajectory.time[row], [np.inf]])
     next_one = np.searchsorted(taken, trajectory.time[standing])
@@ -125,12 +125,12 @@ def _samples(trajectory: Trajectory) -> np.ndarray:
 def _on_the_ground(error: np.ndarray) -> np.ndarray:
     """Mask (k,) of samples that do not stand on the ground, which only ever raises it: vehicles, crowns, bridges.
 
-    The lower quarter of the samples around is the ground's; its scatter is told by what lies below that quarter.
+    The lower quarter of the samples around is the ground's; its scatter is estimated from what lies below that quarter.
     """
     window = min(_WINDOW, len(error) // 2 * 2 + 1)
     low = percentile_filter(error, 25, window, mode="mirror")
     below = low[error < low] - error[error < low]
-    scatter = max(float(np.median(below)) / _LOWEST_EIGHTH, _LEAST_SCATTER) if len(below) else _LEAST_SCATTER
+    scatter = max(float(np.median(below)) / _LOWEST_EIGHTH, _MIN_SCATTER) if len(below) else _MIN_SCATTER
     return (error >= low - _SIGMAS * scatter) & (error <= low + (_SIGMAS + 0.67) * scatter)
 
 
@@ -142,14 +142,15 @@ def _rms(values: np.ndarray) -> float:
 class _HeightWalk:
     """A random walk through samples: values and variances at nodes, and covariances with the next.
 
-    `pace` is what errors change over the longest gaps, which may be more than the walk from sample to sample says.
+    `coefficient` (m per square root of a second) holds for the longest gaps, where it may be more than from sample to
+    sample.
     """
 
     time: np.ndarray
     value: np.ndarray
     variance: np.ndarray
-    lag: np.ndarray
-    pace: float
+    lag_covariance: np.ndarray
+    coefficient: float
     sigma: float
 
     def at(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -159,30 +160,31 @@ class _HeightWalk:
         u = np.clip((time - self.time[before]) / length, 0.0, 1.0)
         outside = np.maximum(self.time[0] - time, 0.0) + np.maximum(time - self.time[-1], 0.0)
         variance = ((1 - u) ** 2 * self.variance[before] + u**2 * self.variance[before + 1]
-                    + 2 * u * (1 - u) * self.lag[before] + self.pace**2 * (length * u * (1 - u) + outside))
+                    + 2 * u * (1 - u) * self.lag_covariance[before]
+                    + self.coefficient**2 * (length * u * (1 - u) + outside))
         return np.interp(time, self.time, self.value), variance
 
 
 def _fitted(time: np.ndarray, error: np.ndarray) -> tuple[_HeightWalk, np.ndarray]:
     """The most likely walk through samples, and which of them it used: those within four sigmas of a first walk."""
-    pace, sigma = _most_likely(time, error)
-    value = _solve(time, error, pace, sigma)[0]
-    used = np.abs(error - value) <= max(_SIGMAS * sigma, _LEAST_SCATTER)
+    coefficient, sigma = _most_likely(time, error)
+    value = _solve(time, error, coefficient, sigma)[0]
+    used = np.abs(error - value) <= max(_SIGMAS * sigma, _MIN_SCATTER)
     time, error = time[used], error[used]
-    pace, sigma = _most_likely(time, error)
-    value, factor, _ = _solve(time, error, pace, sigma)
+    coefficient, sigma = _most_likely(time, error)
+    value, factor, _ = _solve(time, error, coefficient, sigma)
     left = error - value
     # What neighbours share of their deviations (a ground's smooth errors) does not average out.
     alike = float(np.clip((left[1:] @ left[:-1]) / max(left @ left, 1e-12), 0.0, 0.95))
     inflation = (1 + alike) / (1 - alike)
     variance, lag = _inverse_bands(factor)
-    pace = max(pace, _long_pace(time, value))
-    return _HeightWalk(time, value, variance * inflation, lag * inflation, pace, sigma), used
+    coefficient = max(coefficient, _long_span_walk(time, value))
+    return _HeightWalk(time, value, variance * inflation, lag * inflation, coefficient, sigma), used
 
 
-def _long_pace(time: np.ndarray, value: np.ndarray) -> float:
-    """Largest pace, m per square root of a second, at which errors change over some span of time."""
-    paces = [0.0]
+def _long_span_walk(time: np.ndarray, value: np.ndarray) -> float:
+    """Largest random walk coefficient, m per square root of a second, of errors over some span of time."""
+    walks = [0.0]
     longest = 0.5 * (time[-1] - time[0])
     for span in (item for item in _SPANS if item < longest):
         later = np.searchsorted(time, time + span)
@@ -190,13 +192,14 @@ def _long_pace(time: np.ndarray, value: np.ndarray) -> float:
         there[there] = time[later[there]] - time[there] < 1.5 * span
         if there.any():
             change = value[later[there]] - value[there]
-            paces.append(float(np.sqrt(np.mean(change**2 / (time[later[there]] - time[there])))))
-    return max(paces)
+            walks.append(float(np.sqrt(np.mean(change**2 / (time[later[there]] - time[there])))))
+    return max(walks)
 
 
-def _solve(time: np.ndarray, error: np.ndarray, pace: float, sigma: float) -> tuple[np.ndarray, np.ndarray, float]:
+def _solve(time: np.ndarray, error: np.ndarray, coefficient: float, sigma: float
+           ) -> tuple[np.ndarray, np.ndarray, float]:
     """Values of the walk, factor of its information, and the logarithm of its likelihood."""
-    weight = pace**-2 / np.diff(time)
+    weight = coefficient**-2 / np.diff(time)
     band = np.zeros((2, len(time)))
     band[1] = sigma**-2
     band[1, :-1] += weight
@@ -210,14 +213,15 @@ def _solve(time: np.ndarray, error: np.ndarray, pace: float, sigma: float) -> tu
 
 
 def _most_likely(time: np.ndarray, error: np.ndarray) -> tuple[float, float]:
-    """Pace of the walk and sigma of the samples."""
-    def unlikely(logs: np.ndarray) -> float:
+    """Random walk coefficient and sigma of the samples."""
+    def negative_log_likelihood(logs: np.ndarray) -> float:
         logs = np.clip(logs, -12.0, 5.0)
         return 0.5 * float((((logs - _EXPECTED) / _SPREAD) ** 2).sum()) - _solve(time, error, *np.exp(logs))[2]
 
-    found = minimize(unlikely, _EXPECTED, method="Nelder-Mead", options={"xatol": 0.05, "fatol": 0.05, "maxiter": 80})
-    pace, sigma = np.exp(np.clip(found.x, -12.0, 5.0))
-    return float(pace), float(sigma)
+    found = minimize(negative_log_likelihood, _EXPECTED, method="Nelder-Mead",
+                     options={"xatol": 0.05, "fatol": 0.05, "maxiter": 80})
+    coefficient, sigma = np.exp(np.clip(found.x, -12.0, 5.0))
+    return float(coefficient), float(sigma)
 
 
 def _inverse_bands(factor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

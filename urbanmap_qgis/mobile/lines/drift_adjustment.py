@@ -2,14 +2,14 @@
 
 Errors of position and heading wander: from one node of time to the next they change by a random walk of q sqrt(dt)
 metres and q_turn sqrt(dt) radians. Where positions come from dead reckoning (between GNSS fixes, in Z the INS), an
-error of heading also carries the position aside on the way driven: the walk is then coupled, and the correction turns
-the course as Z's relative motions do. Which of the two the navigation does, the pace of the walk and the sigma of the
-tie points are what makes the tie points most likely.
+error of heading also rotates the course driven since: the walk is then coupled, and the correction rotates
+the course as Z's relative motions do. Which of the two the navigation does, the coefficients of the random walk and the
+sigma of the tie points are what makes the tie points most likely.
 
 With the observation equations of Z (eq. 14, for every pair at its own time) this is one least squares problem with a
-banded matrix. Against the paper's way (relative_motion.py): a pair need not share its time with the other of its set,
-a heading that is weakly known borrows from its neighbours, and every epoch has its sigma, which grows between sets and
-beyond the first and the last.
+banded matrix. Against the paper's method (relative_motion.py): a pair need not share its time with the other of its
+set, a heading that is weakly known borrows from its neighbours, and every epoch has its sigma, which grows between sets
+and beyond the first and the last.
 """
 
 from __future__ import annotations
@@ -21,43 +21,45 @@ from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.optimize import minimize
 
 from ..trajectory import Trajectory
-from .ground_truths import turned
+from .ground_truths import rotated_vectors
 
-PACE, TURN_PACE, SIGMA = 0.05, np.radians(0.01), 0.05
+POSITION_WALK, HEADING_WALK, SIGMA = 0.05, np.radians(0.01), 0.05
 """What is expected of the walk (m and radians per square root of a second) and of tie points (m)."""
 
 _SPREAD = np.log([4.0, 4.0, 3.0])
 _START_SIGMA = 1000.0
-_LEAST_STEP = 1e-3
-_NODES, _MOST_NODES = 600, 4000
+_MIN_STEP = 1e-3
+_NODES, _MAX_NODES = 600, 4000
 _NODE_STEPS = 1.0, 5.0  # s
-_ROUNDS = 3
+_ITERATIONS = 3
 _BAND = 5
-_CLEARLY = 20.0
-_LEAST_SHARE = 1e-9
+_COUPLING_EVIDENCE = 20.0
+_MIN_SHARE = 1e-9
 
 
 @dataclass(frozen=True)
-class Walk:
-    """How errors change.
+class RandomWalk:
+    """How errors change: random walks of position and heading.
 
     Attributes
     ----------
-    pace : m per square root of a second.  turn_pace : radians likewise.  sigma : of a tie point's coordinate, m.
+    position_walk : of a coordinate, m per square root of a second.  heading_walk : radians likewise.  sigma : of a tie
+        point's coordinate, m.
     heading_sigma : expected error of the heading, radians.
-    coupled : errors of heading carry the position aside (dead reckoning).
+    coupled : errors of heading rotate the course (dead reckoning).
     """
 
-    pace: float = PACE
-    turn_pace: float = TURN_PACE
+    position_walk: float = POSITION_WALK
+    heading_walk: float = HEADING_WALK
     sigma: float = SIGMA
     heading_sigma: float = np.radians(0.5)
     coupled: bool = False
 
 
 @dataclass(frozen=True)
-class Pairs:
-    """Observations, (n,) in the order of time: seen (n, 2) p - o, true (n, 2) p' - o, time, number of the set."""
+class TiePairs:
+    """Pairs as observations, (n,) in the order of time: seen (n, 2) p - o, true (n, 2) p' - o, time, number of the
+    set."""
 
     seen: np.ndarray
     true: np.ndarray
@@ -66,12 +68,12 @@ class Pairs:
 
 
 @dataclass(frozen=True)
-class DriftModel:
+class RandomWalkDrift:
     """The drift at nodes (k,) over the whole trajectory.
 
     Attributes
     ----------
-    time : (k,) s.  value : (k, 3) shift east and north, m, and turn anticlockwise, radians: to be added.
+    time : (k,) s.  value : (k, 3) shift east and north, m, and rotation anticlockwise, radians: to be added.
     covariance : (k, 3, 3).  gain : (k - 1, 3, 3) G with covariance of node k and k + 1 = -G covariance[k + 1].
     walk : what was found or taken.
     first, last : times of the first and the last tie point.
@@ -81,7 +83,7 @@ class DriftModel:
     value: np.ndarray
     covariance: np.ndarray
     gain: np.ndarray
-    walk: Walk
+    walk: RandomWalk
     first: float
     last: float
 
@@ -96,7 +98,8 @@ class DriftModel:
         length = (self.time[before + 1] - self.time[before])[:, None]
         u = np.clip((time - self.time[before])[:, None] / length, 0.0, 1.0)
         with_next = -np.einsum("kij,kji->ki", self.gain, self.covariance[1:])[before]
-        bridge = length * u * (1 - u) * np.array([self.walk.pace, self.walk.pace, self.walk.turn_pace]) ** 2
+        bridge = length * u * (1 - u) * np.array([self.walk.position_walk, self.walk.position_walk,
+                                                  self.walk.heading_walk]) ** 2
         return (1 - u) ** 2 * own[before] + u**2 * own[before + 1] + 2 * u * (1 - u) * with_next + bridge
 
     def joint_covariance(self, nodes: np.ndarray) -> np.ndarray:
@@ -113,32 +116,32 @@ class DriftModel:
         return joint
 
 
-def fit_drift(pairs: Pairs, trajectory: Trajectory, walk: Walk, fixed_sigma: bool = False) -> DriftModel:
+def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_sigma: bool = False) -> RandomWalkDrift:
     """The most likely drift of pairs; what `walk` says is expected, and its sigma of tie points kept if fixed."""
     system = _System(pairs, trajectory)
     value = np.zeros((len(system.time), 3))
     system.linearise(value)
     found = [_most_likely(system, replace(walk, coupled=coupled), fixed_sigma) for coupled in (False, True)]
-    # Without clear evidence errors are not carried along the way driven: that would bend the course.
-    walk = found[int(found[1][1] > found[0][1] + _CLEARLY)][0]
-    for _ in range(_ROUNDS):
+    # Without clear evidence errors are not carried along the course driven: that would bend it.
+    walk = found[int(found[1][1] > found[0][1] + _COUPLING_EVIDENCE)][0]
+    for _ in range(_ITERATIONS):
         value = system.solve(walk)[0]
         system.linearise(value)
     covariance, gain = system.covariances(walk)
-    return DriftModel(system.time, value, covariance, gain, walk, float(pairs.time[0]), float(pairs.time[-1]))
+    return RandomWalkDrift(system.time, value, covariance, gain, walk, float(pairs.time[0]), float(pairs.time[-1]))
 
 
-def predicted_misfits(pairs: Pairs, model: DriftModel) -> tuple[np.ndarray, np.ndarray]:
+def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.ndarray, np.ndarray]:
     """Of every set (s,): how far its pairs lie from where the other sets put them, m, and in sigmas of that.
 
     Left out one after the other in closed form: with residuals r of a set, covariance R of its observations and S of
     what the model puts there, the set is off by R (R - S)^-1 r without itself, with the covariance R (R - S)^-1 R.
     """
     count = int(pairs.sets.max()) + 1
-    away, sigmas = np.full(count, np.nan), np.full(count, np.nan)
+    misfit, sigmas = np.full(count, np.nan), np.full(count, np.nan)
     drift = model.at(pairs.time)
-    residual = pairs.true - drift[:, :2] - turned(pairs.seen, drift[:, 2])
-    lever = turned(pairs.seen, drift[:, 2] + np.pi / 2)
+    residual = pairs.true - drift[:, :2] - rotated_vectors(pairs.seen, drift[:, 2])
+    lever = rotated_vectors(pairs.seen, drift[:, 2] + np.pi / 2)
     for number in range(count) if count > 1 else ():
         own = np.flatnonzero(pairs.sets == number)
         nodes, which = np.unique(np.searchsorted(model.time, pairs.time[own]), return_inverse=True)
@@ -148,41 +151,41 @@ def predicted_misfits(pairs: Pairs, model: DriftModel) -> tuple[np.ndarray, np.n
         spread = design @ model.joint_covariance(nodes).reshape(3 * len(nodes), -1) @ design.T
         share, axes = np.linalg.eigh(np.eye(len(spread)) - spread / model.walk.sigma**2)
         mean = np.tile(np.eye(2), len(own)) / len(own)
-        # What a set alone determines has a share of nought: nothing is predicted there, its sigma is endless.
-        left = mean @ axes / np.maximum(share, _LEAST_SHARE)
-        away[number] = np.hypot(*(left @ axes.T @ residual[own].ravel()))
-        sigmas[number] = away[number] / (model.walk.sigma * np.sqrt(np.trace(left @ axes.T @ mean.T)))
-    return away, sigmas
+        # What only this set determines has a share of nought: nothing is predicted there, its sigma is infinite.
+        left = mean @ axes / np.maximum(share, _MIN_SHARE)
+        misfit[number] = np.hypot(*(left @ axes.T @ residual[own].ravel()))
+        sigmas[number] = misfit[number] / (model.walk.sigma * np.sqrt(np.trace(left @ axes.T @ mean.T)))
+    return misfit, sigmas
 
 
-def misfit_of_others(others: Pairs, model: DriftModel) -> tuple[float, float]:
+def misfit_of_excluded(others: TiePairs, model: RandomWalkDrift) -> tuple[float, float]:
     """How far pairs that had no part in a model lie from where it puts them, m, and in sigmas of that."""
     drift, variance = model.at(others.time), model.variances(others.time)
-    away = np.hypot(*(others.true - drift[:, :2] - turned(others.seen, drift[:, 2])).mean(axis=0))
-    reach = np.hypot(*others.seen.mean(axis=0))
-    spread = variance[:, :2].sum(axis=1).mean() + reach**2 * variance[:, 2].mean()
-    return float(away), float(away / np.sqrt(spread + 2 * model.walk.sigma**2 / len(others.time)))
+    misfit = np.hypot(*(others.true - drift[:, :2] - rotated_vectors(others.seen, drift[:, 2])).mean(axis=0))
+    lever = np.hypot(*others.seen.mean(axis=0))
+    spread = variance[:, :2].sum(axis=1).mean() + lever**2 * variance[:, 2].mean()
+    return float(misfit), float(misfit / np.sqrt(spread + 2 * model.walk.sigma**2 / len(others.time)))
 
 
 class _System:
     """The normal equations of the pairs, linear about a drift, in banded form (upper, `_BAND` diagonals above)."""
 
-    def __init__(self, pairs: Pairs, trajectory: Trajectory):
+    def __init__(self, pairs: TiePairs, trajectory: Trajectory):
         self.pairs = pairs
         step = np.clip(trajectory.duration / _NODES, *_NODE_STEPS)
-        count = int(np.clip(trajectory.duration / step, 2, _MOST_NODES))
+        count = int(np.clip(trajectory.duration / step, 2, _MAX_NODES))
         self.time = np.unique(np.concatenate([np.linspace(trajectory.time[0], trajectory.time[-1], count + 1),
                                               pairs.time]))
         self.node = np.searchsorted(self.time, pairs.time)
-        self.step = np.maximum(np.diff(self.time), _LEAST_STEP)
+        self.step = np.maximum(np.diff(self.time), _MIN_STEP)
         place = [np.interp(self.time, trajectory.time, axis) for axis in trajectory.place[:, :2].T]
-        self.way = np.diff(np.column_stack(place), axis=0)
+        self.course = np.diff(np.column_stack(place), axis=0)
 
     def linearise(self, value: np.ndarray) -> None:
-        """Take the drift (k, 3) about which the turn is linear."""
-        turn = value[self.node, 2]
-        lever = turned(self.pairs.seen, turn + np.pi / 2)
-        observed = self.pairs.true - turned(self.pairs.seen, turn) + lever * turn[:, None]
+        """Take the drift (k, 3) about which the rotation is linear."""
+        rotation = value[self.node, 2]
+        lever = rotated_vectors(self.pairs.seen, rotation + np.pi / 2)
+        observed = self.pairs.true - rotated_vectors(self.pairs.seen, rotation) + lever * rotation[:, None]
         size = 3 * len(self.time)
         self.normal, self.right = np.zeros((_BAND + 1, size)), np.zeros(size)
         column = 3 * self.node
@@ -194,30 +197,30 @@ class _System:
         np.add.at(self.right, column + 2, (lever * observed).sum(axis=1))
         self.squares, self.observations = float((observed**2).sum()), 2 * len(observed)
 
-    def prior(self, walk: Walk) -> tuple[np.ndarray, float]:
+    def prior(self, walk: RandomWalk) -> tuple[np.ndarray, float]:
         """Banded information of the walk and the logarithm of its determinant.
 
-        From a node x to the next y the walk is y - F x, F = [[1, 0, -dn], [0, 1, de], [0, 0, 1]] with the way (de, dn)
-        where it is coupled, and weights w: F'wF, -F'w and w are added.
+        From a node x to the next y the walk is y - F x, F = [[1, 0, -dn], [0, 1, de], [0, 0, 1]] with the course step
+        (de, dn) where it is coupled, and weights w: F'wF, -F'w and w are added.
         """
         start = np.array([_START_SIGMA, _START_SIGMA, walk.heading_sigma]) ** -2.0
-        weight = np.array([walk.pace, walk.pace, walk.turn_pace]) ** -2.0 / self.step[:, None]
-        aside = np.column_stack([-self.way[:, 1], self.way[:, 0]]) * float(walk.coupled)
+        weight = np.array([walk.position_walk, walk.position_walk, walk.heading_walk]) ** -2.0 / self.step[:, None]
+        across = np.column_stack([-self.course[:, 1], self.course[:, 0]]) * float(walk.coupled)
         diagonal = np.zeros((len(self.time), 3))
         diagonal[0] += start
         diagonal[:-1] += weight
-        diagonal[:-1, 2] += (aside**2 * weight[:, :2]).sum(axis=1)
+        diagonal[:-1, 2] += (across**2 * weight[:, :2]).sum(axis=1)
         diagonal[1:] += weight
         band = np.zeros_like(self.normal)
         band[_BAND] = diagonal.ravel()
         band[_BAND - 3, 3:] = -weight.ravel()
         for axis in (0, 1):
-            carried = aside[:, axis] * weight[:, axis]
+            carried = across[:, axis] * weight[:, axis]
             band[_BAND - 2 + axis, 2:-1:3] += carried
             band[_BAND - 1 - axis, 3 + axis::3] -= carried
         return band, float(np.log(start).sum() + np.log(weight).sum())
 
-    def solve(self, walk: Walk) -> tuple[np.ndarray, float]:
+    def solve(self, walk: RandomWalk) -> tuple[np.ndarray, float]:
         """Drift at the nodes (k, 3) and the logarithm of its likelihood (but for a constant)."""
         prior, determinant = self.prior(walk)
         factor = cholesky_banded(prior + self.normal / walk.sigma**2, check_finite=False)
@@ -227,7 +230,7 @@ class _System:
         likelihood = 0.5 * (determinant - misfit) - np.log(factor[_BAND]).sum() - self.observations * np.log(walk.sigma)
         return value.reshape(-1, 3), likelihood
 
-    def covariances(self, walk: Walk) -> tuple[np.ndarray, np.ndarray]:
+    def covariances(self, walk: RandomWalk) -> tuple[np.ndarray, np.ndarray]:
         """Covariances of the nodes (k, 3, 3) and gains (k - 1, 3, 3), from the factor backwards (Takahashi)."""
         factor = cholesky_banded(self.prior(walk)[0] + self.normal / walk.sigma**2)
         count = len(self.time)
@@ -245,17 +248,19 @@ class _System:
         return covariance, gain
 
 
-def _most_likely(system: _System, walk: Walk, fixed_sigma: bool) -> tuple[Walk, float]:
-    """Pace, pace of turning and sigma that make the observations most likely, given what is expected; how likely."""
-    expected = np.log([PACE, TURN_PACE, SIGMA])
-    start = np.log([walk.pace, walk.turn_pace, walk.sigma])
+def _most_likely(system: _System, walk: RandomWalk, fixed_sigma: bool) -> tuple[RandomWalk, float]:
+    """Random walk of position and heading and sigma that make the observations most likely, given what is expected; how
+    likely."""
+    expected = np.log([POSITION_WALK, HEADING_WALK, SIGMA])
+    start = np.log([walk.position_walk, walk.heading_walk, walk.sigma])
     free = slice(0, 2 if fixed_sigma else 3)
 
-    def walk_of(logs: np.ndarray) -> Walk:
-        pace, turn_pace, *sigma = np.exp(np.clip(logs, -16.0, 5.0))
-        return replace(walk, pace=pace, turn_pace=turn_pace, sigma=sigma[0] if sigma else walk.sigma)
+    def walk_of(logs: np.ndarray) -> RandomWalk:
+        position_walk, heading_walk, *sigma = np.exp(np.clip(logs, -16.0, 5.0))
+        return replace(walk, position_walk=position_walk, heading_walk=heading_walk,
+                       sigma=sigma[0] if sigma else walk.sigma)
 
-    def unlikely(logs: np.ndarray) -> float:
+    def negative_log_likelihood(logs: np.ndarray) -> float:
         try:
             likelihood = system.solve(walk_of(logs))[1]
         except LinAlgError:
@@ -263,5 +268,5 @@ def _most_likely(system: _System, walk: Walk, fixed_sigma: bool) -> tuple[Walk, 
         return 0.5 * float((((logs - expected[free]) / _SPREAD[free]) ** 2).sum()) - likelihood
 
     options = {"xatol": 0.05, "fatol": 0.02, "maxiter": 150}
-    found = minimize(unlikely, start[free], method="Nelder-Mead", options=options)
+    found = minimize(negative_log_likelihood, start[free], method="Nelder-Mead", options=options)
     return walk_of(found.x), -float(found.fun)

@@ -25,11 +25,11 @@ from ..trajectory import Trajectory, body_to_map, gaps
 from .line_camera import mount_matrix
 from .range_scans import RangeScans, read_scans
 
-LONGEST_GAP = 1.0
+MAX_GAP = 1.0
 """s: between epochs farther apart nothing is placed."""
 
 _SCALE = 0.001
-_RADIANS_ROWS = 1000
+_MIN_ROWS_FOR_RADIANS = 1000
 _SHOWN = 20
 
 
@@ -50,7 +50,7 @@ class ScanSettings:
 
 
 @dataclass(frozen=True)
-class Placed:
+class GeoreferencedScans:
     """What was done with the returns of a run.
 
     Attributes
@@ -80,18 +80,18 @@ def place_ranges(trajectory: Trajectory, scanner: MountedScanner, time: np.ndarr
     ------
     InputError : a time lies outside the trajectory.
     """
-    turn = np.radians(angle)
+    angle_rad = np.radians(angle)
     axes = mount_matrix(scanner.angles)
-    ahead, aside = distance * np.cos(turn), distance * np.sin(turn)
-    body = np.empty((len(turn), 3))
+    along_x, along_y = distance * np.cos(angle_rad), distance * np.sin(angle_rad)
+    body = np.empty((len(angle_rad), 3))
     for axis in range(3):
-        body[:, axis] = scanner.lever_arm[axis] + axes[axis, 0] * ahead + axes[axis, 1] * aside
+        body[:, axis] = scanner.lever_arm[axis] + axes[axis, 0] * along_x + axes[axis, 1] * along_y
     return body_to_map(trajectory, time, body)
 
 
 def georeference_scans(paths: Sequence[str | os.PathLike], trajectory: Trajectory, calibration: Calibration,
                        output: str | os.PathLike, crs_wkt: str | None = None, settings: ScanSettings | None = None,
-                       progress: Progress = SILENT) -> Placed:
+                       progress: Progress = SILENT) -> GeoreferencedScans:
     """Place raw range scans and write them as LAZ (or LAS) with gps_time, intensity, point_source_id, angle and range.
 
     Returns outside the trajectory's time or in its gaps, without a range, or outside the limits of range are left
@@ -105,7 +105,7 @@ def georeference_scans(paths: Sequence[str | os.PathLike], trajectory: Trajector
     settings = settings or ScanSettings()
     if Path(output).suffix.lower() not in (".las", ".laz"):
         raise InputError(f"{Path(output).name} must end in .laz or .las.")
-    work = _Work(trajectory, calibration, settings, progress)
+    work = _Georeferencer(trajectory, calibration, settings, progress)
     with (written_beside(output) as temporary,
           laspy.open(temporary, mode="w", header=_header(trajectory, crs_wkt),
                      do_compress=Path(output).suffix.lower() == ".laz") as writer):
@@ -117,7 +117,7 @@ def georeference_scans(paths: Sequence[str | os.PathLike], trajectory: Trajector
         return work.placed()
 
 
-class _Work:
+class _Georeferencer:
     """Places chunk after chunk and counts what is left out."""
 
     def __init__(self, trajectory: Trajectory, calibration: Calibration, settings: ScanSettings, progress: Progress):
@@ -126,11 +126,11 @@ class _Work:
         self.span = [np.inf, -np.inf]
         self.counts = dict.fromkeys(("read", "no_return", "too_near", "too_far", "outside"), 0)
         self.by_scanner: dict[int, int] = {}
-        self.holes = gaps(trajectory, LONGEST_GAP)
+        self.holes = gaps(trajectory, MAX_GAP)
 
     def place(self, scans: RangeScans) -> tuple[np.ndarray, RangeScans]:
         """Points (m, 3) and returns of a chunk that can be placed; their scanner numbers are the calibration's."""
-        self._look_at(scans)
+        self._count(scans)
         sound = np.isfinite(scans.time) & np.isfinite(scans.angle) & np.isfinite(scans.distance) & (scans.distance > 0)
         scans = self._kept(scans, sound, "no_return")
         if not len(scans):
@@ -192,18 +192,18 @@ class _Work:
         self.counts[reason] += lost
         return scans.of(keep) if lost else scans
 
-    def _look_at(self, scans: RangeScans) -> None:
+    def _count(self, scans: RangeScans) -> None:
         """Count, and tell once where angles look like radians."""
         time = scans.time[np.isfinite(scans.time)]
         if len(time):
             self.span = [min(self.span[0], float(time.min())), max(self.span[1], float(time.max()))]
         angle = np.abs(scans.angle[np.isfinite(scans.angle)])
-        if (not self.counts["read"] and not self.settings.radians and len(angle) >= _RADIANS_ROWS
+        if (not self.counts["read"] and not self.settings.radians and len(angle) >= _MIN_ROWS_FOR_RADIANS
                 and angle.max() <= 2 * np.pi):
             self.progress.warn(f"All angles are within {angle.max():.2f} degrees: if they are radians, say so.")
         self.counts["read"] += len(scans)
 
-    def placed(self) -> Placed:
+    def placed(self) -> GeoreferencedScans:
         """The counts; InputError or InsufficientDataError where nothing was placed."""
         written = sum(self.by_scanner.values())
         if not self.counts["read"]:
@@ -215,8 +215,8 @@ class _Work:
         if not written:
             raise InsufficientDataError("No return could be placed: all are without a range or outside the limits of "
                                         "range and time.")
-        return Placed(written=written, by_scanner=dict(sorted(self.by_scanner.items())), shift=self.shift or 0.0,
-                      **self.counts)
+        return GeoreferencedScans(written=written, by_scanner=dict(sorted(self.by_scanner.items())),
+                                  shift=self.shift or 0.0, **self.counts)
 
 
 def _header(trajectory: Trajectory, crs_wkt: str | None) -> laspy.LasHeader:

@@ -6,8 +6,8 @@ At time i the vehicle is reported at o_i, the survey shows a place at p_i, the r
     p_i' - o_i = (dx, dy) + R(dkappa) (p_i - o_i),    R(k) = [[cos k, -sin k], [sin k, cos k]], anticlockwise,
 
 which is eq. 12 as it must be read (R takes the angle kappa_i + dkappa; the brackets of the print are lost). The
-difference of two pairs is eq. 14. Eq. 15 gives the turn by an arc cosine, which loses its sense: it is taken from sine
-and cosine here. The vectors of eq. 14 need not have one length: their difference tells how well a set fits.
+difference of two pairs is eq. 14. Eq. 15 gives the rotation by an arc cosine, which loses its sign: it is taken from
+sine and cosine here. The vectors of eq. 14 need not have one length: their difference tells how well a set fits.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ class Drift:
 
     Attributes
     ----------
-    shift : (2,) east and north, m.  turn : radians, anticlockwise (the heading changes by the opposite).
+    shift : (2,) east and north, m.  rotation : radians, anticlockwise (the heading changes by the opposite).
     residuals : (n, 2) m, what the set's pairs keep.
-    covariance : (3, 3) of shift and turn, m and radians.
+    covariance : (3, 3) of shift and rotation, m and radians.
     """
 
     shift: np.ndarray
-    turn: float
+    rotation: float
     residuals: np.ndarray
     covariance: np.ndarray
 
 
 def two_pair_drift(place: np.ndarray, measured: np.ndarray, reference: np.ndarray) -> tuple[np.ndarray, float]:
-    """Shift (2,) and turn (radians) of a set of two pairs as in Z eq. 13 to 17: exact at the first pair.
+    """Shift (2,) and rotation (radians) of a set of two pairs as in Z eq. 13 to 17: exact at the first pair.
 
     Parameters
     ----------
@@ -43,12 +43,12 @@ def two_pair_drift(place: np.ndarray, measured: np.ndarray, reference: np.ndarra
     """
     seen, true = measured - place, reference - place
     before, after = seen[1] - seen[0], true[1] - true[0]
-    turn = float(np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after))
-    return true[0] - turned(seen[0], turn), turn
+    rotation = float(np.arctan2(before[0] * after[1] - before[1] * after[0], before @ after))
+    return true[0] - rotated_vectors(seen[0], rotation), rotation
 
 
-def turned(vectors: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
-    """Vectors (..., 2) turned anticlockwise by an angle in radians."""
+def rotated_vectors(vectors: np.ndarray, angle: np.ndarray | float) -> np.ndarray:
+    """Vectors (..., 2) rotated anticlockwise by an angle in radians."""
     cos, sin = np.cos(angle), np.sin(angle)
     x, y = vectors[..., 0], vectors[..., 1]
     return np.stack([cos * x - sin * y, sin * x + cos * y], axis=-1)
@@ -61,29 +61,29 @@ def set_drift(place: np.ndarray, measured: np.ndarray, reference: np.ndarray, si
     Parameters
     ----------
     sigma : of a pair's coordinate, m.
-    heading_sigma : expected error of the heading, radians; it keeps the turn of pairs near each other within reason,
-        and is all that is known of it where there is one pair.
+    heading_sigma : expected error of the heading, radians; it keeps the rotation of pairs near each other within
+        reason, and is all that is known of it where there is one pair.
     """
     seen, true = measured - place, reference - place
     centre, target = seen.mean(axis=0), true.mean(axis=0)
     a, b = seen - centre, true - target
-    # A turn of nought with the expected error is one more observation of weight (sigma / heading_sigma)^2.
+    # A rotation of nought with the expected error is one more observation of weight (sigma / heading_sigma)^2.
     weight = (sigma / heading_sigma) ** 2
     spread = float((a * a).sum())
-    turn = float(np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a * b).sum() + weight))
-    shift = target - turned(centre, turn)
-    residuals = true - shift - turned(seen, turn)
-    return Drift(shift, turn, residuals, _covariance(centre, turn, len(seen), spread + weight, sigma))
+    rotation = float(np.arctan2((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum(), (a * b).sum() + weight))
+    shift = target - rotated_vectors(centre, rotation)
+    residuals = true - shift - rotated_vectors(seen, rotation)
+    return Drift(shift, rotation, residuals, _covariance(centre, rotation, len(seen), spread + weight, sigma))
 
 
-def _covariance(centre: np.ndarray, turn: float, count: int, spread: float, sigma: float) -> np.ndarray:
-    """Covariance of shift and turn: the centre is known by the mean, the turn by the spread."""
-    lever = turned(centre, turn + np.pi / 2)
-    of_turn = sigma**2 / max(spread, 1e-12)
+def _covariance(centre: np.ndarray, rotation: float, count: int, spread: float, sigma: float) -> np.ndarray:
+    """Covariance of shift and rotation: the centre is known by the mean, the rotation by the spread."""
+    lever = rotated_vectors(centre, rotation + np.pi / 2)
+    of_rotation = sigma**2 / max(spread, 1e-12)
     covariance = np.zeros((3, 3))
-    covariance[:2, :2] = sigma**2 / count * np.eye(2) + of_turn * np.outer(lever, lever)
-    covariance[:2, 2] = covariance[2, :2] = -of_turn * lever
-    covariance[2, 2] = of_turn
+    covariance[:2, :2] = sigma**2 / count * np.eye(2) + of_rotation * np.outer(lever, lever)
+    covariance[:2, 2] = covariance[2, :2] = -of_rotation * lever
+    covariance[2, 2] = of_rotation
     return covariance
 
 
@@ -95,9 +95,9 @@ def misfit(place: np.ndarray, measured: np.ndarray, reference: np.ndarray) -> np
         return np.zeros(count)
     if count == 2:
         return np.full(2, abs(np.hypot(*(seen[1] - seen[0])) - np.hypot(*(true[1] - true[0]))))
-    away = np.empty(count)
+    misfits = np.empty(count)
     for pair in range(count):
         others = np.arange(count) != pair
         drift = set_drift(place[others], measured[others], reference[others], 1.0)
-        away[pair] = np.hypot(*(true[pair] - drift.shift - turned(seen[pair], drift.turn)))
-    return away
+        misfits[pair] = np.hypot(*(true[pair] - drift.shift - rotated_vectors(seen[pair], drift.rotation)))
+    return misfits

@@ -4,7 +4,7 @@ A strip image is taken one column at a time while the vehicle drives. Row h (0 i
 looks along (cos w, 0, sin w) in the camera's axes x forward, y right, z down, w = 2 asin((h - centre) / 2 / focal):
 the fish-eye of Z eq. 2. Z counts the angle from its own axes; docs/lines.md sets both side by side.
 
-`project` finds where places of the map lie in a strip, `pixel_rays` whither its pixels look.
+`project_to_strip` finds where places of the map lie in a strip, `pixel_rays` whither its pixels look.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class Projection:
 
     Attributes
     ----------
-    point_index : row of the place in what was given to `project`.
+    point_index : row of the place in what was given to `project_to_strip`.
     column, row : pixels, to a part of a pixel; 0 is the centre of the first.
     time : s, when the line's plane sweeps over the place.
     distance : from the camera, m.
@@ -138,12 +138,12 @@ def pixel_rays(strip: StripImage, trajectory: Trajectory, columns: np.ndarray,
     return place, axes[:, :, 0] * np.cos(angle)[:, None] + axes[:, :, 2] * np.sin(angle)[:, None]
 
 
-def project(points: np.ndarray, strip: StripImage, trajectory: Trajectory, max_distance: float = _MAX_DISTANCE,
-            progress: Progress = SILENT) -> Projection:
+def project_to_strip(points: np.ndarray, strip: StripImage, trajectory: Trajectory, max_distance: float = _MAX_DISTANCE,
+                     progress: Progress = SILENT) -> Projection:
     """Where places of the map lie in a strip image: the inverse of Z eq. 3.
 
     The line's plane sweeps over a place when the place's y in the camera's axes is nought; all such times are found
-    (a turning vehicle may show a place several times) to a small part of a column. What hides a place is not asked.
+    (a rotating vehicle may show a place several times) to a small part of a column. What hides a place is not asked.
 
     Parameters
     ----------
@@ -191,13 +191,13 @@ def _seen(points: np.ndarray, index: np.ndarray, time: np.ndarray, strip: StripI
           first: int) -> tuple[np.ndarray, ...]:
     """The columns of `Projection` of sweeps over places (n, 3), each standing of the camera once."""
     place, axes = camera_poses(strip.camera, trajectory, time)
-    way = points[index] - place
-    row = strip.camera.rows_of(np.arctan2(np.einsum("ni,ni->n", way, axes[:, :, 2]),
-                                          np.einsum("ni,ni->n", way, axes[:, :, 0])))
+    vector = points[index] - place
+    row = strip.camera.rows_of(np.arctan2(np.einsum("ni,ni->n", vector, axes[:, :, 2]),
+                                          np.einsum("ni,ni->n", vector, axes[:, :, 0])))
     kept = np.flatnonzero(strip.camera.sees(row))
-    index, time, way, row, place = index[kept], time[kept], way[kept], row[kept], place[kept]
+    index, time, vector, row, place = index[kept], time[kept], vector[kept], row[kept], place[kept]
     again = (np.diff(index) == 0) & (np.linalg.norm(np.diff(place, axis=0), axis=1) < STILL)
     again &= np.abs(np.diff(row)) < 1.0
     once = np.flatnonzero(np.concatenate([[True], ~again])) if len(index) else np.empty(0, int)
     column = np.interp(time[once], strip.times, np.arange(len(strip.times)))
-    return index[once] + first, column, row[once], time[once], np.linalg.norm(way[once], axis=1)
+    return index[once] + first, column, row[once], time[once], np.linalg.norm(vector[once], axis=1)

@@ -1,8 +1,8 @@
 """When a plane that moves with the vehicle sweeps over places of the map: a bracketed search for millions of places.
 
-The plane passes through c(t) with normal e(t). Places change sides where e(t) (P - c(t)) changes sign. Over a stretch
-of time this value stays within bounds that follow from how far c and e move: stretches of which no place can be swept
-are left out, the others are cut in four, down to the interval between two columns. In a turn the plane may come to
+The plane passes through c(t) with normal e(t). Places change sides where e(t) (P - c(t)) changes sign. Over an interval
+of time this value stays within bounds that follow from how far c and e move: intervals of which no place can be swept
+are left out, the others are cut in four, down to the interval between two columns. In a bend the plane may come to
 within millimetres of a place and go back: the column where it is nearest counts too.
 """
 
@@ -23,37 +23,37 @@ _COARSEST = 6
 _CELL_LEVEL = 3
 _CELL = 8.0  # m
 _PAIRS_AT_ONCE = 300_000
-_LONGEST_STEP = 10.0
+_MAX_STEP_RATIO = 10.0
 _ON_PLANE = 1e-6  # m
 _TOUCH = 2e-3  # m
-_ROUNDS = 40
+_ITERATIONS = 40
 
 
 @dataclass(frozen=True)
 class _Level:
-    """Stretches of equal numbers of steps: a middle plane each, and how far the stretch's planes lie from it.
+    """Intervals of equal numbers of steps: a middle plane each, and how far the interval's planes lie from it.
 
     Attributes
     ----------
-    place, normal : (k, 3) of the middle.  moved : (k,) m.  turned : (k,) length of the normal's change.
+    place, normal : (k, 3) of the middle.  moved : (k,) m.  rotated : (k,) length of the normal's change.
     ahead : (k,) m moved along the middle's normal.
     """
 
     place: np.ndarray
     normal: np.ndarray
     moved: np.ndarray
-    turned: np.ndarray
+    rotated: np.ndarray
     ahead: np.ndarray
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """Planes at times (m,), with the bounds of their stretches.
+    """Planes at times (m,), with the bounds of their intervals.
 
     Attributes
     ----------
     time : (m,) s.  place, normal : (m, 3).  step_used : (m - 1,) False where the times have a gap.
-    planes : the planes at any time.  levels : stretches of 4^k steps, k = 1 upwards.
+    planes : the planes at any time.  levels : intervals of 4^k steps, k = 1 upwards.
     """
 
     time: np.ndarray
@@ -69,7 +69,7 @@ class Sweep:
         place, normal = planes(time)
         step = np.diff(time)
         levels = [_level(place, normal, _FAN ** power) for power in range(1, _COARSEST + 1)]
-        return cls(time, place, normal, step <= _LONGEST_STEP * np.median(step), planes, tuple(levels))
+        return cls(time, place, normal, step <= _MAX_STEP_RATIO * np.median(step), planes, tuple(levels))
 
 
 def _level(place: np.ndarray, normal: np.ndarray, steps: int) -> _Level:
@@ -114,35 +114,35 @@ def sweep_times(points: np.ndarray, sweep: Sweep, max_distance: float,
 def _candidates(points: np.ndarray, sweep: Sweep, max_distance: float):
     """Pieces of places and steps (index, step) within which the plane may sweep over the place."""
     centre, radius, members, bounds = _cells(points)
-    cell, stretch = _all_pairs(len(centre), len(sweep.levels[-1].moved))
+    cell, interval = _all_pairs(len(centre), len(sweep.levels[-1].moved))
     for power in range(_COARSEST, _CELL_LEVEL, -1):
-        kept = _possible(centre[cell], radius[cell], sweep.levels[power - 1], stretch, max_distance)
-        cell, stretch = _children(cell[kept], stretch[kept], len(sweep.levels[power - 2].moved))
-    kept = _possible(centre[cell], radius[cell], sweep.levels[_CELL_LEVEL - 1], stretch, max_distance)
-    cell, stretch = cell[kept], stretch[kept]
+        kept = _possible(centre[cell], radius[cell], sweep.levels[power - 1], interval, max_distance)
+        cell, interval = _children(cell[kept], interval[kept], len(sweep.levels[power - 2].moved))
+    kept = _possible(centre[cell], radius[cell], sweep.levels[_CELL_LEVEL - 1], interval, max_distance)
+    cell, interval = cell[kept], interval[kept]
     size = np.diff(bounds)[cell]
     piece = np.cumsum(size) // _PAIRS_AT_ONCE
     for some in np.split(np.arange(len(cell)), np.flatnonzero(np.diff(piece)) + 1):
         many = size[some]
         within = np.arange(many.sum()) - np.repeat(np.cumsum(many) - many, many)
         index = members[np.repeat(bounds[cell[some]], many) + within]
-        yield _steps(points, index, np.repeat(stretch[some], many), sweep, max_distance)
+        yield _steps(points, index, np.repeat(interval[some], many), sweep, max_distance)
 
 
-def _steps(points: np.ndarray, index: np.ndarray, stretch: np.ndarray, sweep: Sweep,
+def _steps(points: np.ndarray, index: np.ndarray, interval: np.ndarray, sweep: Sweep,
            max_distance: float) -> tuple[np.ndarray, np.ndarray]:
-    """Of places and stretches the steps within which the plane may sweep over the place."""
+    """Of places and intervals the steps within which the plane may sweep over the place."""
     for power in range(_CELL_LEVEL, 0, -1):
-        kept = _possible(points[index], 0.0, sweep.levels[power - 1], stretch, max_distance)
+        kept = _possible(points[index], 0.0, sweep.levels[power - 1], interval, max_distance)
         limit = len(sweep.levels[power - 2].moved) if power > 1 else len(sweep.time) - 1
-        index, stretch = _children(index[kept], stretch[kept], limit)
-    used = sweep.step_used[stretch]
-    return index[used], stretch[used]
+        index, interval = _children(index[kept], interval[kept], limit)
+    used = sweep.step_used[interval]
+    return index[used], interval[used]
 
 
 def _swept(points: np.ndarray, index: np.ndarray, step: np.ndarray,
            sweep: Sweep) -> tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]:
-    """Places and steps in which the plane passes, and places and columns at which it touches and turns back."""
+    """Places and steps in which the plane passes, and places and columns at which it touches and goes back."""
     start, end = (_ahead(points[index], sweep.place[step + k], sweep.normal[step + k]) for k in (0, 1))
     side = start < 0.0
     passed = side != (end < 0.0)
@@ -157,23 +157,23 @@ def _ahead(points: np.ndarray, place: np.ndarray, normal: np.ndarray) -> np.ndar
     return np.einsum("ni,ni->n", points - place, normal)
 
 
-def _possible(points: np.ndarray, radius: np.ndarray | float, level: _Level, stretch: np.ndarray,
+def _possible(points: np.ndarray, radius: np.ndarray | float, level: _Level, interval: np.ndarray,
               max_distance: float) -> np.ndarray:
-    """Pairs (k,) of balls of places and stretches in which a plane may touch the ball within the distance."""
-    way = points - level.place[stretch]
-    distance = np.linalg.norm(way, axis=1) + radius
-    reach = level.ahead[stretch] + radius + level.turned[stretch] * (distance + level.moved[stretch])
-    ahead = np.abs(np.einsum("ni,ni->n", way, level.normal[stretch]))
-    return np.flatnonzero((ahead <= reach) & (distance - 2.0 * radius - level.moved[stretch] <= max_distance))
+    """Pairs (k,) of balls of places and intervals in which a plane may touch the ball within the distance."""
+    vector = points - level.place[interval]
+    distance = np.linalg.norm(vector, axis=1) + radius
+    tolerance = level.ahead[interval] + radius + level.rotated[interval] * (distance + level.moved[interval])
+    ahead = np.abs(np.einsum("ni,ni->n", vector, level.normal[interval]))
+    return np.flatnonzero((ahead <= tolerance) & (distance - 2.0 * radius - level.moved[interval] <= max_distance))
 
 
 def _all_pairs(first: int, second: int) -> tuple[np.ndarray, np.ndarray]:
     return np.repeat(np.arange(first), second), np.tile(np.arange(second), first)
 
 
-def _children(index: np.ndarray, stretch: np.ndarray, limit: int) -> tuple[np.ndarray, np.ndarray]:
-    """Every pair with each of the four parts of its stretch."""
-    part = (_FAN * stretch[:, None] + np.arange(_FAN)).ravel()
+def _children(index: np.ndarray, interval: np.ndarray, limit: int) -> tuple[np.ndarray, np.ndarray]:
+    """Every pair with each of the four parts of its interval."""
+    part = (_FAN * interval[:, None] + np.arange(_FAN)).ravel()
     there = np.flatnonzero(part < limit)
     return np.repeat(index, _FAN)[there], part[there]
 
@@ -197,7 +197,7 @@ def _refined(points: np.ndarray, step: np.ndarray, sweep: Sweep) -> np.ndarray:
     time = low - at_low * (high - low) / (at_high - at_low)
     side = np.zeros(len(points), np.int8)
     left = np.arange(len(points))
-    for _ in range(_ROUNDS):
+    for _ in range(_ITERATIONS):
         value = _ahead(points[left], *sweep.planes(time[left]))
         going = np.abs(value) > _ON_PLANE
         left, value = left[going], value[going]

@@ -1,6 +1,6 @@
 """Rectification of a trajectory by tie points and the ground (Z 3): position and heading first, then height.
 
-The tie points are looked through for contradictions, the drift between them is found in one of three ways, and where
+The tie points are looked through for contradictions, the drift between them is found by one of the methods, and where
 a ground is given the heights follow it along the rectified course. Roll and pitch stay, as in Z 3.1.
 """
 
@@ -15,31 +15,39 @@ from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory, interpolate
 from .course_heights import CourseHeights, course_heights
-from .drift_adjustment import SIGMA, DriftModel, Pairs, Walk, fit_drift, misfit_of_others, predicted_misfits
-from .ground_truths import misfit, set_drift, turned
+from .drift_adjustment import (
+    SIGMA,
+    RandomWalk,
+    RandomWalkDrift,
+    TiePairs,
+    fit_drift,
+    leave_one_out_misfits,
+    misfit_of_excluded,
+)
+from .ground_truths import misfit, rotated_vectors, set_drift
 from .relative_motion import adjust_relative_motion
-from .tie_points import TiePoints, usable
+from .tie_points import TiePoints, pairs_within
 
 METHODS = ("drift", "relative", "iterative")
-"""Best estimate of a wandering drift; relative motions adjusted in closed form; the same by the paper's iteration."""
+"""Best estimate of a random-walk drift; relative motions adjusted in closed form; the same by the paper's iteration."""
 
 USED, POSITION_ONLY, SUSPECT, BLUNDER, CONTRADICTING = "used", "position only", "suspect", "blunder", "contradicting"
 """What became of a set: used, though it may tell no heading or hardly fit its neighbours; the last two are left out."""
 
-HELD, BETWEEN = 0, 1
-"""Of an epoch: before the first or after the last set, where the correction is only carried on; between two sets."""
+EXTRAPOLATED, BETWEEN = 0, 1
+"""Of an epoch: before the first or after the last set, where the correction is extrapolated; between two sets."""
 
 Ground = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 _CONTRADICTION = 5.0  # sigmas of the misfit within a set
 _SUSPECT = 4.0  # times the usual misfit against the other sets, and sigmas of it
 _BLUNDER = 8.0  # sigmas
-_LEAST_USUAL = 0.1
-_LEAST_SUSPECT = 0.1  # m
-_JUMP, _FASTEST_DRIFT = 1.0, 0.5  # m, m/s
-_LARGEST_TURN = np.radians(10.0)
-_FEWEST_TO_COMPARE = 5
-_FEWEST_FOR_SIGMA = 4
+_MIN_MEDIAN = 0.1
+_MIN_SUSPECT = 0.1  # m
+_JUMP, _MAX_DRIFT_RATE = 1.0, 0.5  # m, m/s
+_MAX_ROTATION = np.radians(10.0)
+_MIN_SETS_TO_COMPARE = 5
+_MIN_SETS_FOR_SIGMA = 4
 _SHORT_SHARE = 0.5
 
 
@@ -76,9 +84,9 @@ class TieSet:
     Attributes
     ----------
     name : as given.  time : mean, s.  place : (3,) of the vehicle as reported then.  pairs : used of `given`.
-    shift : (2,) m east and north, and `turn`, degrees clockwise: what the result adds to position and heading there.
+    shift : (2,) m east and north, and `heading`, degrees clockwise: what the result adds to position and heading there.
     before, after : mean distance of its pairs from the reference, m, as reported and rectified.
-    fit : largest misfit within the set, m.  predicted : how far off it would lie without itself, m (NaN: not known).
+    misfit : largest misfit within the set, m.  predicted : how far off it would lie without itself, m (NaN: not known).
     status : one of `USED`, `POSITION_ONLY`, `SUSPECT`, `BLUNDER`, `CONTRADICTING`.
     """
 
@@ -88,10 +96,10 @@ class TieSet:
     pairs: int
     given: int
     shift: np.ndarray
-    turn: float
+    heading: float
     before: float
     after: float
-    fit: float
+    misfit: float
     predicted: float
     status: str
 
@@ -111,14 +119,14 @@ class Rectified:
     drift : the model of all tie points, from which the sigmas come.
     plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees; with the factor below.
     sigma_factor : by how much the sets miss each other more than the model of the drift says; at least 1.
-    status : (n,) `HELD` or `BETWEEN`.
+    status : (n,) `EXTRAPOLATED` or `BETWEEN`.
     heights : None where no ground was given.
     settings : as used.
     """
 
     trajectory: Trajectory
     sets: tuple[TieSet, ...]
-    drift: DriftModel
+    drift: RandomWalkDrift
     plan_sigma: np.ndarray
     heading_sigma: np.ndarray
     sigma_factor: float
@@ -157,7 +165,7 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     InsufficientDataError : all sets contradict themselves, or the ground does not reach the course.
     """
     settings = settings or RectifySettings()
-    ties = usable(ties, trajectory, progress)
+    ties = pairs_within(ties, trajectory, progress)
     names, number = ties.numbers()
     place = interpolate(trajectory, ties.time).place[:, :2]
     keep, status = _consistent(ties, names, number, place, settings, progress)
@@ -165,10 +173,10 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     model = _model(trajectory, ties, number, place, keep, status, names, settings, progress)
     progress.step(0.5)
     status[_weak(ties, number, place, keep, status, model.walk)] = POSITION_ONLY
-    _tell_jumps(ties, number, keep, status, names, progress)
+    _warn_of_jumps(ties, number, keep, status, names, progress)
     made = _corrected(trajectory, ties, number, place, keep, model, settings)
-    _tell_reach(trajectory, model, progress)
-    if settings.tie_sigma is None and len(np.unique(number[keep])) < _FEWEST_FOR_SIGMA:
+    _warn_of_extent(trajectory, model, progress)
+    if settings.tie_sigma is None and len(np.unique(number[keep])) < _MIN_SETS_FOR_SIGMA:
         progress.warn(f"{len(np.unique(number[keep]))} sets do not tell how good the tie points are: give their sigma, "
                       "or add sets.")
     progress.step(0.7)
@@ -184,7 +192,8 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     sets = _sets(trajectory, made, ties, names, number, place, keep, status, model)
     progress.step(1.0)
     return Rectified(made, sets, model, factor * np.sqrt((sigma[:, :2] ** 2).mean(axis=1)),
-                     factor * np.degrees(sigma[:, 2]), factor, np.where(between, BETWEEN, HELD), heights, settings)
+                     factor * np.degrees(sigma[:, 2]), factor, np.where(between, BETWEEN, EXTRAPOLATED), heights,
+                     settings)
 
 
 def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np.ndarray, settings: RectifySettings,
@@ -195,15 +204,15 @@ def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np
     limit = _misfit_limit(ties, number, place, settings)
     for own in (np.flatnonzero(number == k) for k in range(len(names))):
         name = names[number[own[0]]]
-        left, fit = _without_blunders(ties, place, own, limit)
+        left, fit = _without_outliers(ties, place, own, limit)
         if len(left) < len(own) and fit <= limit:
             progress.warn(f"Set {name}: {len(own) - len(left)} of {len(own)} pairs contradict the others and are left "
                           "out.")
             keep[np.setdiff1d(own, left)] = False
         reason = f"its pairs do not fit each other by {fit:.2f} m" if fit > limit else ""
-        turn = _turn(ties, place, left, settings)
-        if not reason and abs(turn) > _LARGEST_TURN + 3 * np.radians(settings.heading_sigma):
-            reason = f"it would turn the vehicle by {np.degrees(turn):.0f} degrees; its points may be swapped"
+        rotation = _set_rotation(ties, place, left, settings)
+        if not reason and abs(rotation) > _MAX_ROTATION + 3 * np.radians(settings.heading_sigma):
+            reason = f"it would rotate the vehicle by {np.degrees(rotation):.0f} degrees; its points may be swapped"
         if reason:
             progress.warn(f"Set {name} contradicts itself and is left out: {reason}.")
             keep[own], status[number[own[0]]] = False, CONTRADICTING
@@ -220,11 +229,11 @@ def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settin
     least = _CONTRADICTION * np.sqrt(2.0) * SIGMA
     sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
     shown = [misfit(place[own], ties.measured[own], ties.reference[own]).max() for own in sets if len(own) > 1]
-    usual = 1.4826 * float(np.median(shown)) if len(shown) >= _FEWEST_FOR_SIGMA else 0.0
+    usual = 1.4826 * float(np.median(shown)) if len(shown) >= _MIN_SETS_FOR_SIGMA else 0.0
     return max(least, _CONTRADICTION * usual)
 
 
-def _without_blunders(ties: TiePoints, place: np.ndarray, own: np.ndarray,
+def _without_outliers(ties: TiePoints, place: np.ndarray, own: np.ndarray,
                       limit: float) -> tuple[np.ndarray, float]:
     """Pairs of a set that fit each other, and their largest misfit: of more than two the worst are taken out."""
     def fit(rows: np.ndarray) -> float:
@@ -237,68 +246,68 @@ def _without_blunders(ties: TiePoints, place: np.ndarray, own: np.ndarray,
     return own, worst
 
 
-def _turn(ties: TiePoints, place: np.ndarray, own: np.ndarray, settings: RectifySettings) -> float:
-    """Turn of a set, radians, with what is expected of it."""
+def _set_rotation(ties: TiePoints, place: np.ndarray, own: np.ndarray, settings: RectifySettings) -> float:
+    """Rotation of a set, radians, with what is expected of it."""
     return set_drift(place[own], ties.measured[own], ties.reference[own], settings.tie_sigma or SIGMA,
-                     np.radians(settings.heading_sigma)).turn
+                     np.radians(settings.heading_sigma)).rotation
 
 
-def _pairs(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray) -> tuple[Pairs, np.ndarray]:
+def _pairs(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray) -> tuple[TiePairs, np.ndarray]:
     """Observations of the pairs kept, and the sets that they are of."""
     sets, own = np.unique(number[keep], return_inverse=True)
-    return Pairs(ties.measured[keep] - place[keep], ties.reference[keep] - place[keep], ties.time[keep],
-                 own.ravel()), sets
+    return TiePairs(ties.measured[keep] - place[keep], ties.reference[keep] - place[keep], ties.time[keep],
+                    own.ravel()), sets
 
 
 def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
-           status: np.ndarray, names: list[str], settings: RectifySettings, progress: Progress) -> DriftModel:
+           status: np.ndarray, names: list[str], settings: RectifySettings, progress: Progress) -> RandomWalkDrift:
     """The drift of all tie points; sets that do not fit their neighbours are left out of it (`keep`, `status`)."""
-    start = Walk(sigma=settings.tie_sigma or SIGMA, heading_sigma=np.radians(settings.heading_sigma))
+    start = RandomWalk(sigma=settings.tie_sigma or SIGMA, heading_sigma=np.radians(settings.heading_sigma))
     fixed = settings.tie_sigma is not None
     pairs, sets = _pairs(ties, number, place, keep)
     model = fit_drift(pairs, trajectory, start, fixed)
-    looked_at = np.zeros(len(names), bool)
+    examined = np.zeros(len(names), bool)
     # At most a quarter of the sets can be blunders: more would be a drift that jumps.
-    for _ in range(len(names) // 4 if len(sets) >= _FEWEST_TO_COMPARE else 0):
-        sigmas = predicted_misfits(pairs, model)[1]
-        worst = int(np.argmax(np.where(looked_at[sets], 0.0, sigmas)))
-        if sigmas[worst] <= _SUSPECT * max(float(np.median(sigmas)), _LEAST_USUAL):
+    for _ in range(len(names) // 4 if len(sets) >= _MIN_SETS_TO_COMPARE else 0):
+        sigmas = leave_one_out_misfits(pairs, model)[1]
+        worst = int(np.argmax(np.where(examined[sets], 0.0, sigmas)))
+        if sigmas[worst] <= _SUSPECT * max(float(np.median(sigmas)), _MIN_MEDIAN):
             break
         name, suspect = names[sets[worst]], number == sets[worst]
-        looked_at[sets[worst]] = True
+        examined[sets[worst]] = True
         # A blunder widens what is held possible; what the other sets alone hold possible decides.
         others, left = _pairs(ties, number, place, keep & ~suspect)
         without = fit_drift(others, trajectory, start, fixed)
-        away, off = misfit_of_others(_pairs(ties, number, place, keep & suspect)[0], without)
+        away, sigmas_off = misfit_of_excluded(_pairs(ties, number, place, keep & suspect)[0], without)
         progress.check()
-        if off > _BLUNDER and away > _LEAST_SUSPECT and not settings.keep_blunders:
+        if sigmas_off > _BLUNDER and away > _MIN_SUSPECT and not settings.keep_blunders:
             progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it and is left out: check that "
                           "survey and reference show the same place.")
             status[sets[worst]], keep[suspect] = BLUNDER, False
             pairs, sets, model = others, left, without
-        elif off > _SUSPECT and away > _LEAST_SUSPECT:
+        elif sigmas_off > _SUSPECT and away > _MIN_SUSPECT:
             progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
                           "reference show the same place.")
             status[sets[worst]] = SUSPECT
     return model
 
 
-def _tell_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status: np.ndarray, names: list[str],
-                progress: Progress) -> None:
+def _warn_of_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status: np.ndarray, names: list[str],
+                   progress: Progress) -> None:
     """Warn of neighbouring sets between which no navigation could have drifted so fast."""
     used = [k for k in range(len(names)) if keep[number == k].any()]
     rows = [(number == k) & keep for k in used]
     time = np.array([ties.time[own].mean() for own in rows])
     shift = np.array([(ties.reference - ties.measured)[own].mean(axis=0) for own in rows])
     change, step = np.hypot(*np.diff(shift, axis=0).T), np.diff(time)
-    for k in np.flatnonzero((change > _JUMP) & (change > _FASTEST_DRIFT * step)):
+    for k in np.flatnonzero((change > _JUMP) & (change > _MAX_DRIFT_RATE * step)):
         progress.warn(f"Sets {names[used[k]]} and {names[used[k + 1]]} contradict each other: within {step[k]:.1f} s "
                       f"the drift would change by {change[k]:.1f} m; check both.")
         status[[used[k], used[k + 1]]] = SUSPECT
 
 
 def _weak(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, status: np.ndarray,
-          walk: Walk) -> np.ndarray:
+          walk: RandomWalk) -> np.ndarray:
     """Mask (s,) of sets used whose pairs tell the heading worse than what is expected of it."""
     weak = np.zeros(len(status), bool)
     for k in np.flatnonzero(status == USED):
@@ -310,7 +319,7 @@ def _weak(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarr
 
 
 def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
-               model: DriftModel, settings: RectifySettings) -> Trajectory:
+               model: RandomWalkDrift, settings: RectifySettings) -> Trajectory:
     """Position and heading rectified by the method wanted."""
     if settings.method == "drift":
         drift = model.at(trajectory.time)
@@ -323,7 +332,7 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
         found = set_drift(place[own], ties.measured[own], ties.reference[own], model.walk.sigma,
                           model.walk.heading_sigma)
         epochs.append(int(np.abs(trajectory.time - ties.time[own].mean()).argmin()))
-        drift.append([*found.shift, found.turn])
+        drift.append([*found.shift, found.rotation])
     # Sets that fall on one epoch count together.
     once, which = np.unique(epochs, return_inverse=True)
     mean = np.array([np.mean([drift[k] for k in np.flatnonzero(which.ravel() == e)], axis=0) for e in range(len(once))])
@@ -336,15 +345,16 @@ def _mean(values: Iterable[float]) -> float:
     return float(np.mean(known)) if known else float("nan")
 
 
-def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray, model: DriftModel) -> float:
+def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
+                  model: RandomWalkDrift) -> float:
     """Root mean square of the sets' misfits against the others, in sigmas of these; 1 where it is less."""
     pairs, sets = _pairs(ties, number, place, keep)
-    if len(sets) < _FEWEST_FOR_SIGMA:
+    if len(sets) < _MIN_SETS_FOR_SIGMA:
         return 1.0
-    return max(1.0, float(np.sqrt(np.mean(predicted_misfits(pairs, model)[1] ** 2))))
+    return max(1.0, float(np.sqrt(np.mean(leave_one_out_misfits(pairs, model)[1] ** 2))))
 
 
-def _tell_reach(trajectory: Trajectory, model: DriftModel, progress: Progress) -> None:
+def _warn_of_extent(trajectory: Trajectory, model: RandomWalkDrift, progress: Progress) -> None:
     """Warn where much of the course has no set on both sides."""
     if model.last - model.first < _SHORT_SHARE * trajectory.duration:
         progress.warn(f"The tie points lie within {model.last - model.first:.0f} of {trajectory.duration:.0f} s: "
@@ -352,14 +362,14 @@ def _tell_reach(trajectory: Trajectory, model: DriftModel, progress: Progress) -
 
 
 def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[str], number: np.ndarray,
-          place: np.ndarray, keep: np.ndarray, status: np.ndarray, model: DriftModel) -> tuple[TieSet, ...]:
+          place: np.ndarray, keep: np.ndarray, status: np.ndarray, model: RandomWalkDrift) -> tuple[TieSet, ...]:
     """The sets with what they showed before and after."""
     pose, was = interpolate(after, ties.time), interpolate(before, ties.time)
-    turn = np.radians(was.angles[:, 2] - pose.angles[:, 2])
-    moved = pose.place[:, :2] + turned(ties.measured - place, turn)
+    rotation = np.radians(was.angles[:, 2] - pose.angles[:, 2])
+    moved = pose.place[:, :2] + rotated_vectors(ties.measured - place, rotation)
     off_before, off_after = (np.hypot(*(ties.reference - where).T) for where in (ties.measured, moved))
     pairs, used = _pairs(ties, number, place, keep)
-    predicted = dict(zip(used.tolist(), predicted_misfits(pairs, model)[0]))
+    predicted = dict(zip(used.tolist(), leave_one_out_misfits(pairs, model)[0]))
     made = []
     for k, name in enumerate(names):
         own = np.flatnonzero(number == k)
@@ -367,7 +377,7 @@ def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[st
         some = left if len(left) else own
         fit = float(misfit(place[some], ties.measured[some], ties.reference[some]).max())
         made.append(TieSet(name, float(ties.time[some].mean()), was.place[some].mean(axis=0), len(left), len(own),
-                           (pose.place - was.place)[some, :2].mean(axis=0), -float(np.degrees(turn[some].mean())),
+                           (pose.place - was.place)[some, :2].mean(axis=0), -float(np.degrees(rotation[some].mean())),
                            float(off_before[some].mean()), float(off_after[some].mean()), fit,
                            float(predicted.get(k, np.nan)), str(status[k])))
     return tuple(made)

@@ -12,7 +12,7 @@ from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights
-from .rectification import BLUNDER, CONTRADICTING, HELD, POSITION_ONLY, SUSPECT, USED, Rectified
+from .rectification import BLUNDER, CONTRADICTING, EXTRAPOLATED, POSITION_ONLY, SUSPECT, USED, Rectified
 
 MEANING = {
     USED: "used",
@@ -29,7 +29,7 @@ _METHOD = {
 }
 _SET_COLOURS = {USED: "#1a9850", POSITION_ONLY: "#91cf60", SUSPECT: "#e09a2b", BLUNDER: "#d73027",
                 CONTRADICTING: "#d73027"}
-_MOST_POINTS = 3000
+_MAX_POINTS = 3000
 _WIDTH = 900
 
 
@@ -42,7 +42,7 @@ def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified, s
     report.section("Result")
     report.facts(_facts(before, made))
     report.figure(course_map(before, made), "The course as reported (grey) and rectified (blue; dashed where it is "
-                  "only carried on beyond the sets), and the sets of tie points: green used, orange suspect, red left "
+                  "extrapolated beyond the sets), and the sets of tie points: green used, orange suspect, red left "
                   "out.")
     report.section("Drift")
     _drift(report, before, made)
@@ -50,7 +50,8 @@ def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified, s
     report.table(("Set", "Time, s", "Pairs", "Before, m", "After, m", "East, m", "North, m", "Heading, °",
                   "Misfit within, m", "Off without itself, m", "Status"),
                  [(item.name, item.time, f"{item.pairs} of {item.given}", item.before, item.after, item.shift[0],
-                   item.shift[1], item.turn, item.fit, item.predicted, MEANING[item.status]) for item in made.sets])
+                   item.shift[1], item.heading, item.misfit, item.predicted,
+                   MEANING[item.status]) for item in made.sets])
     report.paragraph("Before and after: mean distance of the set's pairs from the reference. Off without itself: how "
                      "far the set would lie from the reference if it were not used, which is more than what to expect "
                      "halfway between sets.")
@@ -77,13 +78,13 @@ def _facts(before: Trajectory, made: Rectified) -> dict[str, object]:
         "after, m": figures.get("AFTER"),
         "Off without itself, mean over the sets, m": figures.get("PREDICTED"),
         "Moved in plan, mean, m": float(moved.mean()),
-        "greatest, m": float(moved.max()),
+        "maximum, m": float(moved.max()),
         "Sigma of a coordinate between the sets, mean, m": figures.get("MEAN_SIGMA"),
-        "greatest of all epochs, m": figures["MAX_SIGMA"],
+        "maximum of all epochs, m": figures["MAX_SIGMA"],
         "Share of the epochs before the first or after the last set": figures["HELD_SHARE"],
-        "Errors of heading carry the position aside (dead reckoning)": walk.coupled,
-        "Pace of the drift, m per root second": walk.pace,
-        "of the heading, ° per root second": float(np.degrees(walk.turn_pace)),
+        "Errors of heading rotate the course (dead reckoning)": walk.coupled,
+        "Random walk of the position, m per root second": walk.position_walk,
+        "of the heading, ° per root second": float(np.degrees(walk.heading_walk)),
         "Sigma of a tie point's coordinate, m": walk.sigma,
         "Sigmas are multiplied by": made.sigma_factor,
     }
@@ -93,7 +94,7 @@ def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
     """Profiles of the corrections over time."""
     time = before.time - before.time[0]
     change = made.trajectory.place - before.place
-    held = _held(made, time)
+    extrapolated = _extrapolated(made, time)
     sets = np.searchsorted(before.time, [item.time for item in made.used]).clip(0, len(time) - 1)
     at_sets = np.full((len(time), 2), np.nan)
     at_sets[sets] = change[sets, :2]
@@ -101,15 +102,16 @@ def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
         curve = change[:, axis]
         report.figure(profile(time, [Series(f"{name} correction", curve), Series("sets", at_sets[:, axis], COLOURS[1],
                                                                                 True)], "s", "m",
-                              (curve - made.plan_sigma, curve + made.plan_sigma), held),
+                              (curve - made.plan_sigma, curve + made.plan_sigma), extrapolated),
                       f"Correction to the {name.lower()} with its sigma.")
-    turn = made.trajectory.angles[:, 2] - before.angles[:, 2]
-    report.figure(profile(time, [Series("Heading correction", turn, COLOURS[2])], "s", "°",
-                          (turn - made.heading_sigma, turn + made.heading_sigma), held),
+    change_of_heading = made.trajectory.angles[:, 2] - before.angles[:, 2]
+    report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "s", "°",
+                          (change_of_heading - made.heading_sigma, change_of_heading + made.heading_sigma),
+                          extrapolated),
                   "Correction to the heading with its sigma.")
 
 
-def _held(made: Rectified, time: np.ndarray) -> list[ShadedInterval]:
+def _extrapolated(made: Rectified, time: np.ndarray) -> list[ShadedInterval]:
     """The parts before the first and after the last set."""
     first, last = made.drift.first - made.drift.time[0], made.drift.last - made.drift.time[0]
     name = "beyond the sets"
@@ -130,7 +132,7 @@ def _heights(report: Report, before: Trajectory, heights: CourseHeights) -> None
         "after, m": heights.after,
         "Sigma of a sample, m": heights.sample_sigma,
         "Sigma of the heights, mean, m": float(heights.sigma.mean()),
-        "greatest, m": float(heights.sigma.max()),
+        "maximum, m": float(heights.sigma.max()),
     })
     time = before.time - before.time[0]
     rows = np.searchsorted(before.time, heights.used_time).clip(0, len(time) - 1)
@@ -143,7 +145,7 @@ def _heights(report: Report, before: Trajectory, heights: CourseHeights) -> None
 
 def course_map(before: Trajectory, made: Rectified) -> str:
     """An SVG plan of the course before and after, with the sets."""
-    rows = np.unique(np.linspace(0, len(before) - 1, min(len(before), _MOST_POINTS)).astype(int))
+    rows = np.unique(np.linspace(0, len(before) - 1, min(len(before), _MAX_POINTS)).astype(int))
     old, new = before.place[rows, :2], made.trajectory.place[rows, :2]
     low, high = np.minimum(old.min(axis=0), new.min(axis=0)), np.maximum(old.max(axis=0), new.max(axis=0))
     span = np.maximum(high - low, 1.0)
@@ -156,7 +158,7 @@ def course_map(before: Trajectory, made: Rectified) -> str:
     parts = [_line(place(old), "#999", 1.0)]
     status = made.status[rows]
     for run in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(status)) + 1):
-        parts.append(_line(place(new[run]), COLOURS[0], 1.8, status[run[0]] == HELD))
+        parts.append(_line(place(new[run]), COLOURS[0], 1.8, status[run[0]] == EXTRAPOLATED))
     for item in made.sets:
         x, y = place(item.place[None, :2])[0]
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{_SET_COLOURS[item.status]}" stroke="#fff"/>'

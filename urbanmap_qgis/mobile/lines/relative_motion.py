@@ -1,6 +1,6 @@
 """Drift spread over the epochs between two ground truths by adjusting the relative motions (Z 3.1, eq. 8 to 10).
 
-Poses in plan are T = (x, y, kappa), kappa anticlockwise from east; t_ij = T_i^-1 T_j is the way from i to j as the
+Poses in plan are T = (x, y, kappa), kappa anticlockwise from east; t_ij = T_i^-1 T_j is the motion from i to j as the
 vehicle sees it. When T_s is true and T_e should be T_e', every step between them takes its part of the error: eq. 8
 closes the loop through the adjusted steps, the map motion C = T_e' T_e^-1 seen from epoch i, T_i^-1 C T_i, of which
 each of the e - s steps takes its part. (The print leaves out primes and an inverse of eq. 8; as it stands it is no
@@ -17,10 +17,10 @@ import numpy as np
 from ...errors import InputError
 from ..trajectory import Trajectory
 
-CLOSED, CLOSED_TURN = 1e-5, 1e-8
+CLOSED, CLOSED_ROTATION = 1e-5, 1e-8
 """The iteration ends when the loop is closed to this many metres and radians."""
 
-MOST_ROUNDS = 50
+MAX_ITERATIONS = 50
 
 
 def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np.ndarray,
@@ -31,7 +31,7 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
 
     Parameters
     ----------
-    epochs : (k,) numbers of epochs, increasing.  drift : (k, 3) what must be added there: east, north (m) and turn
+    epochs : (k,) numbers of epochs, increasing.  drift : (k, 3) what must be added there: east, north (m) and rotation
         anticlockwise (radians).
     iterate : the paper's iteration instead of the closed form.
 
@@ -48,12 +48,12 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
     true_place = place[epochs] + drift[:, 0] + 1j * drift[:, 1]
     true_kappa = kappa[epochs] + drift[:, 2]
     first = epochs[0]
-    place, kappa = _moved(place, kappa, *_motion(place[first], kappa[first], true_place[0], true_kappa[0]))
+    place, kappa = _transformed(place, kappa, *_motion(place[first], kappa[first], true_place[0], true_kappa[0]))
     spread = _iterated if iterate else _powers
     for start, end, to_place, to_kappa in zip(epochs[:-1], epochs[1:], true_place[1:], true_kappa[1:]):
-        turn, shift = _motion(place[end], kappa[end], to_place, to_kappa)
+        rotation, translation = _motion(place[end], kappa[end], to_place, to_kappa)
         between = slice(start, end + 1)
-        after = _moved(place[end:], kappa[end:], turn, shift)
+        after = _transformed(place[end:], kappa[end:], rotation, translation)
         place[between], kappa[between] = spread(trajectory.time[between], place[between], kappa[between], to_place,
                                                 to_kappa)
         place[end:], kappa[end:] = after
@@ -63,24 +63,26 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
 
 
 def _motion(place: complex, kappa: float, to_place: complex, to_kappa: float) -> tuple[float, complex]:
-    """The map's motion T' T^-1 as a turn and a shift: z goes to exp(i turn) z + shift."""
-    turn = to_kappa - kappa
-    return turn, to_place - np.exp(1j * turn) * place
+    """The map's motion T' T^-1 as a rotation and a translation: z goes to exp(i rotation) z + translation."""
+    rotation = to_kappa - kappa
+    return rotation, to_place - np.exp(1j * rotation) * place
 
 
-def _moved(place: np.ndarray, kappa: np.ndarray, turn: float, shift: complex) -> tuple[np.ndarray, np.ndarray]:
-    return np.exp(1j * turn) * place + shift, kappa + turn
+def _transformed(place: np.ndarray, kappa: np.ndarray, rotation: float, translation: complex
+                 ) -> tuple[np.ndarray, np.ndarray]:
+    return np.exp(1j * rotation) * place + translation, kappa + rotation
 
 
 def _powers(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: complex,
             to_kappa: float) -> tuple[np.ndarray, np.ndarray]:
     """Closed form: C^u T_k, u by time."""
     share = (time - time[0]) / (time[-1] - time[0])
-    turn, shift = _motion(place[-1], kappa[-1], to_place, to_kappa)
-    # C^u z = z + (e^(iu turn) - 1) / (e^(i turn) - 1) (C z - z); the quotient is u where hardly anything turns.
-    whole = np.exp(1j * turn) - 1.0
-    part = share if abs(whole) < 1e-12 else (np.exp(1j * turn * share) - 1.0) / whole
-    return place + part * (whole * place + shift), kappa + share * turn
+    rotation, translation = _motion(place[-1], kappa[-1], to_place, to_kappa)
+    # C^u z = z + (e^(iu rotation) - 1) / (e^(i rotation) - 1) (C z - z); the quotient is u where hardly anything
+    # rotates.
+    whole = np.exp(1j * rotation) - 1.0
+    part = share if abs(whole) < 1e-12 else (np.exp(1j * rotation * share) - 1.0) / whole
+    return place + part * (whole * place + translation), kappa + share * rotation
 
 
 def _iterated(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: complex,
@@ -89,18 +91,18 @@ def _iterated(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: 
     part = np.diff(time) / (time[-1] - time[0])
     best = np.inf
     kept = place, kappa
-    for _ in range(MOST_ROUNDS):
-        turn, shift = _motion(place[-1], kappa[-1], to_place, to_kappa)
-        open_loop = abs(to_place - place[-1]) + abs(turn) * CLOSED / CLOSED_TURN
+    for _ in range(MAX_ITERATIONS):
+        rotation, translation = _motion(place[-1], kappa[-1], to_place, to_kappa)
+        open_loop = abs(to_place - place[-1]) + abs(rotation) * CLOSED / CLOSED_ROTATION
         if open_loop >= best:
             break
         best, kept = open_loop, (place, kappa)
-        if abs(to_place - place[-1]) < CLOSED and abs(turn) < CLOSED_TURN:
+        if abs(to_place - place[-1]) < CLOSED and abs(rotation) < CLOSED_ROTATION:
             break
         back = np.exp(-1j * kappa[:-1])
-        step, bend = back * np.diff(place), np.diff(kappa)
-        whole = back * ((np.exp(1j * turn) - 1.0) * place[:-1] + shift)
-        step = part * whole + np.exp(1j * part * turn) * step
-        kappa = kappa[0] + np.concatenate([[0.0], np.cumsum(bend + part * turn)])
+        step, rotations = back * np.diff(place), np.diff(kappa)
+        whole = back * ((np.exp(1j * rotation) - 1.0) * place[:-1] + translation)
+        step = part * whole + np.exp(1j * part * rotation) * step
+        kappa = kappa[0] + np.concatenate([[0.0], np.cumsum(rotations + part * rotation)])
         place = place[0] + np.concatenate([[0.0], np.cumsum(np.exp(1j * kappa[:-1]) * step)])
     return kept

@@ -24,23 +24,23 @@ CELL = 0.25
 """m, side of the cells in plan in which points stand over each other."""
 
 PASS = 10.0
-"""s: points of one wall measured within this time are one sight of it."""
+"""s: points of one wall measured within this time are one view of it."""
 
 LOWEST, HIGHEST = -0.5, 8.0
 """m above the body's origin: walls are looked at between these heights."""
 
-_STANDING = 1.2  # m from the lowest to the highest point of a wall's cell
-_FEWEST_POINTS = 4
-_JOINED = 0.05  # m: outlines nearer than this are one block
-_SHARPEST, _FLATTEST = 50.0, 130.0  # degrees between the edges of a corner
-_LEAST_EDGE = 3.0  # m
+_MIN_WALL_HEIGHT = 1.2  # m from the lowest to the highest point of a wall's cell
+_MIN_POINTS = 4
+_MERGE_GAP = 0.05  # m: outlines nearer than this are one block
+_MIN_ANGLE, _MAX_ANGLE = 50.0, 130.0  # degrees between the edges of a corner
+_MIN_EDGE = 3.0  # m
 _WALL = 10.0  # m of a wall looked at from the corner
 _BIN, _ALONG = 0.1, 0.5  # m, of the search across and of coverage along
-_COVERED = 4  # bins along
+_MIN_BINS = 4  # bins along
 _PEAKS = 3
 _NEAR_LINE = 0.3  # m
-_WORST_FIT = 0.12  # m
-_TURNED = np.cos(np.radians(5.0))
+_MAX_RMS = 0.12  # m
+_MIN_DIRECTION_COSINE = np.cos(np.radians(5.0))
 _FROM_CORNER = 3.0  # m between the corner and what is seen of each wall
 _NEIGHBOURS = 15.0  # s
 _AGREE = 0.35
@@ -57,7 +57,7 @@ class WallCells:
 
 
 @dataclass(frozen=True)
-class Corners:
+class OutlineCorners:
     """Corners of outlines: place (m, 2); unit vectors along both edges away from it (m, 2, 2), their lengths (m, 2)."""
 
     place: np.ndarray
@@ -72,7 +72,7 @@ class Proposals:
     Attributes
     ----------
     ties : in sets of two.
-    support : (n,) how many other corners within 15 s are shifted alike.
+    support : (n,) how many other corners within 15 s are shifted likewise.
     fit : (n,) root mean square distance of the walls' points from their lines, m.
     corners, found : corners near the course, and those that were found in the survey.
     """
@@ -96,7 +96,7 @@ class _Candidate:
 
 
 def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequence[shapely.Geometry | None],
-                       reach: float = 30.0, search: float = 2.5, alike: float = 0.5, shift: float = 0.0,
+                       max_distance: float = 30.0, search: float = 2.5, agreement: float = 0.5, shift: float = 0.0,
                        progress: Progress = SILENT) -> Proposals:
     """Corners of outlines that the survey shows, gathered in sets of two.
 
@@ -104,22 +104,23 @@ def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequ
     ----------
     cloud : the survey with gps_time, placed with the trajectory.
     outlines : polygons of buildings in the reference, missing ones are left out.
-    reach : corners farther from the course are left out, m.
+    max_distance : corners farther from the course are left out, m.
     search : how far survey and reference may lie apart, m.
-    alike : shifts of corners that differ by less agree with each other, m: how good the outlines are.
+    agreement : shifts of corners that differ by less agree with each other, m: how good the outlines are.
     shift : s to add to the cloud's gps_time (see `gps_time.time_shift`).
 
     Raises
     ------
     InsufficientDataError : no outline near the course, no wall in the survey, or no two corners that agree.
     """
-    corners = near_course(outline_corners(outlines), trajectory, reach)
+    corners = near_course(outline_corners(outlines), trajectory, max_distance)
     if not len(corners.place):
-        raise InsufficientDataError(f"No corner of an outline lies within {reach:.0f} m of the course: give outlines "
+        raise InsufficientDataError(f"No corner of an outline lies within {max_distance:.0f} m of the course: give "
+                                    "outlines "
                                     "of the same place and coordinate reference system.")
-    cells = wall_cells(cloud, trajectory, reach + 2 * search, shift, progress.part(0.0, 0.7))
+    cells = wall_cells(cloud, trajectory, max_distance + 2 * search, shift, progress.part(0.0, 0.7))
     candidates = _candidates(cells, corners, search, progress.part(0.7, 0.95))
-    chosen, support = _agreeing(candidates, alike)
+    chosen, support = _agreeing(candidates, agreement)
     rows = _in_sets(chosen, trajectory)
     if not rows:
         raise InsufficientDataError(f"Of {len(corners.place)} corners near the course no two were found in the survey "
@@ -132,36 +133,36 @@ def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequ
                      len({item.corner for item in chosen}))
 
 
-def outline_corners(outlines: Sequence[shapely.Geometry | None]) -> Corners:
+def outline_corners(outlines: Sequence[shapely.Geometry | None]) -> OutlineCorners:
     """Corners between long edges of outlines; outlines that touch are one block."""
     shapes = [shape for shape in outlines if shape is not None and not shape.is_empty]
-    joined = shapely.union_all([shape.buffer(_JOINED, join_style="mitre") for shape in shapes])
+    merged = shapely.union_all([shape.buffer(_MERGE_GAP, join_style="mitre") for shape in shapes])
     rings = []
-    for polygon in shapely.get_parts(shapely.buffer(joined, -_JOINED, join_style="mitre")):
+    for polygon in shapely.get_parts(shapely.buffer(merged, -_MERGE_GAP, join_style="mitre")):
         if polygon.geom_type == "Polygon" and not polygon.is_empty:
             rings += [shapely.get_coordinates(shapely.simplify(ring, 0.1))[:-1, :2]
                       for ring in (polygon.exterior, *polygon.interiors)]
     places, edges, lengths = [np.empty((0, 2))], [np.empty((0, 2, 2))], [np.empty((0, 2))]
     for ring in rings:
-        ways = np.stack([np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring], axis=1)
-        length = np.linalg.norm(ways, axis=2)
-        unit = ways / np.maximum(length, 1e-9)[..., None]
+        edges_out = np.stack([np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring], axis=1)
+        length = np.linalg.norm(edges_out, axis=2)
+        unit = edges_out / np.maximum(length, 1e-9)[..., None]
         angle = np.degrees(np.arccos(np.clip((unit[:, 0] * unit[:, 1]).sum(axis=1), -1, 1)))
-        good = (angle > _SHARPEST) & (angle < _FLATTEST) & (length.min(axis=1) >= _LEAST_EDGE)
+        good = (angle > _MIN_ANGLE) & (angle < _MAX_ANGLE) & (length.min(axis=1) >= _MIN_EDGE)
         places.append(ring[good])
         edges.append(unit[good])
         lengths.append(length[good])
-    return Corners(*map(np.concatenate, (places, edges, lengths)))
+    return OutlineCorners(*map(np.concatenate, (places, edges, lengths)))
 
 
-def near_course(corners: Corners, trajectory: Trajectory, reach: float) -> Corners:
-    """The corners within `reach` metres of the course."""
-    distance, _ = cKDTree(trajectory.place[:, :2]).query(corners.place, distance_upper_bound=reach)
+def near_course(corners: OutlineCorners, trajectory: Trajectory, max_distance: float) -> OutlineCorners:
+    """The corners within `max_distance` metres of the course."""
+    distance, _ = cKDTree(trajectory.place[:, :2]).query(corners.place, distance_upper_bound=max_distance)
     near = np.isfinite(distance)
-    return Corners(corners.place[near], corners.edge[near], corners.length[near])
+    return OutlineCorners(corners.place[near], corners.edge[near], corners.length[near])
 
 
-def wall_cells(cloud: PointCloud, trajectory: Trajectory, reach: float, shift: float = 0.0,
+def wall_cells(cloud: PointCloud, trajectory: Trajectory, max_distance: float, shift: float = 0.0,
                progress: Progress = SILENT) -> WallCells:
     """Cells in plan, pass by pass, in which points of the survey stand over each other.
 
@@ -169,8 +170,8 @@ def wall_cells(cloud: PointCloud, trajectory: Trajectory, reach: float, shift: f
     ------
     InsufficientDataError : there is none.
     """
-    pieces = [_heaps(*found) for chunk in iter_chunks(cloud, progress)
-              if (found := _at_wall_height(chunk, cloud, trajectory, reach, shift)) is not None]
+    pieces = [_cell_sums(*found) for chunk in iter_chunks(cloud, progress)
+              if (found := _at_wall_height(chunk, cloud, trajectory, max_distance, shift)) is not None]
     if not pieces:
         raise InsufficientDataError("No point of the survey lies at the height of walls near the course within the "
                                     "trajectory's time.")
@@ -179,14 +180,14 @@ def wall_cells(cloud: PointCloud, trajectory: Trajectory, reach: float, shift: f
     start = np.flatnonzero(np.diff(key[order], prepend=-1))
     sums = np.add.reduceat(sums[order], start)
     height = np.maximum.reduceat(high[order], start) - np.minimum.reduceat(low[order], start)
-    wall = (height >= _STANDING) & (sums[:, 3] >= _FEWEST_POINTS)
+    wall = (height >= _MIN_WALL_HEIGHT) & (sums[:, 3] >= _MIN_POINTS)
     if not wall.any():
         raise InsufficientDataError("The survey shows no walls: its points nowhere stand over each other.")
     mean = sums[wall, :3] / sums[wall, 3:]
     return WallCells(mean[:, :2] + cloud.minimum[:2], mean[:, 2] + trajectory.time[0], sums[wall, 3].astype(int))
 
 
-def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, reach: float, shift: float):
+def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, max_distance: float, shift: float):
     """Keys of cell and pass (n,), places and times from their origins (n, 3), and heights (n,); None without any."""
     time = np.asarray(chunk["gps_time"]) + shift
     keep = np.flatnonzero(valid_points(chunk) & trajectory.within(time))
@@ -195,7 +196,7 @@ def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, reach: flo
     place = np.column_stack([np.asarray(chunk[name])[keep] for name in "xyz"])
     body = interpolate(trajectory, time[keep]).place
     above = place[:, 2] - body[:, 2]
-    some = (above > LOWEST) & (above < HIGHEST) & (np.hypot(*(place - body)[:, :2].T) < reach)
+    some = (above > LOWEST) & (above < HIGHEST) & (np.hypot(*(place - body)[:, :2].T) < max_distance)
     if not some.any():
         return None
     place, time = place[some], time[keep][some] - trajectory.time[0]
@@ -205,7 +206,7 @@ def _at_wall_height(chunk, cloud: PointCloud, trajectory: Trajectory, reach: flo
     return key, np.column_stack([place[:, :2] - cloud.minimum[:2], time]), place[:, 2]
 
 
-def _heaps(key: np.ndarray, values: np.ndarray, height: np.ndarray) -> tuple[np.ndarray, ...]:
+def _cell_sums(key: np.ndarray, values: np.ndarray, height: np.ndarray) -> tuple[np.ndarray, ...]:
     """Of every cell and pass: key, sums of place, time and count (k, 4), lowest and highest point."""
     order = np.argsort(key, kind="stable")
     start = np.flatnonzero(np.diff(key[order], prepend=-1))
@@ -213,7 +214,7 @@ def _heaps(key: np.ndarray, values: np.ndarray, height: np.ndarray) -> tuple[np.
     return key[order][start], sums, np.minimum.reduceat(height[order], start), np.maximum.reduceat(height[order], start)
 
 
-def _candidates(cells: WallCells, corners: Corners, search: float, progress: Progress) -> list[_Candidate]:
+def _candidates(cells: WallCells, corners: OutlineCorners, search: float, progress: Progress) -> list[_Candidate]:
     """All places at which the survey may show corners."""
     tree = cKDTree(cells.place)
     found: list[_Candidate] = []
@@ -224,20 +225,21 @@ def _candidates(cells: WallCells, corners: Corners, search: float, progress: Pro
         if not len(near):
             continue
         near = near[np.argsort(cells.time[near])]
-        for sight in np.split(near, np.flatnonzero(np.diff(cells.time[near]) > _SET_SECONDS) + 1):
-            found += _sights(cells, sight, corners, number, search)
+        for view in np.split(near, np.flatnonzero(np.diff(cells.time[near]) > _SET_SECONDS) + 1):
+            found += _corner_candidates(cells, view, corners, number, search)
     return found
 
 
-def _sights(cells: WallCells, sight: np.ndarray, corners: Corners, number: int, search: float) -> list[_Candidate]:
-    """The corner from all pairs of walls that one sight of it shows along its two edges."""
+def _corner_candidates(cells: WallCells, view: np.ndarray, corners: OutlineCorners, number: int,
+                       search: float) -> list[_Candidate]:
+    """The corner from all pairs of walls that one view of it shows along its two edges."""
     corner = corners.place[number]
-    place = cells.place[sight] - corner
-    walls = [_walls(place, corners.edge[number, k], min(corners.length[number, k], _WALL), search) for k in (0, 1)]
+    place = cells.place[view] - corner
+    walls = [_wall_lines(place, corners.edge[number, k], min(corners.length[number, k], _WALL), search) for k in (0, 1)]
     found = []
     for first in walls[0]:
         for second in walls[1]:
-            where = _meeting(first, second)
+            where = _intersection(first, second)
             if where is None or np.hypot(*where) > search:
                 continue
             apart = [np.hypot(*(place[wall.rows] - where).T) for wall in (first, second)]
@@ -245,7 +247,7 @@ def _sights(cells: WallCells, sight: np.ndarray, corners: Corners, number: int, 
                 continue
             rows = np.concatenate([wall.rows[distance < 2 * _FROM_CORNER] for wall, distance in
                                    zip((first, second), apart)])
-            time = cells.time[sight[rows]]
+            time = cells.time[view[rows]]
             if np.ptp(time) <= 2 * _SET_SECONDS:
                 found.append(_Candidate(number, float(np.median(time)), corner + where, -where,
                                         max(first.fit, second.fit)))
@@ -262,22 +264,22 @@ class _Line:
     fit: float
 
 
-def _walls(place: np.ndarray, edge: np.ndarray, length: float, search: float) -> list[_Line]:
+def _wall_lines(place: np.ndarray, edge: np.ndarray, length: float, search: float) -> list[_Line]:
     """Walls parallel to an edge from the origin, those that cover most of it first."""
     along, across = place @ edge, place @ np.array([-edge[1], edge[0]])
     rows = np.flatnonzero((along > -search) & (along < length + search) & (np.abs(across) < search))
-    if len(rows) < _COVERED:
+    if len(rows) < _MIN_BINS:
         return []
     column = np.floor((across[rows] + search) / _BIN).astype(int)
     row = np.floor((along[rows] + search) / _ALONG).astype(int)
     grid = np.zeros((int(2 * search / _BIN) + 3, int((length + 2 * search) / _ALONG) + 2), bool)
     grid[column + 1, row] = True
-    # Walls are a little turned against the outline: three bins together.
+    # Walls are a little rotated against the outline: three bins together.
     covered = (grid[:-2] | grid[1:-1] | grid[2:]).sum(axis=1)
     lines = []
     for _ in range(_PEAKS):
         peak = int(np.argmax(covered))
-        if covered[peak] < _COVERED:
+        if covered[peak] < _MIN_BINS:
             break
         near = rows[np.abs(across[rows] - ((peak + 0.5) * _BIN - search)) < _NEAR_LINE]
         line = _fitted(place, near, edge)
@@ -289,31 +291,31 @@ def _walls(place: np.ndarray, edge: np.ndarray, length: float, search: float) ->
 
 def _fitted(place: np.ndarray, rows: np.ndarray, edge: np.ndarray) -> _Line | None:
     """The line through cells, the far ones left out; None where it is no wall along the edge."""
-    for limit in (_NEAR_LINE, 2 * _WORST_FIT, _WORST_FIT * 1.5):
-        if len(rows) < _COVERED:
+    for limit in (_NEAR_LINE, 2 * _MAX_RMS, _MAX_RMS * 1.5):
+        if len(rows) < _MIN_BINS:
             return None
         centre = place[rows].mean(axis=0)
         _, axes = np.linalg.eigh(np.cov((place[rows] - centre).T))
         direction = axes[:, 1]
         away = (place[rows] - centre) @ np.array([-direction[1], direction[0]])
         rows = rows[np.abs(away) <= limit]
-    if len(rows) < _COVERED or abs(direction @ edge) < _TURNED:
+    if len(rows) < _MIN_BINS or abs(direction @ edge) < _MIN_DIRECTION_COSINE:
         return None
     fit = float(np.sqrt(np.mean(away[np.abs(away) <= limit] ** 2)))
-    return _Line(centre, direction, rows, fit) if fit <= _WORST_FIT else None
+    return _Line(centre, direction, rows, fit) if fit <= _MAX_RMS else None
 
 
-def _meeting(first: _Line, second: _Line) -> np.ndarray | None:
+def _intersection(first: _Line, second: _Line) -> np.ndarray | None:
     """Where two lines meet; None where they are nearly parallel."""
     crossed = first.direction[0] * second.direction[1] - first.direction[1] * second.direction[0]
     if abs(crossed) < 0.5:
         return None
-    way = second.point - first.point
-    return first.point + first.direction * (way[0] * second.direction[1] - way[1] * second.direction[0]) / crossed
+    vector = second.point - first.point
+    return first.point + first.direction * (vector[0] * second.direction[1] - vector[1] * second.direction[0]) / crossed
 
 
 def _agreeing(candidates: list[_Candidate], limit: float) -> tuple[list[_Candidate], np.ndarray]:
-    """Of every corner and sight the candidate with most neighbours shifted alike, in the order of time; how many."""
+    """Of every corner and view the candidate with most neighbours shifted likewise, in the order of time; how many."""
     if not candidates:
         return [], np.empty(0, int)
     candidates = sorted(candidates, key=lambda item: item.time)

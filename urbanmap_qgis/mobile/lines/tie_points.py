@@ -22,10 +22,10 @@ from ..trajectory import Trajectory, gaps
 
 COLUMNS = ("set", "time", "x_mms", "y_mms", "x_ref", "y_ref")
 
-LONGEST_GAP = 1.0
+MAX_GAP = 1.0
 """s: tie points between epochs farther apart are not used."""
 
-_FARTHEST = 200.0
+_MAX_SEPARATION = 200.0
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The ti
     sets = np.array([str(columns[known["set"]][row]).strip() for row in order])
     time, measured, reference = table[order, 0], table[order, 1:3], table[order, 3:5]
     apart = np.hypot(*(reference - measured).T)
-    if apart.max() > _FARTHEST:
+    if apart.max() > _MAX_SEPARATION:
         worst = int(apart.argmax())
         raise InputError(f"{name}: in set {sets[worst]} survey and reference are {apart[worst]:,.0f} m apart; "
                          "both must be in the survey's coordinate reference system.")
@@ -120,7 +120,7 @@ def ends_of(lines: Sequence[shapely.Geometry | None]) -> dict[str, np.ndarray]:
             "y_ref": shapely.get_y(end)}
 
 
-def usable(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT) -> TiePoints:
+def pairs_within(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT) -> TiePoints:
     """The pairs within the trajectory's time and outside its gaps; the others are told as a warning.
 
     Times of the week and adjusted standard times are brought to the trajectory's.
@@ -140,7 +140,7 @@ def usable(ties: TiePoints, trajectory: Trajectory, progress: Progress = SILENT)
     if not inside.all():
         progress.warn(f"{np.count_nonzero(~inside)} tie points lie outside the trajectory's time and are left out "
                       f"(set {_some(ties.sets[~inside])}).")
-    for start, end in gaps(trajectory, LONGEST_GAP):
+    for start, end in gaps(trajectory, MAX_GAP):
         hole = inside & (ties.time > start) & (ties.time < end)
         if hole.any():
             inside &= ~hole
