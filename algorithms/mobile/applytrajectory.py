@@ -43,7 +43,7 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         self.add_number_output("POINTS_IN_GAPS", "Points in gaps", "Points measured in gaps of a trajectory of more "
                                "than a second.")
         self.add_number_output("MEAN_MOVEMENT", "Mean movement", "Mean length of the movements.", unit="m")
-        self.add_number_output("MAX_MOVEMENT", "Greatest movement", "Greatest length of a movement.", unit="m")
+        self.add_number_output("MAX_MOVEMENT", "Maximum movement", "Maximum length of a movement.", unit="m")
 
     def check(self, parameters, context):
         check_points_output(self, parameters, context)

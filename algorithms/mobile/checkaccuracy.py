@@ -9,9 +9,9 @@ from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
 from .control_points import add_control, read_control
 
-FIGURES = {"MEAN_2D": "Mean error in plan", "MAX_2D": "Greatest error in plan",
+FIGURES = {"MEAN_2D": "Mean error in plan", "MAX_2D": "Maximum error in plan",
            "STD_2D": "Standard deviation of errors in plan", "MEAN_3D": "Mean error in space",
-           "MAX_3D": "Greatest error in space", "STD_3D": "Standard deviation of errors in space"}
+           "MAX_3D": "Maximum error in space", "STD_3D": "Standard deviation of errors in space"}
 
 
 class CheckAccuracy(UrbanMapAlgorithm):

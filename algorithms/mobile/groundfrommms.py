@@ -26,8 +26,8 @@ class GroundFromMms(UrbanMapAlgorithm):
         self.add_points()
         self.add_distance("CLOTH_RESOLUTION", "Cloth resolution", "Distance in metres between the nodes of the cloth. "
                           "Larger ones do not follow the ground well.", 2.0, 0.1, 50.0)
-        self.add_number("ITERATIONS", "Iterations", "Most sweeps on each level of detail; the cloth stops earlier when "
-                        "it has settled.", 1000, 1, 100000, integer=True)
+        self.add_number("ITERATIONS", "Iterations", "Maximum number of sweeps on each level of detail; it stops "
+                        "earlier when the cloth has converged.", 1000, 1, 100000, integer=True)
         self.add_distance("THRESHOLD", "Threshold", "Points within this height, in metres, above or below the cloth "
                           "are ground.", 0.2, 0.01, 5.0)
         self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "

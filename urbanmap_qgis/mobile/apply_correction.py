@@ -159,10 +159,10 @@ class _Writing:
         for number in reversed([k for k, vlr in enumerate(header.vlrs) if vlr.user_id in _COPC]):
             header.vlrs.pop(number)
         self.coarse = header.scales > COARSEST_SCALE
-        farthest = movement.max_displacement(np.stack([cloud.minimum, cloud.maximum])) + 1.0
+        margin = movement.max_displacement(np.stack([cloud.minimum, cloud.maximum])) + 1.0
         scales = np.where(self.coarse, COARSEST_SCALE, header.scales)
         offsets = header.offsets.copy()
-        low, high = cloud.minimum - farthest, cloud.maximum + farthest
+        low, high = cloud.minimum - margin, cloud.maximum + margin
         far = np.maximum(np.abs(low - offsets), np.abs(high - offsets)) / scales > _LARGEST
         offsets[far] = np.floor(0.5 * (low + high))[far]
         if (np.maximum(high - offsets, offsets - low) / scales > _LARGEST).any():

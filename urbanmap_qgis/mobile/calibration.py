@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import InputError
 from .trajectory import Trajectory, body_to_map
 
-_FARTHEST_ARM = 20.0
+_MAX_LEVER_ARM = 20.0
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class MountedScanner(Mount):
     Attributes
     ----------
     point_source_id : number by which its points are marked; None where the file does not say.
-    max_range : farthest range, m; infinite where the file does not say.
+    max_range : maximum range, m; infinite where the file does not say.
     """
 
     point_source_id: int | None = None
@@ -106,7 +106,7 @@ def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
     if not isinstance(arm, list) or len(arm) != 3 or not all(_is_number(value) for value in arm):
         raise InputError(f"{name}: “lever_arm_m” of {identity or 'an entry'} must be three numbers, metres forward, "
                          "right and down.")
-    if np.abs(arm).max() > _FARTHEST_ARM:
+    if np.abs(arm).max() > _MAX_LEVER_ARM:
         raise InputError(f"{name}: the lever arm of {identity or 'an entry'} is {np.abs(arm).max():.0f} m long; it "
                          "must be in metres.")
     angles = [_number(entry, key, name, 0.0) for key in ("roll", "pitch", "heading")]

@@ -52,7 +52,7 @@ class ControlPoints:
 
 @dataclass(frozen=True)
 class Accuracy:
-    """Mean, greatest and standard deviation of errors in plan and in space, m (J tables 3-3 and 4-1); NaN where none.
+    """Mean, maximum and standard deviation of errors in plan and in space, m (J tables 3-3 and 4-1); NaN where none.
 
     `bias` (3,) is the mean error east, north, up; `points` and `points_3d` say how many errors went in.
     """

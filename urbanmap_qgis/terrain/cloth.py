@@ -3,7 +3,7 @@
 A cloth is drawn up against the cloud from below: it rests against the ground and stays taut under buildings,
 trees and vehicles. Points within a threshold of it are ground.
 
-Zhang lets the cloth move in time steps and stops after a number of them. Here its place of rest is computed
+Zhang lets the cloth move in time steps and stops after a number of them. Here its equilibrium is computed
 directly: the taut surface with u <= z everywhere and, where it does not touch, curvature = -weight (a membrane
 over an obstacle), by projected relaxation from coarse to fine. It is the same for every cut of the data, does
 not depend on a time step, and is reached in tens of sweeps. Three things are added to the paper's filter:
@@ -39,7 +39,7 @@ _LOOSE_DEPTH = 0.5
 _NEIGHBOUR_STEP = 1.0
 _PIT_SHARE = 0.5
 _PIT_DEPTH = 1.0
-_PIT_REACH = 4
+_PIT_RADIUS = 4
 _PIT_CELLS = 12
 _PIT_ROUNDS = 30
 _FIRM = 0.1
@@ -54,7 +54,7 @@ class ClothSettings:
     ----------
     resolution : spacing of the cloth's nodes, m (J Table 3-2: 2 m).
     threshold : largest distance of a ground point from the cloth, m (0.2 m).
-    iterations : most sweeps on each level of detail; it stops earlier when converged (1000).
+    iterations : maximum number of sweeps on each level of detail; it stops earlier when converged (1000).
     rigidness : 1 (steep slopes), 2 (hills) or 3 (flat towns, large buildings).
     """
 
@@ -286,7 +286,7 @@ def lowest_layer(bottom: BottomPoints, cloth: np.ndarray) -> np.ndarray:
 
 def first_cloth(levels: LowestHeights, settings: ClothSettings,
          progress: Progress = SILENT) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The first cloth: at rest, with pits below the ground left out.
+    """The first cloth, with pits below the ground left out.
 
     A pit is a small patch that holds the cloth down, whose cells have few points, or most of them more than a
     metre above, and that has no firm cell at its level within some cells: multipath in numbers. A real courtyard
@@ -325,11 +325,11 @@ def _pits(obstacle: np.ndarray, ground: np.ndarray, firm: np.ndarray) -> np.ndar
     row, column = np.nonzero(suspect)
     if not len(row):
         return suspect
-    support = np.pad(np.where(ground & firm, obstacle, np.nan), _PIT_REACH, constant_values=np.nan)
+    support = np.pad(np.where(ground & firm, obstacle, np.nan), _PIT_RADIUS, constant_values=np.nan)
     level = obstacle[row, column]
     held = np.zeros(len(row), dtype=bool)
-    for down in range(2 * _PIT_REACH + 1):
-        for right in range(2 * _PIT_REACH + 1):
+    for down in range(2 * _PIT_RADIUS + 1):
+        for right in range(2 * _PIT_RADIUS + 1):
             held |= np.abs(support[row + down, column + right] - level) < _NEIGHBOUR_STEP
     patch, count = ndimage.label(ndimage.binary_dilation(suspect, np.ones((5, 5), dtype=bool)), np.ones((3, 3)))
     patch = np.where(suspect, patch, 0)
@@ -342,7 +342,7 @@ def _pits(obstacle: np.ndarray, ground: np.ndarray, firm: np.ndarray) -> np.ndar
 
 def final_cloth(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
            progress: Progress = SILENT) -> np.ndarray:
-    """Cloth at rest against `lowest`, lifted to all ground that continues without a jump.
+    """Cloth in equilibrium against `lowest`, lifted to all ground that continues without a jump.
 
     Parameters
     ----------
@@ -383,9 +383,9 @@ def _grow(obstacle: np.ndarray, ground: np.ndarray) -> np.ndarray:
 
 def _equilibrium(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarray, progress: Progress,
           start: np.ndarray | None = None) -> np.ndarray:
-    """Membrane at rest below `obstacle` (inf: none), held to it where `pinned`.
+    """Membrane in equilibrium below `obstacle` (inf: none), held to it where `pinned`.
 
-    Without a start, the place of rest on a grid twice as coarse is the start.
+    Without a start, the equilibrium on a grid twice as coarse is the start.
     """
     finite = np.isfinite(obstacle)
     if not finite.any():

@@ -1,4 +1,4 @@
-"""Points that cannot belong to a surface: absurd heights, and points that hang alone in the air or below it."""
+"""Points that cannot belong to a surface: absurd heights, and points isolated in the air or below it."""
 
 from __future__ import annotations
 
