@@ -85,7 +85,7 @@ AERIAL_MARKINGS = (
          made={"INPUT": ("orthorectifyframes", "OUTPUT"), "GROUND": ("surfacefromals", "OUTPUT_GROUND"),
                "SHIFTS": ("orthorectifyframes", "OUTPUT_SHIFTS"),
                "FRAME_COUNT": ("orthorectifyframes", "OUTPUT_COUNT")},
-         note="NOTE",
+         named={"METHOD": "MARKING_METHOD"}, note="NOTE",
          outputs={"OUTPUT": "Marking mask", "OUTPUT_POLYGONS": "Road markings", "OUTPUT_REPORT": "Report"}),
 )
 

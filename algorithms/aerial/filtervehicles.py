@@ -11,7 +11,7 @@ from ..framework.parameters import tr
 from ..framework.workers import workers
 from .frame_shifts import FrameShiftsOutput
 
-METHODS = ("vote", "darkest")
+METHODS = ("vote", "darkest", "paper")
 
 
 class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
@@ -32,8 +32,8 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
             "ORTHOPHOTOS", tr("Orthophotos"), QgsProcessing.SourceType.TypeRaster), "Two or more rasters of the same "
             "ground, grey or red, green, blue, of 8 or 16 bit. The result lies on the first.")
         self.add_choice("METHOD", "Vehicle filter", "Majority vote: what most of them agree on, which also keeps dark "
-                        "vehicles from winning over paint. Darkest: the one with the lowest sum of channels, as the "
-                        "dissertation.", METHODS, "vote", advanced=True)
+                        "vehicles from winning over paint. Darkest: the one with the lowest sum of channels. Paper: "
+                        "darkest without gain compensation.", METHODS, "vote", advanced=True)
         self.add_boolean("EVEN_EXPOSURE", "Gain compensation", "Bring all to one brightness and contrast before they "
                          "are compared.", True, advanced=True)
         self.add_workers()
@@ -48,8 +48,8 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         layers = self.parameterAsLayerList(parameters, "ORTHOPHOTOS", context)
         if not layers:
             raise InputError(tr("{0}: no raster can be opened; check the files.").format(self.label_of("ORTHOPHOTOS")))
-        choice = PixelSelection(self.parameterAsString(parameters, "METHOD", context),
-                        self.parameterAsBool(parameters, "EVEN_EXPOSURE", context))
+        choice = PixelSelection.of(self.parameterAsString(parameters, "METHOD", context),
+                                   self.parameterAsBool(parameters, "EVEN_EXPOSURE", context))
         output = self.output_layer_path(parameters, "OUTPUT", context)
         progress, shifts, crs = self.progress(feedback), [], crs_from(layers[0].crs())
         metres = 1.0 if crs.isGeographic() else metres_per_unit(crs)

@@ -7,6 +7,7 @@ from ..framework.parameters import tr
 
 ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
 ANGLE_ORDERS = ("papers", "usual")
+METHODS = ("refined", "paper")
 
 
 class OcclusionMap(UrbanMapAlgorithm):
@@ -45,6 +46,13 @@ class OcclusionMap(UrbanMapAlgorithm):
         self.add_boolean("LOW_PARTS", "Low parts of buildings", "Podiums and annexes lower than the threshold are "
                          "masked too: higher than 2.5 m, wider than 4 m, within 15 m of something above the threshold.",
                          True, advanced=True)
+        self.add_boolean("STEEP_WALLS", "Steep walls", "Walls drop from one cell of the surface to the next.", True,
+                         advanced=True)
+        self.add_boolean("SHIFT_WALLS", "Walls at the cells' borders", "Walls stand at the border between a raised "
+                         "cell and a low one, not at the cells' centres.", True, advanced=True)
+        self.add_choice("METHOD", "Method", "Refined: as set above. Paper: the triangles of the surface higher than "
+                        "the threshold as they are; low parts, steep walls and walls at the cells' borders are off.",
+                        METHODS, "refined", advanced=True)
         self.add_choice("ANGLE_UNIT", "Unit of the angles", "Automatic takes degrees and stops where the angles look "
                         "like gon or radians.", ANGLE_UNITS, "automatic", advanced=True)
         self.add_choice("ANGLE_ORDER", "Order of the angles", "R_omega R_phi R_kappa as in the papers, or the usual "
@@ -71,8 +79,10 @@ class OcclusionMap(UrbanMapAlgorithm):
         with FrameImage(frame.path, camera):
             progress.message(tr("{0}: {1} x {2} pixels").format(frame.path.name, camera.width, camera.height))
         dsm, ground, outlines = self._heights_and_outlines(parameters, context, progress)
+        paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         settings = OcclusionSettings(self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context),
-                                     self.parameterAsBool(parameters, "LOW_PARTS", context))
+                                     *(not paper and self.parameterAsBool(parameters, name, context)
+                                       for name in ("LOW_PARTS", "STEEP_WALLS", "SHIFT_WALLS")))
         output = self.output_layer_path(parameters, "OUTPUT", context)
         made = occlusion_map(camera, frame.pose, dsm, ground, output, settings, outlines, progress)
         if made.footprints_flat:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
@@ -10,7 +12,8 @@ from ..framework.parameters import tr
 from ..framework.workers import workers
 from .frame_shifts import FrameShiftsOutput
 
-METHODS = ("vote", "darkest")
+METHODS = ("vote", "darkest", "paper")
+OCCLUSION = ("ground", "frame")
 ANGLE_ORDERS = ("papers", "usual")
 ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
 
@@ -51,10 +54,18 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_boolean("FILTER_VEHICLES", "Filter vehicles", "Take each pixel so that moving vehicles go; otherwise "
                          "from the frame that looks down most steeply.", True)
         self.add_choice("METHOD", "Vehicle filter", "Majority vote: what most frames agree on, which also keeps dark "
-                        "vehicles from winning over paint. Darkest: the frame with the lowest sum of channels, as the "
-                        "dissertation.", METHODS, "vote", advanced=True)
+                        "vehicles from winning over paint. Darkest: the frame with the lowest sum of channels. Paper: "
+                        "as in the paper, darkest without gain compensation, of frames masked by their plain "
+                        "occlusion maps.", METHODS, "vote", advanced=True)
         self.add_boolean("EVEN_EXPOSURE", "Gain compensation", "Bring all frames to one brightness and contrast "
                          "before they are compared.", True, advanced=True)
+        self.add_choice("OCCLUSION", "Hidden ground", "Ground: told by lines of sight from the ground to the frame. "
+                        "Frame: told by an occlusion map of each frame, which masks it before ground is taken from it, "
+                        "as in the paper.", OCCLUSION, "ground", advanced=True)
+        self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            "MASKS", tr("Occlusion maps"), QgsProcessing.SourceType.TypeFile, optional=True), "Occlusion maps of the "
+            "frames, from “Occlusion map of a frame”, one for each frame in the frames' order; they are then taken "
+            "instead of being made.", advanced=True)
         self.add_distance("HEIGHT_THRESHOLD", "Height threshold", "What stands higher than this above the ground, in "
                           "metres, hides ground; vehicles should not.", 5.0, 0.0, 100.0, advanced=True)
         self.add_choice("ANGLE_ORDER", "Order of the angles", "Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi "
@@ -75,8 +86,8 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.aerial.camera import read_camera, read_exterior
         from ...urbanmap_qgis.aerial.frames import find_frames
-        from ...urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
-        from ...urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, orthorectify
+        from ...urbanmap_qgis.aerial.mosaic import MosaicFiles
+        from ...urbanmap_qgis.aerial.orthorectification import ElevationInputs, orthorectify
         from ...urbanmap_qgis.io.raster import RasterSampler
 
         progress = self.progress(feedback)
@@ -96,15 +107,11 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         outlines = self.read_polygons(parameters, "FOOTPRINTS", context, progress.part(0.0, 0.02))
         if outlines:
             self.same_crs("GROUND", crs, "FOOTPRINTS", outlines.crs)
-        method = "nadir"
-        if self.parameterAsBool(parameters, "FILTER_VEHICLES", context):
-            method = self.parameterAsString(parameters, "METHOD", context)
-        settings = OrthoSettings(self.parameterAsDouble(parameters, "RESOLUTION", context),
-                                 PixelSelection(method, self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)),
-                                 self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context))
+        settings = self._settings(parameters, context)
         output = self.output_layer_path(parameters, "OUTPUT", context)
         count = self.output_layer_path(parameters, "OUTPUT_COUNT", context)
-        place = ElevationInputs(ground, surface, *self._buildings(parameters, context, outlines))
+        place = ElevationInputs(ground, surface, *self._buildings(parameters, context, outlines),
+                                self._masks(parameters, context, frames))
         shifts = []
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             made = orthorectify(frames, camera, place, MosaicFiles(output, count), settings, progress.part(0.02, 0.98),
@@ -116,6 +123,30 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         if count:
             results["OUTPUT_COUNT"] = str(count)
         return results | self.write_shifts(parameters, context, shifts, made.grid.cell, crs, progress.part(0.98, 1.0))
+
+    def _settings(self, parameters, context):
+        """How the frames are laid on the ground."""
+        from ...urbanmap_qgis.aerial.mosaic import PixelSelection
+        from ...urbanmap_qgis.aerial.occlusion import PAPER_OCCLUSION, OcclusionSettings
+        from ...urbanmap_qgis.aerial.orthorectification import OrthoSettings
+
+        method = self.parameterAsString(parameters, "METHOD", context)
+        paper, even = method == "paper", self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)
+        choice = PixelSelection.of(method, even)
+        if not self.parameterAsBool(parameters, "FILTER_VEHICLES", context):
+            choice = PixelSelection("nadir", choice.even)
+        threshold = self.parameterAsDouble(parameters, "HEIGHT_THRESHOLD", context)
+        masked = paper or self.parameterAsString(parameters, "OCCLUSION", context) == "frame"
+        occlusion = replace(PAPER_OCCLUSION if paper else OcclusionSettings(), threshold=threshold) if masked else None
+        return OrthoSettings(self.parameterAsDouble(parameters, "RESOLUTION", context), choice, threshold, occlusion)
+
+    def _masks(self, parameters, context, frames):
+        """Paths of the occlusion maps of the frames, None where none are given."""
+        masks = self.parameterAsFileList(parameters, "MASKS", context) if parameters.get("MASKS") else []
+        if masks and len(masks) != len(frames):
+            raise InputError(tr("{0}: {1} are given for {2} frames; give one for each frame, in the same order.")
+                             .format(self.label_of("MASKS"), len(masks), len(frames)))
+        return masks or None
 
     def _buildings(self, parameters, context, outlines):
         """Polygons of the outlines and their heights (None where no field is given)."""

@@ -9,6 +9,8 @@ from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
 from ..framework.workers import workers
 
+METHODS = ("profile", "paper")
+
 
 class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
     ID = "roadmarkingsfromorthophoto"
@@ -37,12 +39,16 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                           "everywhere.", optional=True)
         self.add_raster("GROUND", "Ground", "Ground heights in metres, in the orthophoto's CRS: gives the polygons "
                         "their heights.", optional=True)
+        self.add_choice("METHOD", "Method", "Profile: paint must stand out from the road on both sides, and what is no "
+                        "paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a "
+                        "level adjustment, as in the paper; only block size and contrast matter then.", METHODS,
+                        "profile", advanced=True)
         self.add_distance("BLOCK_SIZE", "Block size", "Side of the block over which the mean is taken.", 2.5, 0.5, 50.0)
         self.add_number("CONTRAST", "Contrast", "How much brighter than the mean paint is, in grey values of an image "
                         "that goes from 0 to 255 after the level adjustment, whatever its bit depth.", 17, 1, 200,
                         unit="grey values")
         self.add_boolean("CLEAN", "Clean", "Leave out what is no paint by its width, contrast on both sides, shape and "
-                         "surroundings; without it the result is the plain threshold of the paper.", True)
+                         "surroundings; without it all stays that is brighter by the contrast than the block.", True)
         self.add_distance("MAX_WIDTH", "Maximum stroke width", "What is wider than this in every direction is no "
                           "paint.", 0.8,
                           0.1, 5.0, advanced=True)
@@ -86,18 +92,11 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                 self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
 
     def compute(self, parameters, context, feedback):
-        from dataclasses import replace
-
         from ...urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
-        from ...urbanmap_qgis.aerial.road_markings import MarkingSettings
 
         progress = self.progress(feedback)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
-        plain = MarkingSettings(self.parameterAsDouble(parameters, "BLOCK_SIZE", context),
-                                self.parameterAsDouble(parameters, "CONTRAST", context))
-        rules = replace(plain.cleaning, max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
-                        min_area=self.parameterAsDouble(parameters, "MIN_AREA", context))
-        settings = replace(plain, cleaning=rules if self.parameterAsBool(parameters, "CLEAN", context) else None)
+        settings = self._settings(parameters, context)
         places = SearchArea(self._polygons(parameters, "ROADS", context, progress.part(0.0, 0.02)),
                         self._polygons(parameters, "BUILDINGS", context, progress.part(0.02, 0.04)),
                         self.raster_path(parameters, "MASK", context))
@@ -109,11 +108,24 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self._tell(found, progress)
         results = {"OUTPUT": str(mask), "COUNT": len(found.polygons), "MARKED_AREA": found.marked_area,
                    "SEARCHED_AREA": found.searched_area}
-        report = self._report(parameters, context, found, plain.contrast)
+        report = self._report(parameters, context, found, settings.contrast)
         if report:
             results["OUTPUT_REPORT"] = report
         layer = self._write(parameters, context, found.polygons, crs, progress)
         return {**results, "OUTPUT_POLYGONS": layer} if layer else results
+
+    def _settings(self, parameters, context):
+        """How markings are told from the road."""
+        from ...urbanmap_qgis.aerial.marking_filter import CleanSettings
+        from ...urbanmap_qgis.aerial.road_markings import MarkingSettings
+
+        paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
+        rules = CleanSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
+                              min_area=self.parameterAsDouble(parameters, "MIN_AREA", context))
+        clean = self.parameterAsBool(parameters, "CLEAN", context) and not paper
+        return MarkingSettings(self.parameterAsDouble(parameters, "BLOCK_SIZE", context),
+                               self.parameterAsDouble(parameters, "CONTRAST", context), paper,
+                               rules if clean else None)
 
     def _report(self, parameters, context, found, contrast):
         """Write the report where it is wanted; its path."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..aerial.orthorectifyframes import OrthorectifyFrames
+from ..aerial.orthorectifyframes import METHODS, OrthorectifyFrames
 from ..aerial.roadmarkingsfromorthophoto import RoadMarkingsFromOrthophoto
 from ..aerial.surfacefromals import SurfaceFromAls
 from ..framework.base import UrbanMapAlgorithm
@@ -28,7 +28,12 @@ class AerialMarkings(UrbanMapAlgorithm):
         self.add_from(OrthorectifyFrames, "FOOTPRINTS")
         self.add_from(RoadMarkingsFromOrthophoto, "ROADS")
         self.add_from(OrthorectifyFrames, "RESOLUTION", "FILTER_VEHICLES")
-        self.add_from(OrthorectifyFrames, "METHOD", advanced=True)
+        self.add_choice("METHOD", "Method", "Vote and darkest: our way, with that vehicle filter. Paper: as in the "
+                        "paper, frames masked by their occlusion maps, the darkest of them, and the plain adaptive "
+                        "threshold (in the model set the method of the markings too).", METHODS, "vote", advanced=True)
+        self.add_from(OrthorectifyFrames, "EVEN_EXPOSURE", "OCCLUSION", "MASKS", advanced=True)
+        self.add_from(RoadMarkingsFromOrthophoto, MARKING_METHOD="METHOD", label="Method of the markings",
+                      advanced=True)
         self.add_from(SurfaceFromAls, SURFACE_RESOLUTION="RESOLUTION", label="Resolution of the surface", advanced=True)
         self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
         self.add_from(RoadMarkingsFromOrthophoto, "BLOCK_SIZE", "CONTRAST", advanced=True)
@@ -58,14 +63,17 @@ class AerialMarkings(UrbanMapAlgorithm):
         wanted = {"OUTPUT_SHIFTS": given.get("OUTPUT_SHIFTS") or "TEMPORARY_OUTPUT",
                   "OUTPUT_COUNT": self.temporary_file(context, "frames.tif")} if report else pick("OUTPUT_SHIFTS")
         ortho = run("orthorectifyframes", **pick("FRAMES", "CAMERA", "EXTERIOR", "FOOTPRINTS", "RESOLUTION",
-                                                 "FILTER_VEHICLES", "METHOD", "ANGLE_ORDER", "ANGLE_UNIT", "WORKERS"),
+                                                 "FILTER_VEHICLES", "METHOD", "EVEN_EXPOSURE", "OCCLUSION", "MASKS",
+                                                 "ANGLE_ORDER", "ANGLE_UNIT", "WORKERS"),
                     **wanted, GROUND=als["OUTPUT_GROUND"], DSM=als["OUTPUT"],
                     OUTPUT=place("OUTPUT_ORTHOPHOTO", "orthophoto.tif"))
         told = {"SHIFTS": ortho["OUTPUT_SHIFTS"], "FRAME_COUNT": ortho["OUTPUT_COUNT"],
                 "NOTE": self._note(parameters, ortho)} if report else {}
-        found = run("roadmarkingsfromorthophoto", **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "WORKERS", "OUTPUT",
-                                                         "OUTPUT_POLYGONS", "OUTPUT_REPORT"), **told,
-                    INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
+        paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
+        method = "paper" if paper else self.parameterAsString(parameters, "MARKING_METHOD", context)
+        found = run("roadmarkingsfromorthophoto", METHOD=method,
+                    **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "WORKERS", "OUTPUT", "OUTPUT_POLYGONS", "OUTPUT_REPORT"),
+                    **told, INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
         results = {"OUTPUT": found["OUTPUT"], "COUNT": found["COUNT"], "HOLE_AREA": ortho["HOLE_AREA"],
                    "OUTPUT_ORTHOPHOTO": ortho["OUTPUT"], "OUTPUT_GROUND": als["OUTPUT_GROUND"]}
         results.update((name, made[name]) for made, name in (

@@ -93,3 +93,19 @@ def test_the_angles_unit_is_passed_on(run, survey, tmp_path):
     with pytest.raises(QgsProcessingException, match="gon"):
         run(ALGORITHM, {**survey, "OUTPUT": str(tmp_path / "mask.tif")})
     assert run(ALGORITHM, {**survey, "ANGLE_UNIT": "gon", "OUTPUT": str(tmp_path / "mask.tif")})["COUNT"] == DASHES
+
+
+def test_paper_runs_whole(run, survey, tmp_path):
+    """Each step is asked for the paper's way: the result is that of the steps run one by one."""
+    outputs = {"OUTPUT": str(tmp_path / "mask.tif"), "OUTPUT_ORTHOPHOTO": str(tmp_path / "ortho.tif"),
+               "OUTPUT_GROUND": str(tmp_path / "ground.tif")}
+    result = run(ALGORITHM, {**survey, **outputs, "METHOD": "paper"})
+    alone = run("urbanmap:roadmarkingsfromorthophoto", {"INPUT": result["OUTPUT_ORTHOPHOTO"], "METHOD": "paper",
+                                                        "OUTPUT": str(tmp_path / "alone.tif")})
+    ours = run("urbanmap:roadmarkingsfromorthophoto", {"INPUT": result["OUTPUT_ORTHOPHOTO"],
+                                                       "OUTPUT": str(tmp_path / "ours.tif")})
+    from osgeo import gdal
+
+    masks = [gdal.Open(made["OUTPUT"]).ReadAsArray() for made in (result, alone, ours)]
+    assert (masks[0] == masks[1]).all() and (masks[0] != masks[2]).any()
+    assert result["COUNT"] >= DASHES

@@ -88,3 +88,13 @@ def test_outlines_in_another_crs(run, flight, polygon_layer, tmp_path):
     outlines = polygon_layer(["POLYGON((0 0,10 0,10 10,0 10,0 0))"], crs="EPSG:6678")
     with pytest.raises(QgsProcessingException, match="Surface"):
         run(ALGORITHM, {**flight, "FOOTPRINTS": outlines, "OUTPUT": str(tmp_path / "o.tif")})
+
+
+def test_walls_can_be_left_as_the_surface_has_them(run, flight, tmp_path):
+    def share(**more):
+        return run(ALGORITHM, {**flight, **more, "OUTPUT": str(tmp_path / "o.tif")})["HIDDEN_SHARE"]
+
+    paper = share(METHOD="paper")
+    assert paper == share(LOW_PARTS=False, STEEP_WALLS=False, SHIFT_WALLS=False)
+    assert len({paper, share(), share(STEEP_WALLS=False, SHIFT_WALLS=False), share(SHIFT_WALLS=False)}) >= 2
+    assert paper > share()  # the wall's foot stands a cell farther out

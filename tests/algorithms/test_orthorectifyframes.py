@@ -176,3 +176,26 @@ def test_heights_of_outlines_come_from_their_field(run, block, polygon_layer):
     with pytest.raises(Exception, match="must hold numbers"):
         run(ALGORITHM, {**block, "FOOTPRINTS": polygon_layer([ring], "EPSG:6677", {"h": ["tall"]}),
                         "HEIGHT_FIELD": "h"})
+
+
+@pytest.mark.parametrize(("change", "words"), [
+    ({"OCCLUSION": "frame"}, r"surface \(DSM\)"),
+    ({"METHOD": "paper"}, r"surface \(DSM\)"),
+    ({"MASKS": 1}, "1 are given for 2 frames"),
+])
+def test_maps_that_cannot_be_made_or_do_not_fit(run, block, tmp_path, change, words):
+    if "MASKS" in change:
+        change = {"MASKS": [write_image(tmp_path / "m.tif", np.zeros((SIDE, SIDE, 3), np.uint8))]}
+    with pytest.raises(Exception, match=words):
+        run(ALGORITHM, {**block, **change})
+    assert not (tmp_path / "正射.tif").exists()
+
+
+def test_masked_parts_are_taken_from_the_other_frame(run, block, tmp_path):
+    """All of the first frame is masked: the vehicle of the second is all that is left."""
+    masks = [write_image(tmp_path / f"m{k}.tif", np.full((SIDE, SIDE, 3), 255 * (1 - k), np.uint8)) for k in (0, 1)]
+    result = run(ALGORITHM, {**block, "MASKS": masks, "METHOD": "darkest", "OUTPUT_COUNT": str(tmp_path / "c.tif")})
+    image, _ = read(result["OUTPUT"])
+    count, _ = read(result["OUTPUT_COUNT"])
+    assert result["FRAMES_USED"] == 1 and count.max() == 1
+    assert (image > 240).sum() == pytest.approx(3 * 20 * 10 * (0.01 * 200 / 20 / 0.1) ** 2, rel=0.3)

@@ -34,9 +34,9 @@ from .road_markings import (
     Markings,
     MarkingSettings,
     find_markings,
+    image_brightness,
     level_adjustment_of,
     margin_pixels,
-    paint_brightness,
 )
 from .worker_resources import WorkerResource, worker_resource
 
@@ -85,7 +85,8 @@ class MarkingResult:
 class _OrthophotoReader:
     """Open orthophoto and what limits the search; reads pieces of them by blocks of `factor` pixels."""
 
-    def __init__(self, path: str | os.PathLike, places: SearchArea, metres_per_unit: float, stack: ExitStack):
+    def __init__(self, path: str | os.PathLike, places: SearchArea, metres_per_unit: float, min_pixel: float,
+                 stack: ExitStack):
         self.path = Path(path)
         try:
             self.source = stack.enter_context(rasterio.open(self.path))
@@ -100,7 +101,7 @@ class _OrthophotoReader:
         if self.own_pixel > MAX_PIXEL:
             raise InputError(f"{self.path.name} has pixels of {self.own_pixel:.2f} m, in which road markings cannot be "
                              f"seen: use an orthophoto of {MAX_PIXEL} m or finer.")
-        self.factor = max(int(MIN_PIXEL / self.own_pixel), 1)
+        self.factor = max(int(min_pixel / self.own_pixel), 1)
         self.pixel = self.own_pixel * self.factor
         self.rows = -(-self.source.height // self.factor)
         self.columns = -(-self.source.width // self.factor)
@@ -191,12 +192,12 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     """
     settings, places = settings or MarkingSettings(), places or SearchArea()
     with own_gdal(CACHE), ExitStack() as stack:
-        opener = partial(_OrthophotoReader, path, places, metres_per_unit)
+        opener = partial(_OrthophotoReader, path, places, metres_per_unit, 0.0 if settings.paper else MIN_PIXEL)
         scene = opener(stack)
         if not scene.mask_covers():
             progress.warn(f"{Path(places.mask).name} does not cover all of {scene.path.name}: where it does not, "
                           "nothing is taken as hidden.")
-        levels = _levels(scene, progress.part(0.0, 0.1))
+        levels = _levels(scene, settings, progress.part(0.0, 0.1))
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
@@ -302,7 +303,7 @@ def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, col
     target.write(values, 1, window=Window(column, row, values.shape[1], values.shape[0]))
 
 
-def _levels(scene: _OrthophotoReader, progress: Progress) -> LevelAdjustment | None:
+def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progress) -> LevelAdjustment | None:
     """Levels from small pieces spread over the image; None where there is nothing to look at.
 
     They are taken once for the whole image, so that tiles do not differ.
@@ -316,9 +317,11 @@ def _levels(scene: _OrthophotoReader, progress: Progress) -> LevelAdjustment | N
             bands, seen, roads = scene.read(slice(row, min(row + side, scene.rows)),
                                             slice(column, min(column + side, scene.columns)))
             allowed = seen if roads is None else seen & roads
-            values.append(paint_brightness(bands)[allowed])
+            values.append(image_brightness(bands, settings)[allowed])
     values = np.concatenate(values)
-    return level_adjustment_of(values) if len(values) else None
+    if not len(values):
+        return None
+    return level_adjustment_of(values, 0.0) if settings.paper else level_adjustment_of(values)
 
 
 def _spread(length: int, side: int) -> list[int]:

@@ -78,6 +78,11 @@ class PixelSelection:
     method: str = "vote"
     even: bool = True
 
+    @classmethod
+    def of(cls, method: str, even: bool) -> PixelSelection:
+        """The choice by the name of a method; "paper" is the darkest view of the images as they are."""
+        return cls("darkest", False) if method == "paper" else cls(method, even)
+
     def number(self, values: np.ndarray, seen: np.ndarray, tangent: np.ndarray, full_scale: float) -> np.ndarray:
         """Number of the view taken in each pixel, -1 for none."""
         if self.method == "nadir":

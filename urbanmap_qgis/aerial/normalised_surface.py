@@ -60,28 +60,30 @@ class NormalisedSurface:
         """Whether both heights are known at points (n,)."""
         return np.isfinite(self._surface.sample(x, y)) & np.isfinite(self.ground.sample(x, y))
 
-    def heights(self, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
-        """Heights of a window with steep walls, and heights above the ground, m; NaN where unknown."""
+    def heights(self, rows: slice, columns: slice, steepen: bool = True) -> tuple[np.ndarray, np.ndarray]:
+        """Heights of a window, by default with steepened walls, and heights above the ground, m; NaN where unknown."""
         (outer_rows, outer_columns), inner = self._widened(rows, columns, 1)
-        z = steepened_walls(self._surface.read(outer_rows, outer_columns))[inner]
+        z = self._surface.read(outer_rows, outer_columns)
+        z = (steepened_walls(z) if steepen else z)[inner]
         if self.ground.grid == self.grid:
             return z, z - self.ground.read(rows, columns)
         x, y = np.broadcast_arrays(*cell_centres(self.grid, rows, columns))
         return z, z - self.ground.sample(x.ravel(), y.ravel()).reshape(x.shape)
 
-    def raised(self, rows: slice, columns: slice, threshold: float, low_parts: bool) -> tuple[np.ndarray, np.ndarray]:
-        """Heights of a window with steep walls, and which cells count as raised.
+    def raised(self, rows: slice, columns: slice, threshold: float, low_parts: bool,
+               steepen: bool = True) -> tuple[np.ndarray, np.ndarray]:
+        """Heights of a window, by default with steepened walls, and which cells count as raised.
 
         Parameters
         ----------
         threshold : m above the ground. low_parts : whether lower parts at a building count (see `with_low_parts`).
         """
         if not low_parts:
-            z, above = self.heights(rows, columns)
+            z, above = self.heights(rows, columns, steepen)
             return z, above > threshold
         halo = math.ceil((LOW_PART_REACH + LOW_PART_WIDTH) / self.grid.cell) + 1
         outer, inner = self._widened(rows, columns, halo)
-        z, above = self.heights(*outer)
+        z, above = self.heights(*outer, steepen)
         return z[inner], with_low_parts(above, threshold, self.grid.cell)[inner]
 
     def _widened(self, rows: slice, columns: slice, by: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:

@@ -42,18 +42,24 @@ class OcclusionSettings:
     ----------
     threshold : surface higher than this above the ground, m.
     low_parts : whether podiums and annexes lower than that count too, see `normalised_surface.with_low_parts`.
+    steepen_walls : whether walls drop from one cell to the next, see `normalised_surface.steepened_walls`.
+    shift_walls : whether the foot and the top of walls move to the border of their cells, see `wall_offsets` there.
     """
 
     threshold: float = 5.0
     low_parts: bool = True
+    steepen_walls: bool = True
+    shift_walls: bool = True
 
     def __post_init__(self) -> None:
         if not self.threshold > 0:
             raise InputError("The height threshold must be greater than 0.")
 
 
-PAPER_OCCLUSION = OcclusionSettings()
-"""Threshold of J 3.2.1.1."""
+DEFAULT_OCCLUSION = OcclusionSettings()
+
+PAPER_OCCLUSION = OcclusionSettings(low_parts=False, steepen_walls=False, shift_walls=False)
+"""J 3.2.1.1: the triangles of the surface with a corner above the threshold, as they are."""
 
 
 @dataclass(frozen=True)
@@ -84,7 +90,7 @@ class RaisedCells:
 
 
 def occlusion_map(camera: FrameCamera, pose: ExteriorOrientation, dsm: str | os.PathLike, ground: str | os.PathLike,
-                  output: str | os.PathLike, settings: OcclusionSettings = PAPER_OCCLUSION, footprints: Sequence = (),
+                  output: str | os.PathLike, settings: OcclusionSettings = DEFAULT_OCCLUSION, footprints: Sequence = (),
                   progress: Progress = SILENT) -> OcclusionSummary:
     """Write the mask of a frame: 255 where a pixel shows a building or what a building hides, else 0.
 
@@ -114,7 +120,7 @@ def occlusion_map(camera: FrameCamera, pose: ExteriorOrientation, dsm: str | os.
 
 
 def occlusion_mask(camera: FrameCamera, pose: ExteriorOrientation, surface: NormalisedSurface,
-                   settings: OcclusionSettings = PAPER_OCCLUSION, footprints: Sequence = ()) -> np.ndarray:
+                   settings: OcclusionSettings = DEFAULT_OCCLUSION, footprints: Sequence = ()) -> np.ndarray:
     """The mask of `occlusion_map` as an array (rows, columns) bool."""
     rows, columns, _ = frame_window(camera, pose, surface)
     raised, _, _ = raise_footprints(surface, footprints, rows, columns, settings)
@@ -177,7 +183,7 @@ def _reach(pose: ExteriorOrientation, ray: np.ndarray, level: float, grid: Grid)
 
 
 def raise_footprints(surface: NormalisedSurface, footprints: Sequence, rows: slice, columns: slice,
-                     settings: OcclusionSettings = PAPER_OCCLUSION, progress: Progress = SILENT
+                     settings: OcclusionSettings = DEFAULT_OCCLUSION, progress: Progress = SILENT
                      ) -> tuple[RaisedCells, int, int]:
     """Cells inside outlines; those that the surface shows low at the height of the nearest one that stands.
 
@@ -216,7 +222,7 @@ def raise_footprints(surface: NormalisedSurface, footprints: Sequence, rows: sli
 
 
 def frame_silhouette(camera: FrameCamera, pose: ExteriorOrientation, surface: NormalisedSurface, rows: slice,
-                     columns: slice, settings: OcclusionSettings = PAPER_OCCLUSION, raised: RaisedCells | None = None,
+                     columns: slice, settings: OcclusionSettings = DEFAULT_OCCLUSION, raised: RaisedCells | None = None,
                      progress: Progress = SILENT) -> SilhouetteEdges:
     """Sides, in the frame, that enclose all that is raised in a window of the surface."""
     height = max(_STRIP_VERTICES // max(columns.stop - columns.start, 1), 2)
@@ -226,10 +232,10 @@ def frame_silhouette(camera: FrameCamera, pose: ExteriorOrientation, surface: No
         # One row more than the strip: neighbours share it, and what they share cancels when it is filled.
         strip = slice(top, min(top + height + 1, rows.stop))
         wider = slice(max(top - 1, rows.start), min(strip.stop + 1, rows.stop))
-        z, high = surface.raised(wider, columns, settings.threshold, settings.low_parts)
+        z, high = surface.raised(wider, columns, settings.threshold, settings.low_parts, settings.steepen_walls)
         if raised is not None and len(raised.row):
             _lift(z, high, raised, wider, columns)
-        points = _vertices(surface.grid, wider, columns, high)
+        points = _vertices(surface.grid, wider, columns, high, settings.shift_walls)
         inner = slice(strip.start - wider.start, strip.stop - wider.start)
         parts.append(_strip_silhouette(camera, pose, *(values[inner] for values in (*points, z, high))))
     return SilhouetteEdges.joined(parts)
@@ -245,9 +251,12 @@ def _lift(z: np.ndarray, high: np.ndarray, raised: RaisedCells, rows: slice, col
     high[place] = True
 
 
-def _vertices(grid: Grid, rows: slice, columns: slice, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """x and y of the mesh's vertices in a window: cell centres, moved to the walls beside them."""
+def _vertices(grid: Grid, rows: slice, columns: slice, high: np.ndarray,
+              shift_walls: bool) -> tuple[np.ndarray, np.ndarray]:
+    """x and y of the mesh's vertices in a window: cell centres, moved to the walls beside them where asked."""
     x, y = cell_centres(grid, rows, columns)
+    if not shift_walls:
+        return np.broadcast_arrays(x, y)
     east, north = wall_offsets(high, grid.cell)
     return x + east, y + north
 

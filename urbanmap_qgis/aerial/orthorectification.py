@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
 from pathlib import Path
 
@@ -25,6 +26,7 @@ from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_to_fra
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .frames import AerialFrame, FrameImage
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
+from .occlusion import OcclusionSettings, occlusion_map
 from .visibility import off_ground, visible_ground
 
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
@@ -78,6 +80,10 @@ class FramePixels:
             self._open[path] = FrameImage(path, self.camera)
         self._open.move_to_end(path)
         return self._open[path]
+
+    def masked(self, path: Path, rows: slice, columns: slice) -> np.ndarray:
+        """Where an occlusion map of a frame, a file with the frame's rows and columns, is above 0 in a window, bool."""
+        return self._image(path).read(rows, columns)[0] > 0
 
     def read(self, path: Path, rows: slice, columns: slice) -> tuple[np.ndarray, np.ndarray]:
         """A window of a frame, (rows, columns, bands): red, green, blue or grey; and where it holds no image.
@@ -144,15 +150,17 @@ class Terrain:
                            transform=_affine(grid), dtype=np.float32)
         return np.fmax(ground if surface is None else surface, np.where(height > 0, ground + height, -np.inf))
 
-    def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray]:
-        """Ground heights and where a building, tree or bridge covers the ground (`at` remembers the last grids)."""
+    def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Ground heights, where outlines lie, and where those, a tree or a bridge cover the ground (`at` remembers the
+        last grids)."""
         ground, surface = self.heights(grid)
-        covered = np.zeros(grid.shape, bool) if surface is None else off_ground(surface, ground, self.threshold)
+        outlined = np.zeros(grid.shape, bool)
         near = np.sort(self._tree.query(shapely.box(*grid.bounds)))
         if len(near):
-            covered |= rasterize(self._outlines[near], grid.shape, transform=_affine(grid),
+            outlined = rasterize(self._outlines[near], grid.shape, transform=_affine(grid),
                                  dtype=np.uint8).astype(bool)
-        return ground, covered
+        covered = outlined if surface is None else outlined | off_ground(surface, ground, self.threshold)
+        return ground, outlined, covered
 
 
 def _affine(grid: Grid) -> Affine:
@@ -198,13 +206,18 @@ def frame_footprint(camera: FrameCamera, pose: ExteriorOrientation, low: float,
 class OrthorectifiedFrame:
     """A frame as a source of views of the ground.
 
+    Parameters
+    ----------
+    mask : occlusion map of the frame, which then alone tells (with the outlines) what it sees; None to tell it from the
+        lines of sight on the ground.
+
     Attributes
     ----------
     bounds : (x_min, y_min, x_max, y_max) of the ground raster that the frame can show, None for none.
     """
 
-    def __init__(self, frame: AerialFrame, pixels: FramePixels, terrain: Terrain):
-        self.frame, self.name, self.pixels, self.terrain = frame, frame.path.name, pixels, terrain
+    def __init__(self, frame: AerialFrame, pixels: FramePixels, terrain: Terrain, mask: Path | None = None):
+        self.frame, self.name, self.pixels, self.terrain, self.mask = frame, frame.path.name, pixels, terrain, mask
         box = frame_footprint(pixels.camera, frame.pose, terrain.low, terrain.high)
         self.bounds = box and _common(box, terrain.ground.grid.bounds)
         self._seen: tuple[Grid, np.ndarray] | None = None
@@ -213,7 +226,7 @@ class OrthorectifiedFrame:
         """The frame's pixels on a grid; None where it shows nothing of it."""
         if self.bounds is None or _common(self.bounds, grid.bounds) is None:
             return None
-        ground, covered = self.terrain.at(grid)
+        ground, outlined, covered = self.terrain.at(grid)
         x, y = np.meshgrid(*grid.centres())
         points = np.stack((x, y, ground), axis=-1)
         camera, pose = self.pixels.camera, self.frame.pose
@@ -225,7 +238,10 @@ class OrthorectifiedFrame:
         drop = pose.z - float(np.nanmean(ground[inside]))
         values, shown = self._resampled(column, row, inside, grid.cell / camera.ground_pixel(drop))
         inside &= shown
-        seen = inside & ~covered & self._sees(x, y)
+        if self.mask is None:
+            seen = inside & ~covered & self._sees(x, y)
+        else:
+            seen = inside & ~outlined & ~self._masked(column, row, inside)
         with np.errstate(divide="ignore", invalid="ignore"):
             tangent = np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)
         return GroundView(values, seen, inside & ~covered, tangent.astype(np.float32))
@@ -255,6 +271,17 @@ class OrthorectifiedFrame:
         empty = cv2.dilate(empty.astype(np.uint8), np.ones((2 * (margin - 2 * _BLACK_SIDE) + 1,) * 2, np.uint8))
         lost = cv2.remap(empty, place_x, place_y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
         return values, inside & (lost.reshape(inside.shape) == 0)
+
+    def _masked(self, column: np.ndarray, row: np.ndarray, inside: np.ndarray) -> np.ndarray:
+        """Whether the occlusion map masks the pixels nearest to (column, row), (rows, columns) bool."""
+        masked = np.zeros(inside.shape, bool)
+        if inside.any():
+            camera = self.pixels.camera
+            columns, rows = _around(column[inside], 1, camera.width), _around(row[inside], 1, camera.height)
+            window = self.pixels.masked(self.mask, rows, columns)
+            masked[inside] = window[np.rint(row[inside]).astype(int) - rows.start,
+                                    np.rint(column[inside]).astype(int) - columns.start]
+        return masked
 
     def _sees(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Whether nothing stands between the camera and the ground at points, (rows, columns) bool."""
@@ -304,11 +331,14 @@ class OrthoSettings:
     resolution : side of a pixel, m; 0 for the frames' own on the ground.
     choice : which frame a pixel is taken from.
     height_threshold : m above the ground from which the DSM hides ground (J: 5 m).
+    occlusion : how occlusion maps of the frames are made, which then tell what is hidden (J 3.2.1.1); None to tell it
+        from the lines of sight on the ground.
     """
 
     resolution: float = 0.0
     choice: PixelSelection = field(default_factory=PixelSelection)
     height_threshold: float = 5.0
+    occlusion: OcclusionSettings | None = None
 
 
 @dataclass(frozen=True)
@@ -317,12 +347,14 @@ class ElevationInputs:
     poses, and polygons of buildings, which are taken out of the mosaic.
 
     heights : of those buildings above the ground, m, None where unknown: with it they also hide what lies behind them.
+    masks : occlusion maps, a file for each frame, of its rows and columns, above 0 where it shows no ground.
     """
 
     ground: str | os.PathLike
     surface: str | os.PathLike | None = None
     outlines: Sequence[shapely.Geometry] = ()
     heights: Sequence[float] | None = None
+    masks: Sequence[str | os.PathLike] | None = None
 
 
 def open_frames(frames: Sequence[AerialFrame], camera: FrameCamera, place: ElevationInputs, threshold: float,
@@ -332,7 +364,20 @@ def open_frames(frames: Sequence[AerialFrame], camera: FrameCamera, place: Eleva
                       stack.enter_context(RasterSampler(place.surface)) if place.surface else None,
                       place.outlines, threshold, place.heights)
     pixels = stack.enter_context(FramePixels(frames, camera))
-    return [OrthorectifiedFrame(frame, pixels, terrain) for frame in frames]
+    masks = [None] * len(frames) if place.masks is None else [Path(mask) for mask in place.masks]
+    return [OrthorectifiedFrame(frame, pixels, terrain, mask) for frame, mask in zip(frames, masks)]
+
+
+def _frame_masks(frames: Sequence[AerialFrame], camera: FrameCamera, place: ElevationInputs,
+                 settings: OcclusionSettings, folder: Path, progress: Progress) -> list[Path]:
+    """Occlusion maps of all frames, written to a folder."""
+    if place.surface is None:
+        raise InputError("Occlusion maps of the frames need a surface (DSM): give one, or give the maps themselves.")
+    masks = [folder / f"{number}.tif" for number in range(len(frames))]
+    for number, (frame, mask) in enumerate(zip(frames, masks)):
+        part = progress.part(number / len(frames), (number + 1) / len(frames))
+        occlusion_map(camera, frame.pose, place.surface, place.ground, mask, settings, progress=part)
+    return masks
 
 
 def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: ElevationInputs, output: MosaicFiles,
@@ -352,6 +397,10 @@ def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
     """
     settings = settings or OrthoSettings()
     with ExitStack() as stack:
+        if place.masks is None and settings.occlusion is not None:
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="urbanmap-")))
+            masks = _frame_masks(frames, camera, place, settings.occlusion, folder, progress.part(0.0, 0.2))
+            place, progress = replace(place, masks=masks), progress.part(0.2, 1.0)
         opener = partial(open_frames, frames, camera, place, settings.height_threshold)
         sources = opener(stack)
         terrain, pixels = sources[0].terrain, sources[0].pixels

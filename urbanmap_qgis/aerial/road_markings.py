@@ -41,12 +41,23 @@ class MarkingSettings:
     ----------
     block_size : side of the Gaussian window, m (J Table 3-2). contrast : how much brighter than the window's mean paint
     is, in grey values of an image levelled to 0..255 (J Table 3-2).
+    paper : whether the plain adaptive threshold of J 3.2.2 is taken, see `thresholded`; `cleaning` is None
+    then.
     cleaning : rules for what is no marking; None keeps all that passes the threshold.
     """
 
     block_size: float = 2.5
     contrast: float = 17.0
+    paper: bool = False
     cleaning: CleanSettings | None = field(default_factory=CleanSettings)
+
+    def __post_init__(self) -> None:
+        if self.paper and self.cleaning is not None:
+            raise ValueError("The paper's threshold is not cleaned.")
+
+
+PAPER_MARKINGS = MarkingSettings(paper=True, cleaning=None)
+"""J 3.2.2 with the values of Table 3-2."""
 
 
 @dataclass(frozen=True)
@@ -74,6 +85,14 @@ class Markings:
     yellow: np.ndarray
 
 
+def image_brightness(bands: np.ndarray, settings: MarkingSettings) -> np.ndarray:
+    """Brightness that is levelled and compared, (rows, columns) float32: grey in the paper."""
+    if not settings.paper:
+        return paint_brightness(bands)
+    bands = bands.astype(np.float32)
+    return bands[0] if len(bands) < 3 else cv2.cvtColor(np.moveaxis(bands[:3], 0, -1), cv2.COLOR_RGB2GRAY)
+
+
 def paint_brightness(bands: np.ndarray) -> np.ndarray:
     """Brightness in which white and yellow paint stand out, (rows, columns) float32.
 
@@ -85,14 +104,14 @@ def paint_brightness(bands: np.ndarray) -> np.ndarray:
     return red + YELLOW_WEIGHT * (red - blue)
 
 
-def level_adjustment_of(brightness: np.ndarray) -> LevelAdjustment:
+def level_adjustment_of(brightness: np.ndarray, min_range: float = MIN_RANGE) -> LevelAdjustment:
     """Levels of a sample of valid brightness values, (n,), from its darkest and brightest 0.5 %.
 
-    The range is at least `MIN_RANGE` medians: a street with hardly any paint must not have its noise stretched.
+    The range is at least `min_range` medians: a street with hardly any paint must not have its noise stretched.
     Values beyond the levels are kept, as cutting them would shift the edges of bright paint.
     """
     low, middle, high = np.percentile(brightness, [0.5, 50.0, 99.5])
-    high = max(high, low + MIN_RANGE * abs(middle), low + 1e-6)
+    high = max(high, low + min_range * abs(middle), low + 1e-6)
     return LevelAdjustment(float(low), float(high), float((middle - low) * 255 / (high - low)))
 
 
@@ -114,8 +133,10 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     not enter the mean. roads : bool, where markings may be; None for everywhere. pixel : side, m.
     """
     allowed = seen if roads is None else seen & roads
-    raw = paint_brightness(bands)
+    raw = image_brightness(bands, settings)
     image = (raw - np.float32(levels.low)) * np.float32(255.0 / (levels.high - levels.low))
+    if settings.paper:
+        return thresholded(image, bands, seen, allowed, pixel, settings)
     mean = _mean_of_seen(image, seen, pixel, settings.block_size)
     image = np.where(seen, image, mean)
     threshold = settings.contrast * np.clip(mean / max(levels.middle, 1.0), SHADE_FLOOR, 1.0)
@@ -127,9 +148,34 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     return _refined(core, image, road, bands, allowed, pixel)
 
 
+def thresholded(image: np.ndarray, bands: np.ndarray, seen: np.ndarray, allowed: np.ndarray, pixel: float,
+                settings: MarkingSettings) -> Markings:
+    """Markings by the plain adaptive Gaussian threshold of a levelled image (J 3.2.2), as 8 bit numbers.
+
+    Nothing else is done. The paper does not tell what the mean is where ground is not seen: there the mean of what is
+    seen in the block stands in for the image. Outlines are those of the pixels.
+    """
+    side = _block_pixels(pixel, settings.block_size)
+    mean = _mean_of_seen(image, seen, pixel, settings.block_size)
+    levelled = np.clip(np.rint(np.where(seen, image, mean)), 0, 255).astype(np.uint8)
+    mask = allowed & (cv2.adaptiveThreshold(levelled, 255, cv2.ADAPTIVE_THRESH_GAUSSIAN_C, cv2.THRESH_BINARY, side,
+                                            -settings.contrast) > 0)
+    yellow = np.zeros(mask.shape, dtype=bool)
+    if len(bands) >= 3:
+        red = bands[0].astype(np.float32)
+        yellow = mask & (red - bands[2] > YELLOW_SHARE * red)
+    return Markings(mask, np.where(mask, np.float32(1), np.float32(-1)),
+                    np.where(mask, image - mean, np.float32(0)), yellow)
+
+
+def _block_pixels(pixel: float, block_size: float) -> int:
+    """Side of the block in pixels, odd, at least 3."""
+    return max(round(block_size / pixel) | 1, 3)
+
+
 def _mean_of_seen(image: np.ndarray, seen: np.ndarray, pixel: float, block_size: float) -> np.ndarray:
     """Gaussian mean over a block, of seen pixels only."""
-    side = max(round(block_size / pixel) | 1, 3)
+    side = _block_pixels(pixel, block_size)
     weight = seen.astype(np.float32)
     total = cv2.GaussianBlur(image * weight, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
     weight = cv2.GaussianBlur(weight, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
