@@ -45,7 +45,7 @@ class Step:
     `made` takes another step's output; `note` is a text parameter that takes the model's settings; of the rest, the
     step is given what it shares by name with the model. `outputs` are results of the model: name and label. `named`
     gives the model's name to parameters and outputs of the step that have another name in the model, "" for those of
-    one name that have nothing in common.
+    one name that have nothing in common. `derived` gives parameters of the step an expression of the model's inputs.
     """
 
     algorithm: str
@@ -54,15 +54,19 @@ class Step:
     note: str = ""
     outputs: dict[str, str] = field(default_factory=dict)
     named: dict[str, str] = field(default_factory=dict)
+    derived: dict[str, str] = field(default_factory=dict)
 
     def name_in_chain(self, name: str) -> str:
         """The model's name of a parameter or output of the step."""
         return self.named.get(name, name)
 
 
+FULL_OR_PAPER = {"METHOD": "CASE WHEN @METHOD = 'paper' THEN 'paper' ELSE 'full' END"}
+
 BUILDINGS_FROM_ALS = (
-    Step("segmentbuildings", "1. Moves each outline to its building and takes the points out of the cloud."),
-    Step("segmentroofs", "2. Tells the roofs of each building apart by the histogram of heights.",
+    Step("segmentbuildings", "1. Moves each outline to its building and takes the points out of the cloud.",
+         derived=FULL_OR_PAPER),
+    Step("segmentroofs", "2. Segments the roofs of each building by the histogram of heights.", derived=FULL_OR_PAPER,
          made={"POINTS": ("segmentbuildings", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS")}),
     Step("roofpolygons", "3. Draws the polygon of each roof from its points.",
          made={"POINTS": ("segmentroofs", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS")}),
@@ -166,7 +170,9 @@ def add_step(model: QgsProcessingModelAlgorithm, step: Step, y: float, chain) ->
         if definition.isDestination() or name in step.made:
             continue
         shared = step.name_in_chain(name)
-        if shared and chain.parameterDefinition(shared):
+        if name in step.derived:
+            child.addParameterSources(name, [source.fromExpression(step.derived[name])])
+        elif shared and chain.parameterDefinition(shared):
             child.addParameterSources(name, [source.fromModelParameter(shared)])
         elif definition.defaultValue() is not None:
             child.addParameterSources(name, [source.fromStaticValue(definition.defaultValue())])

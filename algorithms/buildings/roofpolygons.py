@@ -8,6 +8,8 @@ from ..framework.outlines import footprints_of, open_points
 from ..framework.parameters import tr
 from ..framework.workers import workers
 
+ROBUST, MAXIMUM, PAPER = "robust", "maximum", "paper"
+
 
 class RoofPolygons(UrbanMapAlgorithm):
     ID = "roofpolygons"
@@ -21,16 +23,20 @@ class RoofPolygons(UrbanMapAlgorithm):
         "gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, "
         "for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its "
         "own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from "
-        "these lines; it leaves the outline aside and needs roofs of simple shape."
+        "these lines, at the height of the roof's highest point; it leaves the outline aside and needs roofs of simple "
+        "shape. A building without a roof then has no polygon; the other methods give it a plain block."
     )
 
     def declare(self):
         self.add_points(help="Points with the attributes building_id and roof_id, from “Segment roofs”.")
         self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”.")
-        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "points", "paper"),
+        self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "points", PAPER),
                         "partition")
         self.add_choice("HEIGHT", "Roof height", "Height of a roof from its points: the median, or the highest point "
-                        "as in the paper (the top of the parapet).", ("robust", "maximum"), "robust")
+                        "as in the paper (the top of the parapet). The paper's method always takes the highest point.",
+                        (ROBUST, MAXIMUM), ROBUST)
+        self.add_number("MIN_LINE_POINTS", "Minimum points of an edge", "Boundary points that a line must have to be "
+                        "an edge, in the paper's method (its n).", 5, 3, 1000, "points", advanced=True)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
                               "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
@@ -48,8 +54,9 @@ class RoofPolygons(UrbanMapAlgorithm):
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
-        settings = PolygonParameters(self.parameterAsString(parameters, "METHOD", context),
-                                     self.parameterAsString(parameters, "HEIGHT", context))
+        method = self.parameterAsString(parameters, "METHOD", context)
+        height = MAXIMUM if method == PAPER else self.parameterAsString(parameters, "HEIGHT", context)
+        settings = PolygonParameters(method, height, self.parameterAsInt(parameters, "MIN_LINE_POINTS", context))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())

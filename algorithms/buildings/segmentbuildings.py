@@ -32,6 +32,9 @@ class SegmentBuildings(UrbanMapAlgorithm):
                           "number of the building; without it, buildings are numbered from 1 in the layer's order.")
         self.add_distance("EXPANSION", "Expansion", "Distance in metres by which outlines are expanded before they "
                           "take their points.", 1.0, 0.0, 20.0)
+        self.add_choice("METHOD", "Method", "The full method adjusts the outlines and chooses the points that can be "
+                        "building. The paper's takes all points in the expanded outlines as they are given; a point "
+                        "in several is written once for each.", ("full", "paper"), "full")
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is "
                         "made from the points.", optional=True)
         self.add_distance("MAX_DISPLACEMENT", "Maximum displacement", "Distance in metres by which an outline may "
@@ -63,7 +66,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
         settings = SegmentationParameters(
             self.parameterAsDouble(parameters, "EXPANSION", context),
             self.parameterAsDouble(parameters, "MIN_HEIGHT", context),
-            self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context))
+            self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context),
+            self.parameterAsString(parameters, "METHOD", context))
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
         with points_output(self, parameters, context) as points:
             with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:

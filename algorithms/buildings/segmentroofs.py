@@ -29,14 +29,19 @@ class SegmentRoofs(UrbanMapAlgorithm):
         self.add_points(help="Points with the attribute building_id, from “Segment buildings”.")
         self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”; their fields ground and "
                           "density are used where they are there.")
+        self.add_choice("METHOD", "Method", "The full method segments roofs in the histogram and in plan. The paper's "
+                        "has the histogram alone: all points in the expanded outline, maxima of at least the minimum "
+                        "roof area times the density; it uses bin width, bin shift, minimum roof area and parapet "
+                        "threshold only.", ("full", "paper"), "full")
         self.add_distance("BIN_WIDTH", "Bin width", "Width of a histogram bin in metres.", 0.5, 0.05, 10.0)
         self.add_distance("BIN_SHIFT", "Bin shift", "Distance in metres from one bin to the next; smaller than the "
                           "width, so that bins overlap.", 0.1, 0.01, 10.0)
         self.add_number("MIN_ROOF_AREA", "Minimum roof area", "Area in square metres that a maximum of the histogram "
                         "must hold to be a roof (times the density: the paper's alpha).", 50.0, 0.5, 100000.0, "m2")
         self.add_number("PARAPET_THRESHOLD", "Parapet threshold", "Two maxima are one roof where the histogram "
-                        "between them stays above this number of points (the paper's beta). Without it, a share "
-                        "of the two maxima.", None, 0, None, "points", optional=True)
+                        "between them stays above this number of points (the paper's beta). Without it, 0.3 "
+                        "of the smaller maximum; with the paper's method, 0.3 of alpha.", None, 0, None, "points",
+                        optional=True)
         self.add_number("MIN_ROOF_SHARE", "Minimum roof share", "The minimum roof area is no more than this share of "
                         "the outline's area, so that small buildings have roofs too; 1 asks for the minimum roof area "
                         "everywhere but in buildings smaller than that.", 0.2, 0.01, 1.0, advanced=True)
@@ -78,6 +83,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
         cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
         beta = parameters.get("PARAPET_THRESHOLD")
         settings = RoofParameters(
+            method=self.parameterAsString(parameters, "METHOD", context),
             bin_width=self.parameterAsDouble(parameters, "BIN_WIDTH", context),
             bin_shift=self.parameterAsDouble(parameters, "BIN_SHIFT", context),
             min_roof_area=self.parameterAsDouble(parameters, "MIN_ROOF_AREA", context),

@@ -207,7 +207,7 @@ class Declarations:
 
     # Chains
 
-    def add_from(self, stage: type, *names: str, label: str = "", advanced: bool | None = None,
+    def add_from(self, stage: type, *names: str, label: str = "", help: str = "", advanced: bool | None = None,
                  optional: bool | None = None, by_default: bool | None = None, **renamed: str):
         """Parameters and outputs as the algorithm class `stage` declares them: a chain repeats nothing.
 
@@ -227,6 +227,8 @@ class Declarations:
             definition.setName(name)
             if label:
                 definition.setDescription(tr(label) + "".join(UNIT.findall(definition.description())))
+            if help:
+                definition.setHelp(tr(help))
             if by_default is not None:
                 definition.setCreateByDefault(by_default)
             flags = definition.Flag

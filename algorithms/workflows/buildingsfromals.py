@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..buildings.buildingmodels import BuildingModels
-from ..buildings.roofpolygons import RoofPolygons
+from ..buildings.roofpolygons import PAPER, RoofPolygons
 from ..buildings.segmentbuildings import SegmentBuildings
 from ..buildings.segmentroofs import SegmentRoofs
 from ..framework.base import UrbanMapAlgorithm
@@ -18,6 +18,8 @@ class BuildingsFromAls(UrbanMapAlgorithm):
     HELP = (
         "Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment "
         "buildings, segment roofs, roof polygons, building models.\n"
+        "The method “paper” runs the paper's way whole: all points in the expanded outlines, the histogram alone, "
+        "alpha shape and Hough lines, the highest point.\n"
         "The same chain is there as a model that can be changed in the modeller."
     )
 
@@ -26,7 +28,11 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         self.add_from(SegmentRoofs, "MIN_ROOF_AREA")
         self.add_from(SegmentBuildings, "MAX_DISPLACEMENT", advanced=True)
         self.add_from(SegmentRoofs, "HEIGHT_RMSE", advanced=True)
-        self.add_from(RoofPolygons, "METHOD", label="Method of the roof polygons", advanced=True)
+        self.add_from(RoofPolygons, "METHOD", label="Method", advanced=True, help="partition: outlines divided among "
+                      "their roofs; points: outlines drawn from the points, then divided; paper: the paper's method in "
+                      "every step.")
+        self.add_from(SegmentRoofs, "PARAPET_THRESHOLD", advanced=True)
+        self.add_from(RoofPolygons, "MIN_LINE_POINTS", advanced=True)
         self.add_from(RoofPolygons, "HEIGHT", advanced=True)
         self.add_from(BuildingModels, "BASE_FIELD", advanced=True)
         self.add_from(BuildingModels, "WORKERS", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_MESH")
@@ -39,15 +45,18 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         def pick(*names):
             return {name: given[name] for name in names if name in given}
 
+        as_paper = self.parameterAsString(parameters, "METHOD", context) == PAPER
+        stage_method = PAPER if as_paper else "full"
         run = self.child_runner(context, feedback, 4)
         buildings = run("segmentbuildings", **pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION", "MAX_DISPLACEMENT",
-                                                   "WORKERS"), OUTPUT=self.temporary_file(context, "buildings.laz"),
-                        OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
-        roofs = run("segmentroofs", **pick("MIN_ROOF_AREA", "HEIGHT_RMSE", "WORKERS"), POINTS=[buildings["OUTPUT"]],
+                                                   "WORKERS"), METHOD=stage_method,
+                        OUTPUT=self.temporary_file(context, "buildings.laz"), OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
+        roofs = run("segmentroofs", **pick("MIN_ROOF_AREA", "PARAPET_THRESHOLD", "HEIGHT_RMSE", "WORKERS"),
+                    METHOD=stage_method, POINTS=[buildings["OUTPUT"]],
                     FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.laz"),
                     OUTPUT_ROOFS="TEMPORARY_OUTPUT")
-        polygons = run("roofpolygons", **pick("METHOD", "HEIGHT", "WORKERS"), POINTS=[roofs["OUTPUT"]],
-                       FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
+        polygons = run("roofpolygons", **pick("METHOD", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
+                       POINTS=[roofs["OUTPUT"]], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
         settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
         models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
                                               "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),

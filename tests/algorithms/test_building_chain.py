@@ -277,3 +277,14 @@ def test_turned_and_moved_town_has_the_same_roofs(town, synthetic, save_outlines
         assert rows[name]["area"] == pytest.approx(area, rel=0.01), name
         assert rows[name]["volume"] == pytest.approx(content, rel=0.02), name
         assert [str(problem) for solid in found for problem in check_solid(solid)] == [], name
+
+
+def test_the_papers_method_switches_the_whole_chain(town, tmp_path):
+    results = run_chain(tmp_path, town.files, town.outlines, METHOD="paper")
+    rows = {row["名称"]: row for row in rows_of(results["OUTPUT"])}
+    assert {name: row["roofs"] for name, row in rows.items() if name not in ("bare ground", "beyond the survey")} == {
+        "box": 1, "L": 1, "two levels": 2, "parapet": 1, "touching, low": 1, "touching, high": 1, "one height twice": 2,
+        "courtyard": 1, "gable": 0, "clutter": 1}
+    assert rows["parapet"]["height"] == pytest.approx(14.0 - GROUND, abs=0.15)  # the highest point, on the parapet
+    assert rows["clutter"]["height"] == pytest.approx(18.0 - GROUND, abs=0.15)  # that of the antenna
+    assert rows["gable"]["status"] == "not modelled"

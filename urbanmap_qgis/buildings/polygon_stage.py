@@ -18,7 +18,7 @@ from .building_points import coordinates, iter_building_blocks, require_dimensio
 from .outlines.footprint import Footprints
 from .polygons.outline_from_points import outline_from_points
 from .polygons.roof_plan import partition_roofs
-from .polygons.roof_polygon import paper_roof_polygons
+from .polygons.roof_polygon import PaperParameters, paper_roof_polygons
 
 SEGMENT_ROOFS = "Segment roofs"
 
@@ -40,10 +40,11 @@ ROBUST, MAXIMUM = "robust", "maximum"
 
 @dataclass(frozen=True)
 class PolygonParameters:
-    """What the user can set: one of the methods and one of the heights above."""
+    """What the user can set: one of the methods, one of the heights, and the points of a line (J's n) for `PAPER`."""
 
     method: str = PARTITION
     height: str = ROBUST
+    min_line_points: int = 5
 
 
 @dataclass
@@ -95,7 +96,7 @@ def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: P
     """Roof polygons from points that carry `building_id` and `roof_id`.
 
     Buildings come in the order of their ids. A building with points but no roof becomes a plain block at the
-    median height of its points; one without points has no row.
+    median height of its points, with `PAPER` it has no row, as one without points.
     """
     for name in ("building_id", "roof_id"):
         require_dimension(cloud, name, SEGMENT_ROOFS)
@@ -122,10 +123,10 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
             continue
         points = coordinates(block.layout, records)
         roof = records["roof_id"].astype(np.int64)
-        if not roof.any():
-            _add_block(table, number, outline, points[2])
-        elif block.parameters.method == PAPER:
+        if block.parameters.method == PAPER:
             _outline_each(table, number, outline, points, roof, block.parameters)
+        elif not roof.any():
+            _add_block(table, number, outline, points[2])
         elif block.parameters.method == POINTS:
             plan, status = _outline_of(points, roof, outline, beside)
             _divide_plan(table, number, plan, points, roof, block.parameters, status)
@@ -215,8 +216,12 @@ def _outline_each(table: RoofPolygons, number: int, outline: shapely.Geometry, p
                   parameters: PolygonParameters) -> None:
     """Each roof outlined on its own, as the paper does."""
     x, y, z = points
-    density = np.count_nonzero(roof) / outline.area
-    for drawn in paper_roof_polygons(x, y, roof, density):
+    if not roof.any():
+        return
+    shapely.prepare(outline)
+    drawing = PaperParameters(min_line_points=parameters.min_line_points)
+    density = max(np.count_nonzero(shapely.contains_xy(outline, x, y)), 1) / outline.area
+    for drawn in paper_roof_polygons(x, y, roof, density, drawing):
         own = roof == drawn.roof_number
         height = _height(z[own], parameters)
         if drawn.polygon is None:

@@ -15,7 +15,8 @@ from ..io.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
-from .roofs.roof_levels import RoofParameters
+from .roofs.paper_roofs import PaperRoofs, paper_roofs
+from .roofs.roof_levels import PAPER, RoofParameters
 from .roofs.roof_segmentation import RoofSegmentation, segment_roofs
 
 SEGMENT_BUILDINGS = "Segment buildings"
@@ -98,17 +99,20 @@ def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footpri
     return float(np.median(positive)) if positive else 1.0
 
 
-def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[RoofSegmentation | None]]:
+def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[RoofSegmentation | PaperRoofs | None]]:
     """Rows, records with `roof_id`, and the segmentation of each building of a block."""
-    results: list[RoofSegmentation | None] = []
+    results: list[RoofSegmentation | PaperRoofs | None] = []
     for polygon, records, ground in zip(block.polygons, block.records, block.ground):
         if polygon is None or not len(records):
             results.append(None)
             continue
         x, y, z = coordinates(block.layout, records)
-        several = np.asarray(block.layout.view(records).number_of_returns) > 1
-        result = segment_roofs(x, y, z, polygon, _known_ground(ground, z, block.parameters), block.density,
-                               block.parameters, several)
+        if block.parameters.method == PAPER:
+            result = paper_roofs(x, y, z, polygon, block.density, block.parameters)
+        else:
+            several = np.asarray(block.layout.view(records).number_of_returns) > 1
+            result = segment_roofs(x, y, z, polygon, _known_ground(ground, z, block.parameters), block.density,
+                                   block.parameters, several)
         records["roof_id"] = result.roof_of_point
         results.append(result)
     joined = np.concatenate(block.records) if block.records else np.zeros(0, block.layout.dtype)
@@ -120,7 +124,7 @@ def _known_ground(ground: float, z: np.ndarray, parameters: RoofParameters) -> f
     return float(ground) if np.isfinite(ground) else float(z.min()) - parameters.min_height
 
 
-def _table_rows(building_id: int, result: RoofSegmentation) -> Iterator[tuple]:
+def _table_rows(building_id: int, result: RoofSegmentation | PaperRoofs) -> Iterator[tuple]:
     table = result.roofs
     for values in zip(table.number, table.height, table.height_max, table.points, table.area, table.density,
                       table.rmse):

@@ -31,7 +31,7 @@ from .outlines.courtyards import with_courtyards
 from .outlines.displacement import estimate_displacements, shifted_outlines
 from .outlines.evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
 from .outlines.footprint import Footprints
-from .point_assignment import Assignment, assign_points
+from .point_assignment import Assignment, assign_points, points_in_expanded
 
 TILE_POINTS = 3_000_000
 """Points worked on together; the side of the tiles follows from the cloud's density."""
@@ -53,6 +53,9 @@ MIN_CLASSED_SHARE = 0.2
 
 MIN_ROOF_POINTS = 3
 
+FULL, PAPER = "full", "paper"
+"""Methods: outlines adjusted and candidate points chosen, or all points in the expanded outlines as in the paper."""
+
 ON_GROUND = 1.0
 """Height (m) above the ground up to which a point shows that a place is open."""
 
@@ -66,11 +69,14 @@ class SegmentationParameters:
     expansion : m by which outlines are expanded (J 5.3.1: "pre-defined threshold").
     minimum_height : m above ground from which an unclassified point may be building.
     maximum_displacement : m by which an outline may be moved to its points; 0 leaves them in place.
+    method : `FULL` or `PAPER`, which uses the expansion only: outlines stay in place, all points in the expanded
+        outline are the building's, and a point in several is written once for each.
     """
 
     expansion: float = 1.0
     minimum_height: float = 2.0
     maximum_displacement: float = 2.5
+    method: str = FULL
 
 
 @dataclass(frozen=True)
@@ -245,6 +251,8 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
     x, y, z = coordinates(tile.layout, tile.records)
     classes = np.asarray(points.classification)
     ground = tile.ground or _made_ground(x, y, z, classes, tile.footprints.polygons, progress)
+    if tile.parameters.method == PAPER:
+        return _segment_as_paper(tile, x, y, ground)
     outlines, table = _placed_outlines(tile, x, y, z, classes, points, ground, progress)
     progress.check()
     above = z - sample(*ground, x, y) if ground else np.full(len(z), np.inf)
@@ -258,6 +266,20 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
     _count_points(table, assignment, outlines, ground)
     mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
     return tile.rows[tile.own], mine, records[order]
+
+
+def _segment_as_paper(tile: Tile, x: np.ndarray, y: np.ndarray, ground: tuple[Grid, np.ndarray] | None
+                      ) -> tuple[np.ndarray, SegmentedBuildings, np.ndarray]:
+    """As `_segment_tile`, by J 5.3.1 alone: every point within the expanded outline, outlines as given."""
+    table = SegmentedBuildings.empty(tile.footprints)
+    table.shift_status[:] = "kept"
+    point, building, primary = points_in_expanded(x, y, table.outlines, tile.parameters.expansion)
+    _count_points(table, Assignment(building, primary), table.outlines, ground)
+    own = tile.own[building]
+    records = tile.records[point[own]]
+    records["building_id"] = tile.footprints.ids[building[own]]
+    mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
+    return tile.rows[tile.own], mine, records
 
 
 def _made_ground(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray,

@@ -12,6 +12,10 @@ from ...errors import InputError
 ANGLE_STEP = 1.0
 """Degrees between the directions of the accumulator; the line found is then fitted to its points."""
 
+MIN_SEQUENCE = 3
+"""Boundary points that a sequence on a line needs to be an edge: of fewer the first and last are all there is, and
+both stay as possible corners (J 5.3.3, step 3)."""
+
 
 @dataclass(frozen=True)
 class BoundaryLine:
@@ -92,19 +96,19 @@ def hough_lines(boundary_xy: np.ndarray, min_points: int = 5, distance: float = 
     """Edges of a closed boundary, in the order of detection (J 5.3.3: best line first).
 
     Repeats: the best line of the Hough transform; on it the sequences of consecutive boundary points nearer
-    than `distance` (circular order); from each of at least `min_points` points an edge, whose points leave
-    the boundary except its first and last, which may be corners of two edges. Ends when no line has
-    `min_points`.
+    than `distance` (circular order); from each an edge, whose points leave the boundary except its first and
+    last, which may be corners of two edges. Ends when no line has `min_points`: n is asked of the line, not of
+    each sequence on it.
 
     Parameters
     ----------
     boundary_xy : (n, 2) ordered points of a ring in metres, the first not repeated.
-    min_points : J's n, the least points of an edge.
+    min_points : J's n, the fewest points of a detected line.
     distance : J's d in metres.
     """
     xy = np.asarray(boundary_xy, float)
     if min_points < 3:
-        raise InputError("An edge needs at least three boundary points.")
+        raise InputError("A detected line needs at least three boundary points.")
     if not distance > 0:
         raise InputError("The distance of boundary points to their line must be above zero metres.")
     if len(xy) < min_points:
@@ -118,7 +122,7 @@ def hough_lines(boundary_xy: np.ndarray, min_points: int = 5, distance: float = 
         cell, votes = accumulator.best()
         if votes < min_points:
             return lines
-        found = _edges_on_line(local, remaining, accumulator.members(cell), min_points, distance)
+        found = _edges_on_line(local, remaining, accumulator.members(cell), distance)
         if not found:
             accumulator.discard(cell)
             continue
@@ -130,17 +134,16 @@ def hough_lines(boundary_xy: np.ndarray, min_points: int = 5, distance: float = 
             accumulator.remove(inner)
 
 
-def _edges_on_line(xy: np.ndarray, remaining: np.ndarray, voters: np.ndarray, min_points: int,
+def _edges_on_line(xy: np.ndarray, remaining: np.ndarray, voters: np.ndarray,
                    distance: float) -> list[tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Point, direction and sequence of each edge on the line of the voters, each fitted to its sequence."""
+    """Point, direction and sequence of each edge on the line of the voters; none if no sequence is long enough."""
     point, direction = fit_line(xy[voters & remaining])
-    edges = []
-    for run in _sequences(remaining & (_distances(xy, point, direction) < distance), min_points):
-        own_point, own_direction = fit_line(xy[run])
-        if np.dot(xy[run[-1]] - xy[run[0]], own_direction) < 0:
-            own_direction = -own_direction
-        edges.append((own_point, own_direction, run))
-    return edges
+    runs = _sequences(remaining & (_distances(xy, point, direction) < distance))
+    if not runs:
+        return []
+    point, direction = fit_line(xy[np.concatenate(runs)])
+    return [(point, direction if np.dot(xy[run[-1]] - xy[run[0]], direction) >= 0 else -direction, run)
+            for run in runs]
 
 
 def _distances(xy: np.ndarray, point: np.ndarray, direction: np.ndarray) -> np.ndarray:
@@ -148,8 +151,8 @@ def _distances(xy: np.ndarray, point: np.ndarray, direction: np.ndarray) -> np.n
     return np.abs(relative[:, 0] * direction[1] - relative[:, 1] * direction[0])
 
 
-def _sequences(near: np.ndarray, min_points: int) -> list[np.ndarray]:
-    """Index arrays of the circular runs of True with at least `min_points` members."""
+def _sequences(near: np.ndarray) -> list[np.ndarray]:
+    """Index arrays of the circular runs of True with at least `MIN_SEQUENCE` members."""
     n = len(near)
     if near.all():
         return [np.arange(n)]
@@ -157,7 +160,7 @@ def _sequences(near: np.ndarray, min_points: int) -> list[np.ndarray]:
     turned = np.concatenate([[0], np.roll(near, -shift).astype(np.int8), [0]])
     steps = np.diff(turned)
     begin, end = np.flatnonzero(steps == 1), np.flatnonzero(steps == -1)
-    return [(np.arange(b, e) + shift) % n for b, e in zip(begin, end) if e - b >= min_points]
+    return [(np.arange(b, e) + shift) % n for b, e in zip(begin, end) if e - b >= MIN_SEQUENCE]
 
 
 def fit_line(xy: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

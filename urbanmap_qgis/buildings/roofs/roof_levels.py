@@ -38,12 +38,17 @@ STRIP_ELONGATION = 8.0
 """Regions this many times as long as wide are strips."""
 
 
+FULL, PAPER = "full", "paper"
+"""Methods of roof segmentation: histogram and plan together, or the paper's histogram alone (`paper_roofs`)."""
+
+
 @dataclass(frozen=True)
 class RoofParameters:
     """How roofs are segmented.
 
     Attributes
     ----------
+    method : `FULL` or `PAPER`, which uses the two bin sizes, `min_roof_area` and `parapet_threshold` only.
     bin_width, bin_shift : of the height histogram, m (J 5.3.2).
     min_roof_area : smallest roof that the histogram looks for, m2 (J: 50).
     min_roof_share : the same as a share of the outline's area, so that a shed of 20 m2 has a roof; the smaller
@@ -59,6 +64,7 @@ class RoofParameters:
     max_parapet : m, highest parapet above its roof.
     """
 
+    method: str = FULL
     bin_width: float = BIN_WIDTH
     bin_shift: float = BIN_SHIFT
     min_roof_area: float = 50.0
