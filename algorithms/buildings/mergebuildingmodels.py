@@ -39,13 +39,13 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                           "and those inside the outlines are left out.")
         self.add_distance("HEIGHT", "Height", "Height in metres above the ground of each model up to which measured "
                           "walls are taken.", 20.0, 1.0, 500.0)
-        self.add_distance("MAX_OFFSET", "Farthest way", "Farthest way in metres that a wall goes to the measured one.",
-                          1.5, 0.01, 10.0, advanced=True)
-        self.add_number("MAX_TURN", "Largest turn", "Largest turn of a wall to the measured one.", 5.0, 0.1, 20.0,
-                        unit="°", advanced=True)
-        self.add_number("LEAST_SHARE", "Least share measured", "Least share of a wall's length, 0 to 1, that must have "
-                        "been measured for it to move.", 0.3, 0.05, 1.0, advanced=True)
-        self.add_distance("OVERHANG", "Least overhang", "A roof that stands out further than this over the measured "
+        self.add_distance("MAX_OFFSET", "Maximum offset", "Maximum distance in metres by which a wall moves to the "
+                          "measured one.", 1.5, 0.01, 10.0, advanced=True)
+        self.add_number("MAX_TURN", "Maximum rotation", "Maximum angle between a wall and the measured one.", 5.0, 0.1,
+                        20.0, unit="°", advanced=True)
+        self.add_number("LEAST_SHARE", "Minimum share measured", "Minimum share of a wall's length, 0 to 1, that must "
+                        "have been measured for it to move.", 0.3, 0.05, 1.0, advanced=True)
+        self.add_distance("OVERHANG", "Minimum overhang", "A roof that stands out further than this over the measured "
                           "wall stays where it is, in metres; others follow the wall.", 0.3, 0.0, 5.0, advanced=True)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Merged models", "MultiPolygonZ, one feature a building with all faces of its "
@@ -73,8 +73,13 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             raise InputError(tr("Give the building models either as a layer or as a CityJSON file."))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.buildings.merging.merge_stage import MERGED, NOT_MERGED, edge_columns, merge_models
-        from ...urbanmap_qgis.buildings.merging.merge_stage import model_columns as columns_of
+        from ...urbanmap_qgis.buildings.merging.merge_stage import (
+            MERGED,
+            NOT_MERGED,
+            edge_columns,
+            merge_models,
+            merged_columns,
+        )
         from ...urbanmap_qgis.buildings.merging.wall_match import MergeSettings
 
         progress = self.progress(feedback)
@@ -86,7 +91,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             merged = merge_models(ids.tolist(), list(models), walls, settings, executor, progress.part(0.0, 0.85))
-        columns, edges = columns_of(merged), edge_columns(merged)
+        columns, edges = merged_columns(merged), edge_columns(merged)
         left = sum(building.status == NOT_MERGED for building in merged)
         if left:
             progress.warn(tr("{0} of {1} buildings could not be merged and keep their models; the field “reason” tells "

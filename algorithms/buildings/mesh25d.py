@@ -33,13 +33,13 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_points(help="Points with building_id from “Segment buildings”, or any points of airborne scanning.")
         self.add_polygons("FOOTPRINTS", "Building outlines", "One feature a building, where it stands. A field ground "
                           "gives the height of the ground in metres.")
-        self.add_distance("MAX_ERROR", "Largest error", "Distance in metres from the mesh within which at least 95 % "
+        self.add_distance("MAX_ERROR", "Maximum error", "Distance in metres from the mesh within which at least 95 % "
                           "of a building's points shall lie.", 0.3, 0.01, 10.0)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres; the lowest along an outline is "
                         "the foot of its walls.", optional=True)
         self.add_distance("STEP", "Height step", "Steps of the roof higher than this, in metres, become upright walls.",
                           0.5, 0.05, 20.0, advanced=True)
-        self.add_number("MIN_AREA", "Least area of a surface", "Smaller pieces between steps become part of what is "
+        self.add_number("MIN_AREA", "Minimum area of a surface", "Smaller pieces between steps become part of what is "
                         "beside them.", 2.0, 0.0, 1000.0, unit="m2", advanced=True)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Meshes", "MultiPolygonZ, one feature a building with all triangles; status, "

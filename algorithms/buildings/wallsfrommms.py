@@ -21,8 +21,8 @@ class WallsFromMms(UrbanMapAlgorithm):
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio", "cv2")
     HELP = (
         "Finds the walls of buildings in a mobile survey that has been put on the map.\n"
-        "Points near the buildings' outlines and below a height above ground are parted into walls and the rest by "
-        "their normals, freed of outliers and cut into planes. The concave hull of each plane's points is the contour "
+        "Points near the buildings' outlines and below a height above ground are separated into walls and the rest by "
+        "their normals, freed of outliers and cut into planes. The alpha shape of each plane's points is the contour "
         "of a wall; holes in it are places where nothing was measured, such as windows, passages and shadows.\n"
         "Each wall says how well its points fit, how well its place is known, how much of it was seen and how much "
         "may be hidden behind trees, vehicles and the like. The accuracy is that of the wall in the survey; the place "
@@ -35,21 +35,21 @@ class WallsFromMms(UrbanMapAlgorithm):
         self.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
                           "“Building models”). A whole-number field building_id is kept as the number of the building; "
                           "without it, buildings are numbered from 1 in the layer's order.")
-        self.add_distance("MAX_HEIGHT", "Greatest height", "Height in metres above the ground up to which points are "
+        self.add_distance("MAX_HEIGHT", "Maximum height", "Height in metres above the ground up to which points are "
                           "used.", 20.0, 1.0, 500.0)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres. Without it the ground is taken "
                         "from the lowest points round each building.", optional=True)
-        self.add_distance("REACH", "Reach", "Farthest distance in metres of a wall outside its building's outline: how "
-                          "far the outlines may be off. Inside, setbacks are found at any distance.", 2.0, 0.25, 6.0,
-                          advanced=True)
-        self.add_number("MIN_AREA", "Least area of a wall", "Smaller pieces are left out.", 3.0, 0.25, 1000.0,
+        self.add_distance("REACH", "Tolerance of the outlines", "How far the outlines may be off, in metres: walls are "
+                          "looked for up to this far from the edges. Inside, setbacks are found at any distance.", 2.0,
+                          0.25, 6.0, advanced=True)
+        self.add_number("MIN_AREA", "Minimum area of a wall", "Smaller pieces are left out.", 3.0, 0.25, 1000.0,
                         unit="m2", advanced=True)
-        self.add_distance("TOLERANCE", "Tolerance", "Farthest distance in metres of a wall's points, on the mean of 30 "
+        self.add_distance("TOLERANCE", "Tolerance", "Maximum distance in metres of a wall's points, on the mean of 30 "
                           "cm, from its plane.", 0.08, 0.01, 0.5, advanced=True)
-        self.add_distance("GAP", "Widest gap", "A wall may be interrupted by up to so many metres.", 1.5, 0.0, 20.0,
+        self.add_distance("GAP", "Maximum gap", "A wall may be interrupted by up to so many metres.", 1.5, 0.0, 20.0,
                           advanced=True)
-        self.add_number("MIN_OPENING", "Least opening", "Smaller holes in a contour are filled, and their share is "
-                        "told.", 0.5, 0.0, 100.0, unit="m2", advanced=True)
+        self.add_number("MIN_OPENING", "Minimum opening", "Smaller holes in a contour are filled, and their share is "
+                        "reported.", 0.5, 0.0, 100.0, unit="m2", advanced=True)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Walls", "PolygonZ, one feature a contour: building_id, wall_id, status, note, "
                               "area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, "

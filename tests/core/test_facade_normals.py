@@ -7,7 +7,7 @@ import pytest
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.facades.normals import voxel_normals
-from urbanmap_qgis.facades.statistical_outliers import outlying
+from urbanmap_qgis.facades.statistical_outliers import statistical_outliers
 
 
 def wall(rng, n, azimuth, lean=0.0, noise=0.01):
@@ -68,11 +68,11 @@ def test_voxels_grow_where_points_are_thin():
 def test_outliers_are_lonely_points():
     rng = np.random.default_rng(7)
     places = np.concatenate([rng.uniform(0, 5, (2000, 3)) * (1, 1, 0.01), [[2, 2, 3.0], [9, 9, 9.0]]])
-    found = outlying(places)
+    found = statistical_outliers(places)
     assert found[-2:].all() and found[:-2].mean() < 0.02
 
 
 def test_few_points_have_no_outliers_and_bad_settings_are_refused():
-    assert not outlying(np.eye(3)).any()
+    assert not statistical_outliers(np.eye(3)).any()
     with pytest.raises(InputError):
-        outlying(np.eye(3), deviations=0)
+        statistical_outliers(np.eye(3), deviations=0)

@@ -8,7 +8,7 @@ import shapely
 
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.facades.building_plans import building_plans, outline_edges
-from urbanmap_qgis.facades.facade_points import FacadeSettings, NearestOutline, facade_points, low_plane
+from urbanmap_qgis.facades.facade_points import FacadeSettings, NearestOutline, facade_points, ground_plane
 from urbanmap_qgis.io.pointcloud import open_cloud
 
 X0, Y0 = -7000.0, -34000.0
@@ -92,12 +92,12 @@ def test_ground_plane_ignores_what_lies_above_and_a_few_points_below():
     z = 10.0 + 0.03 * xy[:, 0] - 0.02 * xy[:, 1] + rng.normal(0, 0.02, 400)
     z[:120] += rng.uniform(1, 12, 120)
     z[120:126] -= 3.0
-    plane = low_plane(xy, z)
+    plane = ground_plane(xy, z)
     assert plane == pytest.approx([10.0, 0.03, -0.02], abs=0.05)
 
 
 def test_few_cells_give_a_level_ground():
-    assert low_plane(np.zeros((3, 2)), np.array([5.0, 5.1, 9.0])) == pytest.approx([5.0, 0, 0], abs=0.1)
+    assert ground_plane(np.zeros((3, 2)), np.array([5.0, 5.1, 9.0])) == pytest.approx([5.0, 0, 0], abs=0.1)
 
 
 @pytest.fixture
@@ -134,8 +134,8 @@ def test_points_below_the_height_above_sloping_ground(street):
 
 def test_a_building_with_too_many_points_is_thinned_and_says_so(street):
     plans = building_plans([box(0, 0, 20, 10)], [1])
-    points = collected(street, plans, most_points=1500)[0]
-    assert len(points.points) < 2000 and points.thinned < 0.3
+    points = collected(street, plans, max_points=1500)[0]
+    assert len(points.points) < 2000 and points.kept_share < 0.3
 
 
 def test_a_survey_of_another_place_is_told(street):
@@ -147,5 +147,5 @@ def test_a_survey_of_another_place_is_told(street):
 def test_settings_are_checked():
     with pytest.raises(InputError, match="greater than 0"):
         FacadeSettings(max_height=0)
-    with pytest.raises(InputError, match="reach"):
-        FacadeSettings(reach=30.0)
+    with pytest.raises(InputError, match="tolerance"):
+        FacadeSettings(tolerance=30.0)

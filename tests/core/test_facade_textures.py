@@ -9,11 +9,11 @@ from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, frame_
 from urbanmap_qgis.aerial.frames import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid_faces import solids_of
-from urbanmap_qgis.imagery.atlas import LARGEST, coarsest_step, drawn, pack
-from urbanmap_qgis.imagery.facade_texture import HIDDEN, NOT_FACED, TextureSettings, evening_gains
+from urbanmap_qgis.imagery.atlas import LARGEST, coarsest_step, draw_atlas, pack_textures
+from urbanmap_qgis.imagery.facade_texture import HIDDEN, NOT_FACED, TextureSettings, compensation_gains
 from urbanmap_qgis.imagery.facades import facades_of, on_facade, texel_grid
-from urbanmap_qgis.imagery.obstacles import Voxels, obstacles_within, voxels_of
-from urbanmap_qgis.imagery.texture_stage import Building, buildings_of, summary, texture_buildings
+from urbanmap_qgis.imagery.obstacles import OccupiedVoxels, obstacles_within, voxels_of
+from urbanmap_qgis.imagery.texture_stage import BuildingSolids, buildings_of, summary, texture_buildings
 from urbanmap_qgis.imagery.views import FrameSource, strip_source
 from urbanmap_qgis.mobile.calibration import MountedCamera
 from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, pixel_rays
@@ -102,7 +102,7 @@ def place_errors(image):
 def test_a_wall_comes_back_undistorted_from_a_shaking_camera(tmp_path):
     trajectory = drive()
     source = strip_source(0, "strip.png", photographed(tmp_path, trajectory), trajectory)
-    made, = texture_buildings([Building(7, HOUSE)], [source], TextureSettings(resolution=0.05))
+    made, = texture_buildings([BuildingSolids(7, HOUSE)], [source], TextureSettings(resolution=0.05))
     image, record = south_texture(made)
     off_right, off_high = place_errors(image)
     # A column of the strip is 16 cm here, a grey value 8 cm.
@@ -128,7 +128,7 @@ def test_a_frame_textures_a_wall_too(tmp_path):
     colour = np.nan_to_num(wall_colour(*met(np.tile(pose.centre, (len(direction), 1)), direction)))
     cv2.imwrite(str(tmp_path / "f.png"), np.rint(colour.reshape(900, 1200, 3)[:, :, ::-1]).astype(np.uint8))
     source = FrameSource(0, "f.png", AerialFrame(tmp_path / "f.png", pose), camera)
-    made, = texture_buildings([Building(1, HOUSE)], [source])
+    made, = texture_buildings([BuildingSolids(1, HOUSE)], [source])
     image, record = south_texture(made)
     off_right, off_high = place_errors(image)
     assert np.percentile(np.abs(off_right), 99) < 0.08 and np.percentile(np.abs(off_high), 99) < 0.05
@@ -138,12 +138,12 @@ def test_a_frame_textures_a_wall_too(tmp_path):
 def test_a_building_in_between_hides_the_wall(tmp_path):
     trajectory = drive()
     source = strip_source(0, "s", photographed(tmp_path, trajectory), trajectory)
-    wall = Building(2, solids_of(box(CORNER - np.array([20.0, 6.0, 0.0]), 60.0, 2.0, 30.0)))
-    made = list(texture_buildings([Building(1, HOUSE), wall], [source]))
+    wall = BuildingSolids(2, solids_of(box(CORNER - np.array([20.0, 6.0, 0.0]), 60.0, 2.0, 30.0)))
+    made = list(texture_buildings([BuildingSolids(1, HOUSE), wall], [source]))
     assert {(record.status, record.reason) for record in made[0].records} == {
         ("not seen", HIDDEN), ("not seen", NOT_FACED)}
-    low = Building(2, solids_of(box(CORNER - np.array([20.0, 6.0, 0.0]), 60.0, 2.0, 4.0)))
-    made = list(texture_buildings([Building(1, HOUSE), low], [source]))
+    low = BuildingSolids(2, solids_of(box(CORNER - np.array([20.0, 6.0, 0.0]), 60.0, 2.0, 4.0)))
+    made = list(texture_buildings([BuildingSolids(1, HOUSE), low], [source]))
     south = next(record for record in made[0].records if record.status == "partly seen")
     # From 2.4 m over 4 m, 4 m off the far edge of a wall 4 m high: the lowest 5.6 m are hidden (similar triangles).
     top = 2.4 + (4.0 - 2.4) * 11.4 / 5.4
@@ -157,7 +157,8 @@ def test_laser_points_of_a_tree_hide_what_is_behind_it(tmp_path):
     crown = CORNER + np.array([8.0, -5.0, 3.0]) + rng.normal(size=(20_000, 3)) * [0.8, 0.4, 0.8]
     wall = CORNER + np.column_stack([rng.uniform(0, WIDTH, 20_000), rng.normal(0, 0.02, 20_000),
                                      rng.uniform(0, HEIGHT, 20_000)])
-    made, = texture_buildings([Building(1, HOUSE)], [source], voxels=voxels_of([crown[:9000], crown[9000:], wall]))
+    made, = texture_buildings([BuildingSolids(1, HOUSE)], [source],
+                              voxels=voxels_of([crown[:9000], crown[9000:], wall]))
     south = next(record for record in made.records if record.status != "not seen")
     assert 0.70 < south.seen < 0.95
     image, _ = south_texture(made)
@@ -167,7 +168,7 @@ def test_laser_points_of_a_tree_hide_what_is_behind_it(tmp_path):
 def test_a_facade_that_no_image_reaches_says_so(tmp_path):
     trajectory = drive()
     source = strip_source(0, "s", photographed(tmp_path, trajectory), trajectory)
-    made, = texture_buildings([Building(1, HOUSE)], [source], TextureSettings(reach=8.0))
+    made, = texture_buildings([BuildingSolids(1, HOUSE)], [source], TextureSettings(max_range=8.0))
     assert not made.images and all(record.reason == NOT_FACED for record in made.records)
 
 
@@ -186,7 +187,7 @@ def test_two_strips_of_different_brightness_are_evened(tmp_path):
     cut = photographed(tmp_path, half, name="b.png", factor=0.6)
     # The darker strip shows the eastern half only, and in more detail, because the image is taken more often.
     dark = strip_source(1, "b", cut, half)
-    made, = texture_buildings([Building(1, HOUSE)], [bright, dark])
+    made, = texture_buildings([BuildingSolids(1, HOUSE)], [bright, dark])
     image, _ = south_texture(made)
     ratio = image[60, 20:-20, 2].astype(float)
     assert ratio.max() - ratio.min() < 4.0
@@ -198,10 +199,10 @@ def test_gains_are_the_inverse_of_what_was_put_in():
     factors = np.array([[1.0, 1.0, 1.0], [0.7, 0.8, 0.9], [1.2, 1.1, 1.0]])
     visible = np.zeros((3, 4000), bool)
     visible[0, :2000], visible[1, 1000:3000], visible[2, 2500:] = True, True, True
-    gains = evening_gains((truth * factors[:, None]).astype(np.float32), visible)
+    gains = compensation_gains((truth * factors[:, None]).astype(np.float32), visible)
     products = gains * factors
     assert np.allclose(products / products[0], 1.0, atol=1e-3)
-    alone = evening_gains(np.ones((2, 50, 3), np.float32), np.ones((2, 50), bool))
+    alone = compensation_gains(np.ones((2, 50, 3), np.float32), np.ones((2, 50), bool))
     assert (alone == 1.0).all(), "too few texels in common to compare"
 
 
@@ -213,7 +214,7 @@ def test_obstacles_hide_by_height_and_cells():
     cameras = np.array([[5.0, -10.0, 2.0], [5.0, -10.0, 2.0]])
     assert around.hidden(places, cameras, normal).tolist() == [True, False]
     cells = np.unique(np.floor(np.random.default_rng(0).uniform([4, 14, 0], [6, 15, 12], (5000, 3)) / 0.25), axis=0)
-    leaves = obstacles_within(low, high, [], np.empty(0), Voxels(cells.astype(np.int32)))
+    leaves = obstacles_within(low, high, [], np.empty(0), OccupiedVoxels(cells.astype(np.int32)))
     assert leaves.hidden(places, cameras, normal).tolist() == [True, False]
 
 
@@ -233,8 +234,8 @@ def test_facade_frames_have_their_corner_below_left_seen_from_outside():
 def test_textures_are_packed_without_overlap():
     rng = np.random.default_rng(3)
     shapes = [(int(r), int(c)) for r, c in rng.integers(5, 900, (120, 2))]
-    placed = pack(shapes)
-    pages = drawn([np.full((*shape, 3), 1 + number, np.uint8) for number, shape in enumerate(shapes)], placed)
+    placed = pack_textures(shapes)
+    pages = draw_atlas([np.full((*shape, 3), 1 + number, np.uint8) for number, shape in enumerate(shapes)], placed)
     for number, (shape, place) in enumerate(zip(shapes, placed)):
         part = pages[place.page][place.row:place.row + shape[0], place.column:place.column + shape[1]]
         assert part.shape[:2] == shape and (part == 1 + number).all()

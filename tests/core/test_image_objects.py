@@ -8,7 +8,7 @@ from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, projec
 from urbanmap_qgis.aerial.frames import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.imagery.image_outlines import image_outlines
-from urbanmap_qgis.imagery.object_stage import measure
+from urbanmap_qgis.imagery.object_stage import measure_object
 from urbanmap_qgis.imagery.outline_points import outline_points
 from urbanmap_qgis.imagery.views import FrameSource, strip_source
 from urbanmap_qgis.mobile.calibration import MountedCamera
@@ -66,7 +66,7 @@ def test_a_board_before_a_wall_has_its_place_size_and_orientation(source, turn):
     true = np.array([corner, corner + right, corner + right + up, corner + up])
     outlines = image_outlines([drawn(source, true)], None, [source])
     behind, = outline_points(outlines, [points[::2], points[1::2]], 40.0)
-    made = measure(outlines[0], behind)
+    made = measure_object(outlines[0], behind)
     assert made.status == "measured" and made.points > 300
     corners = shapely.get_coordinates(made.geometry, include_z=True)[:4]
     error = np.linalg.norm(corners - true, axis=1)
@@ -84,7 +84,7 @@ def test_sigma_grows_with_the_noise(source):
         points = surface(np.random.default_rng(1), corner, right, up, noise)
         outline, = image_outlines([drawn(source, np.array([corner, corner + right, corner + right + up]))], None,
                                   [source])
-        sigmas.append(measure(outline, outline_points([outline], [points], 40.0)[0]))
+        sigmas.append(measure_object(outline, outline_points([outline], [points], 40.0)[0]))
     assert sigmas[1].sigma > sigmas[0].sigma and sigmas[1].rmse == pytest.approx(0.03, rel=0.2)
 
 
@@ -93,7 +93,7 @@ def test_a_pole_is_taken_as_facing_the_camera(source):
     pole = PLACE + np.column_stack([rng.normal(1.0, 0.01, 300), rng.normal(0, 0.01, 300), rng.uniform(0.5, 4.5, 300)])
     true = PLACE + np.array([[0.92, 0, 0.5], [1.08, 0, 0.5], [1.08, 0, 4.5], [0.92, 0, 4.5]])
     outline, = image_outlines([drawn(source, true)], None, [source])
-    made = measure(outline, outline_points([outline], [np.vstack([wall(rng), pole])], 40.0)[0])
+    made = measure_object(outline, outline_points([outline], [np.vstack([wall(rng), pole])], 40.0)[0])
     assert made.status == "faces the camera" and made.reason
     middle = np.asarray(made.geometry.centroid.coords[0])
     assert np.allclose(middle[:2] - PLACE[:2], [1.0, 0.0], atol=0.05)
@@ -106,7 +106,8 @@ def test_stray_points_before_the_board_are_passed_over(source):
     stray = corner + right / 2 + [0.0, -3.0, 0.0] + 0.05 * rng.standard_normal((5, 3))
     outline, = image_outlines([drawn(source, np.array([corner, corner + right, corner + right + up, corner + up]))],
                               None, [source])
-    made = measure(outline, outline_points([outline], [np.vstack([stray, surface(rng, corner, right, up)])], 40.0)[0])
+    made = measure_object(outline,
+                          outline_points([outline], [np.vstack([stray, surface(rng, corner, right, up)])], 40.0)[0])
     assert made.geometry.centroid.y == pytest.approx(PLACE[1], abs=0.01)
 
 
@@ -116,7 +117,7 @@ def test_a_kerb_drawn_as_a_line_lies_on_the_kerb(source):
     ground[:, 2] = np.where(ground[:, 1] > -3.0, 0.15, 0.0) + 0.005 * rng.standard_normal(len(ground))
     kerb = PLACE + np.column_stack([np.linspace(-8, 8, 9), np.full(9, -2.95), np.full(9, 0.15)])
     outline, = image_outlines([drawn(source, kerb, shapely.LineString)], None, [source])
-    made = measure(outline, outline_points([outline], [PLACE + ground], 40.0)[0])
+    made = measure_object(outline, outline_points([outline], [PLACE + ground], 40.0)[0])
     off = shapely.get_coordinates(made.geometry, include_z=True) - PLACE
     assert made.status == "measured" and made.width == pytest.approx(16.0, abs=0.3)
     assert np.abs(off[:, 1] + 2.95).max() < 0.12 and np.percentile(np.abs(off[:, 2] - 0.15), 80) < 0.06
@@ -127,14 +128,14 @@ def test_a_lamp_drawn_as_a_point(source):
     lamp = PLACE + np.array([2.0, -1.0, 5.0])
     points = lamp + 0.02 * rng.standard_normal((200, 3))
     outline, = image_outlines([drawn(source, lamp[None], lambda xy: shapely.Point(xy[0]))], None, [source])
-    made = measure(outline, outline_points([outline], [np.vstack([points, wall(rng)])], 40.0)[0])
+    made = measure_object(outline, outline_points([outline], [np.vstack([points, wall(rng)])], 40.0)[0])
     assert np.allclose(shapely.get_coordinates(made.geometry, include_z=True), lamp, atol=0.04)
 
 
 def test_an_outline_without_points_says_so(source):
     corner, right, up = board()
     outline, = image_outlines([drawn(source, np.array([corner, corner + right, corner + right + up]))], None, [source])
-    made = measure(outline, outline_points([outline], [np.empty((0, 3))], 40.0)[0])
+    made = measure_object(outline, outline_points([outline], [np.empty((0, 3))], 40.0)[0])
     assert made.geometry is None and made.status == "not measured" and made.reason == "no laser points lie behind it"
 
 
@@ -147,7 +148,7 @@ def test_a_frame_gives_objects_too():
     true = PLACE + np.array([[1.0, 1, 0], [11, 1, 0], [11, 8, 0], [1, 8, 0]])
     column, row, _ = project_to_frame(camera, pose, true)
     outlines = image_outlines([shapely.Polygon(np.column_stack([column + 0.5, -row - 0.5]))], ["f"], [source])
-    made = measure(outlines[0], outline_points(outlines, [roof], 50.0)[0])
+    made = measure_object(outlines[0], outline_points(outlines, [roof], 50.0)[0])
     assert np.allclose(shapely.get_coordinates(made.geometry, include_z=True)[:4], true, atol=0.02)
     assert np.isnan(made.azimuth) and made.area == pytest.approx(70.0, abs=0.3)
 

@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.buildings.merging.layered_solid import Prism, joined, layered_solids, solid_volume, without
+from urbanmap_qgis.buildings.merging.layered_solid import (
+    Prism,
+    layered_solids,
+    merged_intervals,
+    solid_volume,
+    subtracted_intervals,
+)
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import GROUND, OVERHANG, ROOF
@@ -28,9 +34,9 @@ def checked(prisms, volume, solids=1):
 
 
 def test_intervals():
-    assert joined([(5, 9), (0, 3), (3, 4), (8, 12)]) == [(0, 4), (5, 12)]
-    assert without([(0, 10)], [(2, 3), (9, 15)]) == [(0, 2), (3, 9)]
-    assert without([(0, 4), (6, 8)], [(0, 4)]) == [(6, 8)]
+    assert merged_intervals([(5, 9), (0, 3), (3, 4), (8, 12)]) == [(0, 4), (5, 12)]
+    assert subtracted_intervals([(0, 10)], [(2, 3), (9, 15)]) == [(0, 2), (3, 9)]
+    assert subtracted_intervals([(0, 4), (6, 8)], [(0, 4)]) == [(6, 8)]
 
 
 def test_a_block_and_its_roof():

@@ -17,7 +17,7 @@ from urbanmap_qgis.buildings.merging.merge_stage import (
     UNCHANGED,
     edge_columns,
     merge_models,
-    model_columns,
+    merged_columns,
 )
 from urbanmap_qgis.buildings.merging.model_files import models_from_cityjson
 from urbanmap_qgis.buildings.merging.model_parts import model_parts
@@ -77,7 +77,7 @@ def test_a_wall_below_the_height_moves_and_the_model_above_stays():
     assert lowest_plan(building).equals(box(0, -0.4, 20, 10.4))
     assert building.volume == pytest.approx(20 * 10 * 40 + 20 * 0.4 * 20)
     moved, = (edge for edge in building.edges if edge.match.status == "moved")
-    assert moved.match.offset == pytest.approx(0.4) and moved.match.seen == pytest.approx(1.0)
+    assert moved.match.offset == pytest.approx(0.4) and moved.match.measured == pytest.approx(1.0)
 
 
 def test_a_wall_behind_the_model_leaves_an_overhang_at_the_height():
@@ -127,7 +127,7 @@ def test_courtyards_and_corners():
 
 @pytest.mark.parametrize(("walls", "settings", "status", "words"), [
     ([((0, -2.0), (20, -2.0))], {}, "too far", "2.00 m outside"),
-    ([((0, -0.9), (20, 0.9))], {"max_turn": 3.0}, "too far", "turned"),
+    ([((0, -0.9), (20, 0.9))], {"max_rotation": 3.0}, "too far", "rotated"),
     ([((0, -0.4), (3, -0.4))], {}, "not seen", "no measured wall"),
     ([((0, 0.004), (20, 0.004))], {}, "fits", ""),
     ([((20, -0.4), (0, -0.4))], {}, "not seen", "no measured wall"),
@@ -154,7 +154,7 @@ def test_a_wall_does_not_run_into_the_neighbour():
 
 def test_a_facade_of_facets_does_not_pull_a_long_edge_to_one_of_them():
     facets = [wall((0, -0.2), (7, -0.9)), wall((7, -0.9), (13, -0.9)), wall((13, -0.9), (20, -0.2))]
-    building = one([model((box(0, 0, 20, 10), 30.0))], facets, max_turn=4.0)
+    building = one([model((box(0, 0, 20, 10), 30.0))], facets, max_rotation=4.0)
     south = min(building.edges, key=lambda edge: shapely.get_coordinates(edge.wall)[:, 1].mean())
     assert south.match.status == "too far" and "not straight" in south.match.note
 
@@ -225,7 +225,7 @@ def test_edges_move_with_their_nodes_or_not_at_all():
 
 def test_tables(tmp_path):
     buildings = [one([model((box(0, 0, 20, 10), 40.0))], [wall((0, -0.4), (20, -0.4), number=6)])]
-    columns, edges = model_columns(buildings), edge_columns(buildings)
+    columns, edges = merged_columns(buildings), edge_columns(buildings)
     assert list(columns) == [name for name, _ in MODEL_COLUMNS] and list(edges) == [name for name, _ in EDGE_COLUMNS]
     assert columns["walls_moved"] == [1] and columns["measured"][0] == pytest.approx(1 / 3)
     assert columns["volume_change"][0] == pytest.approx(160)

@@ -132,7 +132,7 @@ def test_distances_against_known_places():
     places = np.array([[5, 5, 15.0], [5, 5, 15.2], [5, 5, 14.0], [5, 0.1, 7.0], [-0.2, 5, 7.0]])
     places += np.array([X0, Y0, BASE])
     fit = mesh_fit(mesh, places, 0.25)
-    assert fit.within == pytest.approx(4 / 5) and fit.largest == pytest.approx(1.0, abs=0.01)
+    assert fit.within == pytest.approx(4 / 5) and fit.max_distance == pytest.approx(1.0, abs=0.01)
 
 
 @pytest.mark.parametrize(("points", "words"), [

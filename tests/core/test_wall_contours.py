@@ -8,7 +8,7 @@ import shapely
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.facades.plane_fit import WallPlane
-from urbanmap_qgis.facades.wall_contours import ContourSettings, in_plane, on_map, seen_share, wall_contours
+from urbanmap_qgis.facades.wall_contours import ContourSettings, in_plane, on_map, wall_contours, wall_coverage
 
 NAN = float("nan")
 
@@ -55,8 +55,8 @@ def test_small_gaps_are_filled_and_told():
     plane = plane_towards(90)
     flat = wall_with(np.random.default_rng(2), [(-4, 0, 1.2, 1.2), (2, 1, 1.1, 1.1)])
     points = points_on(plane, flat)
-    kept, = wall_contours(plane, points, ContourSettings(least_opening=0.3))
-    filled, = wall_contours(plane, points, ContourSettings(least_opening=3.0))
+    kept, = wall_contours(plane, points, ContourSettings(min_opening=0.3))
+    filled, = wall_contours(plane, points, ContourSettings(min_opening=3.0))
     assert len(kept.polygon.interiors) == 2 and kept.filled < 0.003
     assert not filled.polygon.interiors and filled.filled == pytest.approx(2.2 / 120, rel=0.3)
 
@@ -76,15 +76,15 @@ def test_what_was_seen_and_what_stands_in_front():
     tree = (-3, -5, 4, 6)
     contours = wall_contours(plane, points_on(plane, wall_with(rng, [tree])))
     leaves = points_on(plane, rng.uniform([-2.5, -4.5], [0.5, 0.5], (200, 2))) + 3.0 * plane.normal
-    seen = seen_share(plane, contours, 15.0, 27.0, leaves)
+    seen = wall_coverage(plane, contours, 15.0, 27.0, leaves)
     assert seen.area == pytest.approx(12 * 12, rel=0.02)
     assert seen.coverage == pytest.approx((120 - 24) / 144, abs=0.02)
     assert seen.hidden == pytest.approx(24 / 144, abs=0.03)
-    assert seen.coverage + seen.hidden + seen.beyond == pytest.approx(1.0)
-    assert seen.beyond == pytest.approx(24 / 144, abs=0.03)
-    nothing = seen_share(plane, contours, 15.0, 27.0, np.zeros((0, 3)))
+    assert seen.coverage + seen.hidden + seen.unseen == pytest.approx(1.0)
+    assert seen.unseen == pytest.approx(24 / 144, abs=0.03)
+    nothing = wall_coverage(plane, contours, 15.0, 27.0, np.zeros((0, 3)))
     assert nothing.hidden == 0 and nothing.coverage == seen.coverage
-    behind = seen_share(plane, contours, 15.0, 27.0, leaves - 6.0 * plane.normal)
+    behind = wall_coverage(plane, contours, 15.0, 27.0, leaves - 6.0 * plane.normal)
     assert behind.hidden == 0
 
 
@@ -96,4 +96,4 @@ def test_plane_coordinates_are_lengths():
 
 def test_bad_settings():
     with pytest.raises(InputError):
-        ContourSettings(least_area=0)
+        ContourSettings(min_area=0)

@@ -91,7 +91,7 @@ def test_walls_on_one_plane_far_apart_are_two():
     rng = np.random.default_rng(6)
     points = np.concatenate([facade(rng, (0, 0), (6, 0), 0, 10), facade(rng, (11, 0), (20, 0), 0, 10)])
     assert len(segments_of(points, shapely.box(0, 0, 20, 10))) == 2
-    assert len(segments_of(points, shapely.box(0, 0, 20, 10), gap=8.0)) == 1
+    assert len(segments_of(points, shapely.box(0, 0, 20, 10), max_gap=8.0)) == 1
 
 
 def test_nothing_from_nothing():

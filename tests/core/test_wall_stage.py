@@ -136,7 +136,7 @@ def test_models_off_by_half_a_metre_come_to_the_true_walls(found, truth, small_c
                   if (shapely.get_coordinates(polygon, include_z=True)[:, 2] == building.base).all()]
         border = shapely.boundary(shapely.union_all(shapely.force_2d(ground)))
         for edge in building.edges:
-            if edge.match.status == "moved" and edge.length > 5 and edge.match.seen > 0.6:
+            if edge.match.status == "moved" and edge.length > 5 and edge.match.measured > 0.6:
                 ends = shapely.get_coordinates(edge.wall)[:2]
                 middle = shapely.line_interpolate_point(border, shapely.line_locate_point(
                     border, shapely.Point(ends.mean(axis=0))))

@@ -2,7 +2,7 @@
 
 The cloud is read once, in chunks. Which outline a point is near to is looked up in rasters of square tiles, made as
 the points come; the points go to one bucket a building, on disk once they are many. What stands in front of the
-facades (trees, vehicles) is kept thinned, as it tells why a wall is not seen.
+facades (trees, vehicles) is kept thinned, as it explains why a wall is not seen.
 """
 
 from __future__ import annotations
@@ -48,18 +48,18 @@ class FacadeSettings:
 
     Parameters
     ----------
-    max_height : highest height above ground, m (J 5.7: 20 m).
-    reach : farthest distance outside an outline, m: how far outlines may be off. Inside, all points count: setbacks.
-    most_points : a building with more points is thinned at random to about so many, and says so.
+    max_height : maximum height above ground, m (J 5.7: 20 m).
+    tolerance : maximum distance outside an outline, m: how far outlines may be off. Inside, all points count.
+    max_points : a building with more points is thinned at random to about so many, and says so.
     """
 
     max_height: float = 20.0
-    reach: float = 2.0
-    most_points: int = 4_000_000
+    tolerance: float = 2.0
+    max_points: int = 4_000_000
 
     def __post_init__(self) -> None:
-        if not self.max_height > 0 or not 0 < self.reach <= 10:
-            raise InputError("The height must be greater than 0 and the reach between 0 and 10 m.")
+        if not self.max_height > 0 or not 0 < self.tolerance <= 10:
+            raise InputError("The height must be greater than 0 and the tolerance of the outlines between 0 and 10 m.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,10 +68,10 @@ class FacadePoints:
 
     Attributes
     ----------
-    points : (n, 3) m, below the height and within reach. time : (n,) GPS seconds, NaN where the cloud has none.
+    points : (n, 3) m, below the height and within tolerance. time : (n,) GPS seconds, NaN where the cloud has none.
     front : (k, 3) thinned places of what stands before it.
     ground : (3,) plane of the ground round it, z = a + b x + c y, from `origin`; NaN where it is not known.
-    origin : (2,) x and y. thinned : share of the points kept.
+    origin : (2,) x and y. kept_share : share of the points that were kept.
     """
 
     points: np.ndarray
@@ -79,7 +79,7 @@ class FacadePoints:
     front: np.ndarray
     ground: np.ndarray
     origin: np.ndarray
-    thinned: float = 1.0
+    kept_share: float = 1.0
 
     def height(self, points: np.ndarray) -> np.ndarray:
         """Height (n,) of points (n, 3) above the ground, m."""
@@ -87,19 +87,20 @@ class FacadePoints:
 
 
 class NearestOutline:
-    """Looks up the building that points lie in, or within `reach` of, in rasters made tile by tile."""
+    """Looks up the building that points lie in, or within `max_distance` of, in rasters made tile by tile."""
 
-    def __init__(self, plans: BuildingPlans, reach: float):
-        self.reach = reach
+    def __init__(self, plans: BuildingPlans, max_distance: float):
+        self.max_distance = max_distance
         self.rows = np.flatnonzero(~shapely.is_missing(plans.plan))
         self.plans = plans.plan[self.rows]
         self.tree = shapely.STRtree(self.plans)
         self._tiles: OrderedDict[tuple[int, int], tuple[np.ndarray, np.ndarray] | None] = OrderedDict()
 
     def of(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Row of the building (n,), -1 beyond reach, and the distance outside of it (n,), to a cell's width.
+        """Row of the building (n,), -1 beyond the maximum distance, and the distance outside of it (n,), to a cell's
+        width.
 
-        A place within reach of several belongs to the one whose outline is nearest.
+        A place within it of several belongs to the one whose outline is nearest.
         """
         column, line = (np.floor(axis / CELL).astype(np.int64) for axis in (x, y))
         tile_x, tile_y = column // TILE, line // TILE
@@ -128,7 +129,7 @@ class NearestOutline:
         return self._tiles[key]
 
     def _made(self, key: tuple[int, int]) -> tuple[np.ndarray, np.ndarray] | None:
-        pad = int(np.ceil(self.reach / CELL)) + 1
+        pad = int(np.ceil(self.max_distance / CELL)) + 1
         low = np.array(key) * TILE - pad
         size = TILE + 2 * pad
         box = shapely.box(*(low * CELL), *((low + size) * CELL))
@@ -153,13 +154,13 @@ class NearestOutline:
         nearest, inside = outline[place[0][own], place[1][own]], inside[own]
         deep = (inside >= 0) & (distance > CELL)
         # Far from all outlines of this tile the nearest one is not known; inside a building that does not matter.
-        nearest = np.where(deep & ((nearest == inside) | (distance > self.reach)), inside, nearest)
+        nearest = np.where(deep & ((nearest == inside) | (distance > self.max_distance)), inside, nearest)
         distance[deep & (nearest == inside)] = 0.0
-        beyond = distance > self.reach
+        beyond = distance > self.max_distance
         return np.where(beyond, -1, nearest), np.where(beyond, np.inf, distance)
 
 
-class LowPoints:
+class LowestPoints:
     """Lowest point of each 1 m cell round each building: what the ground is taken from where none is given."""
 
     def __init__(self) -> None:
@@ -184,7 +185,7 @@ class LowPoints:
         for row in range(count):
             cells = table[starts[row]:starts[row + 1]]
             if len(cells):
-                planes[row] = low_plane((cells[:, 1:3] + 0.5) * _LOW_CELL - origin[row], cells[:, 3])
+                planes[row] = ground_plane((cells[:, 1:3] + 0.5) * _LOW_CELL - origin[row], cells[:, 3])
         return planes
 
 
@@ -196,7 +197,7 @@ def _lowest(table: np.ndarray) -> np.ndarray:
     return table[first]
 
 
-def low_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:
+def ground_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Plane (3,) under heights: z = a + b x + c y through the lowest layer that has company.
 
     It starts level at the height above which nine of ten cells lie, takes cells within half a metre, and is fitted
@@ -229,7 +230,7 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
     InsufficientDataError : no point lies near any building.
     """
     nearest = NearestOutline(plans, _FRONT)
-    low = LowPoints()
+    low = LowestPoints()
     with PointBuckets(RECORD) as buckets:
         rows = _collect(cloud, nearest, settings, ground, buckets, low, progress)
         if not rows:
@@ -244,8 +245,8 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
 
 
 def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSettings, ground: RasterSampler | None,
-             buckets: PointBuckets, low: LowPoints, progress: Progress) -> set[int]:
-    """Sort the cloud's points into buckets; which buildings have any within reach."""
+             buckets: PointBuckets, low: LowestPoints, progress: Progress) -> set[int]:
+    """Sort the cloud's points into buckets; which buildings have any within tolerance."""
     timed = cloud.has_dimension("gps_time")
     rows: set[int] = set()
     for chunk in iter_chunks(cloud, progress):
@@ -259,7 +260,7 @@ def _collect(cloud: PointCloud, nearest: NearestOutline, settings: FacadeSetting
         records = np.empty(len(near), RECORD)
         records["x"], records["y"], records["z"] = x, y, z
         records["time"] = np.asarray(chunk["gps_time"])[near] if timed else np.nan
-        within = distance <= settings.reach
+        within = distance <= settings.tolerance
         if ground is not None:
             height = z - ground.sample(x, y)
             within &= ~(height > settings.max_height)
@@ -288,7 +289,7 @@ def _given_ground(plans: BuildingPlans, ground: RasterSampler, origin: np.ndarra
         z = ground.sample(*ring.T)
         known = np.isfinite(z)
         if known.any():
-            planes[row] = low_plane(ring[known] - origin[row], z[known])
+            planes[row] = ground_plane(ring[known] - origin[row], z[known])
     return planes
 
 
@@ -298,8 +299,8 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
     for row in rows:
         records = buckets.read(row)
         share = 1.0
-        if len(records) > settings.most_points:
-            share = settings.most_points / len(records)
+        if len(records) > settings.max_points:
+            share = settings.max_points / len(records)
             records = records[np.random.default_rng(row).random(len(records)) < share]
         front = buckets.read(row + _FRONT_KEY)
         plane = planes[row]

@@ -1,4 +1,4 @@
-"""Point normals from the statistics of voxels: millions of points a second, and walls parted from the rest (J 5.7).
+"""Point normals from the statistics of voxels: millions of points a second, and walls separated from the rest (J 5.7).
 
 Sums of the points in each voxel are added up over the 27 voxels round it; the least axis of the resulting covariance
 is the normal. All points of a voxel share it.
@@ -13,10 +13,10 @@ import numpy as np
 VOXEL = 0.3
 """Side of a voxel where points are dense, m."""
 
-_WANTED = 12
+_MIN_SUPPORT = 12
 """Points that a neighbourhood should have: voxels grow until half of the neighbourhoods do."""
 
-_LARGEST = 1.2
+_MAX_VOXEL = 1.2
 
 UPRIGHT = 0.35
 """Walls have normals that rise or fall by less than this (sine): 20 degrees."""
@@ -26,7 +26,7 @@ _FLAT = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class Voxels:
+class NormalVoxels:
     """Points by voxels.
 
     Attributes
@@ -55,19 +55,19 @@ class Voxels:
                 & (self.thickness < np.maximum(_FLAT * self.extent, 0.01)))
 
 
-def voxel_normals(points: np.ndarray, size: float = VOXEL) -> Voxels:
+def voxel_normals(points: np.ndarray, size: float = VOXEL) -> NormalVoxels:
     """Voxels of points (n, 3), m, with their normals; they grow where the points are thin.
 
     The first of `size`, 1.5 `size`, ... is taken in which half of the neighbourhoods have a dozen points.
     """
     while True:
         voxels = _voxels(points, size)
-        if size * 1.5 > _LARGEST or np.median(voxels.support) >= _WANTED:
+        if size * 1.5 > _MAX_VOXEL or np.median(voxels.support) >= _MIN_SUPPORT:
             return voxels
         size *= 1.5
 
 
-def _voxels(points: np.ndarray, size: float) -> Voxels:
+def _voxels(points: np.ndarray, size: float) -> NormalVoxels:
     low = points.min(axis=0)
     index = np.floor((points - low) / size).astype(np.int64) + 1
     shape = index.max(axis=0) + 2
@@ -86,8 +86,8 @@ def _voxels(points: np.ndarray, size: float) -> Voxels:
         sums[:, column] = np.bincount(of_point, inside[:, i] * inside[:, j], len(codes))
     mean = low + corner + sums[:, 1:4] / count[:, None]
     normal, thickness, extent, support = _neighbourhood_axes(codes, sums, shape, size)
-    return Voxels(size, of_point, np.rint(corner / size).astype(np.int64), count, mean, normal, thickness, extent,
-                  support)
+    return NormalVoxels(size, of_point, np.rint(corner / size).astype(np.int64), count, mean, normal, thickness, extent,
+                        support)
 
 
 def _neighbourhood_axes(codes: np.ndarray, sums: np.ndarray, shape: np.ndarray, size: float):

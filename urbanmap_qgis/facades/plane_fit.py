@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 _TUKEY = 4.685
-_LEAST_NOISE = 0.003
+_MIN_NOISE = 0.003
 _ENOUGH = 20_000
 """Points on which a plane is found, evenly taken from all; its figures are those of all."""
 
@@ -55,7 +55,7 @@ class WallPlane:
         """Lean of the wall in degrees: 0 upright, above 0 where the wall leans back."""
         return float(np.degrees(np.arcsin(np.clip(self.normal[2], -1.0, 1.0))))
 
-    def turned(self) -> WallPlane:
+    def flipped(self) -> WallPlane:
         """The same plane, seen from the other side."""
         return WallPlane(self.point, -self.normal, self.rmse, self.sigma, self.points, self.passes, self.pass_spread)
 
@@ -72,7 +72,7 @@ def least_squares_plane(points: np.ndarray, weights: np.ndarray, upright: bool) 
 
 
 def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilting: bool = True,
-                 rounds: int = 7) -> WallPlane | None:
+                 iterations: int = 7) -> WallPlane | None:
     """Plane through points (n, 3) by iterated weights (Tukey), its normal on the side of `normal`.
 
     It is upright, unless the points tell a lean of more than a quarter of a degree and three standard deviations.
@@ -81,10 +81,10 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilti
     if len(points) < 10:
         return None
     some = points[::max(1, len(points) // _ENOUGH)]
-    plane = _described(points, time, normal, *_solved(some, True, rounds))
+    plane = _described(points, time, normal, *_solved(some, True, iterations))
     if not tilting or np.ptp(points[:, 2]) < 2.0:
         return plane
-    centre, leaning, scale = _solved(some, False, rounds)
+    centre, leaning, scale = _solved(some, False, iterations)
     sigma_lean = plane.sigma / max(float(some[:, 2].std()), 0.1)
     lean = abs(float(np.arcsin(leaning[2])))
     if lean <= max(np.radians(0.25), 3 * sigma_lean):
@@ -92,15 +92,15 @@ def robust_plane(points: np.ndarray, time: np.ndarray, normal: np.ndarray, tilti
     return _described(points, time, normal, centre, leaning, scale)
 
 
-def _solved(points: np.ndarray, upright: bool, rounds: int) -> tuple[np.ndarray, np.ndarray, float]:
+def _solved(points: np.ndarray, upright: bool, iterations: int) -> tuple[np.ndarray, np.ndarray, float]:
     """Point and normal of the plane by iterated weights, and the noise (m) that they are judged by."""
     middle, scale = 0.0, np.inf
     centre, normal = least_squares_plane(points, np.ones(len(points)), upright)
-    for _ in range(rounds):
+    for _ in range(iterations):
         residual = (points - centre) @ normal
         held = residual[np.abs(residual - middle) < _TUKEY * scale]
         middle = float(np.median(held))
-        scale = max(1.4826 * float(np.median(np.abs(held - middle))), _LEAST_NOISE)
+        scale = max(1.4826 * float(np.median(np.abs(held - middle))), _MIN_NOISE)
         centre, normal = least_squares_plane(points, _weights(residual, middle, scale), upright)
     return centre, normal, scale
 

@@ -11,10 +11,11 @@ NEIGHBOURS = 8
 DEVIATIONS = 3.0
 
 
-def outlying(places: np.ndarray, neighbours: int = NEIGHBOURS, deviations: float = DEVIATIONS) -> np.ndarray:
-    """Which places lie lonelier than the others, (n,) bool.
+def statistical_outliers(places: np.ndarray, neighbours: int = NEIGHBOURS,
+                         deviations: float = DEVIATIONS) -> np.ndarray:
+    """Which places are statistical outliers, (n,) bool.
 
-    A place is outlying where the mean distance to its neighbours is above the mean of all such distances by more than
+    A place is an outlier where the mean distance to its neighbours is above the mean of all such distances by more than
     `deviations` standard deviations. With as few places as neighbours none is.
 
     Parameters

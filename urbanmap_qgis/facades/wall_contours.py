@@ -1,7 +1,7 @@
-"""Contours of walls: the concave hull of each segment in its plane, openings kept as holes (J 5.7).
+"""Contours of walls: the alpha shape of each segment in its plane, openings kept as holes (J 5.7).
 
-What a wall shows and hides is told: share of its rectangle (from end to end, from the ground up to its top or the
-greatest height) that is seen, share of openings, share not seen behind something that stands in front.
+What a wall shows and hides is reported: share of its rectangle (from end to end, from the ground up to its top or the
+maximum height) that is seen, share of openings, share not seen behind something that stands in front.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import shapely
 from scipy import ndimage
 
 from ..errors import InputError
-from ..geometry.alpha_shape import alpha_shape
+from ..geometry.alpha_shape import alpha_shape, signed_area
 from .plane_fit import WallPlane
 
 _THIN = 0.12
@@ -24,10 +24,10 @@ _CELL = 0.25
 """Cells on which shares are counted, m."""
 
 _SPACINGS = 3.0
-_NARROWEST, _WIDEST = 0.35, 1.2
+_MIN_ALPHA, _MAX_ALPHA = 0.35, 1.2
 _IN_FRONT = 0.3
 _SIDEWARDS = 4
-_SIMPLER = 0.04
+_SIMPLIFICATION = 0.04
 
 
 @dataclass(frozen=True)
@@ -36,18 +36,19 @@ class ContourSettings:
 
     Parameters
     ----------
-    least_area : smallest contour, m2. least_opening : smallest hole that is kept, m2; smaller ones are filled and
-        their share is told.
+    min_area : smallest contour, m2. min_opening : smallest hole that is kept, m2; smaller ones are filled and
+        their share is reported.
     alpha : radius of the circle that no gap within the wall may hold, m; 0: three times the points' spacing.
     """
 
-    least_area: float = 3.0
-    least_opening: float = 0.5
+    min_area: float = 3.0
+    min_opening: float = 0.5
     alpha: float = 0.0
 
     def __post_init__(self) -> None:
-        if not self.least_area > 0 or self.least_opening < 0 or self.alpha < 0:
-            raise InputError("The least area of a wall must be greater than 0, the least opening and alpha not below.")
+        if not self.min_area > 0 or self.min_opening < 0 or self.alpha < 0:
+            raise InputError("The minimum area of a wall must be greater than 0, the minimum opening and alpha not "
+                             "below.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,19 +73,19 @@ class Contour:
 
 
 @dataclass(frozen=True)
-class Seen:
+class WallCoverage:
     """How much of a wall's rectangle was seen.
 
     Attributes
     ----------
     area : of the rectangle, m2. coverage : share within the contour. hidden : share outside of it, or in its
-        openings, with something standing in front. beyond : share that neither is seen nor has anything in front.
+        openings, with something standing in front. unseen : share that neither is seen nor has anything in front.
     """
 
     area: float
     coverage: float
     hidden: float
-    beyond: float
+    unseen: float
 
 
 def in_plane(plane: WallPlane, points: np.ndarray) -> np.ndarray:
@@ -104,12 +105,12 @@ def wall_contours(plane: WallPlane, points: np.ndarray,
                   settings: ContourSettings = ContourSettings()) -> list[Contour]:
     """Contours of a wall's points (n, 3), the largest first; empty where none is large enough."""
     flat = in_plane(plane, points)
-    hull = concave_hull(_thinned(flat), settings.alpha or default_alpha(flat))
+    hull = alpha_polygon(_thinned(flat), settings.alpha or contour_alpha(flat))
     contours = []
     for polygon in shapely.get_parts(hull):
-        if polygon.area < settings.least_area:
+        if polygon.area < settings.min_area:
             continue
-        polygon, filled = _without_small_holes(polygon, settings.least_opening)
+        polygon, filled = _without_small_holes(polygon, settings.min_opening)
         shapely.prepare(polygon)
         contours.append(Contour(polygon, int(shapely.contains_xy(polygon, *flat.T).sum()), filled))
     return sorted(contours, key=lambda contour: -contour.polygon.area)
@@ -127,34 +128,29 @@ def _thinned(flat: np.ndarray) -> np.ndarray:
     return flat[first[~within | ((row % 2 == 0) & (column % 2 == 0))]]
 
 
-def default_alpha(flat: np.ndarray) -> float:
+def contour_alpha(flat: np.ndarray) -> float:
     """Three times the spacing of points (n, 2) where they are thin: the sparsest tenth of the filled half metres."""
     place = np.floor((flat - flat.min(axis=0)) / 0.5).astype(np.int64)
     _, count = np.unique(place[:, 0] * (int(place[:, 1].max()) + 1) + place[:, 1], return_counts=True)
     spacing = 0.5 / math.sqrt(float(np.quantile(count, 0.2)))
-    return float(np.clip(_SPACINGS * spacing, _NARROWEST, _WIDEST))
+    return float(np.clip(_SPACINGS * spacing, _MIN_ALPHA, _MAX_ALPHA))
 
 
-def concave_hull(flat: np.ndarray, alpha: float) -> shapely.Geometry:
+def alpha_polygon(flat: np.ndarray, alpha: float) -> shapely.Geometry:
     """Polygons that points (n, 2) cover: Delaunay triangles with a circumradius below `alpha`, joined, simplified."""
     rings = alpha_shape(flat, alpha)
     outer, holes = [], []
     for ring in rings:
         xy = flat[ring]
-        (outer if _turn(xy) > 0 else holes).append(shapely.Polygon(xy))
+        (outer if signed_area(xy) > 0 else holes).append(shapely.Polygon(xy))
     if not outer:
         return shapely.MultiPolygon()
     hull = shapely.union_all(shapely.make_valid(outer))
     if holes:
         hull = shapely.difference(hull, shapely.union_all(shapely.make_valid(holes)))
-    hull = shapely.simplify(hull, _SIMPLER)
+    hull = shapely.simplify(hull, _SIMPLIFICATION)
     parts = shapely.get_parts(hull if hull.is_valid else shapely.make_valid(hull))
     return shapely.MultiPolygon([part for part in parts if part.geom_type == "Polygon"])
-
-
-def _turn(xy: np.ndarray) -> float:
-    away = xy - xy[0]
-    return float(np.dot(away[:, 0], np.roll(away[:, 1], -1)) - np.dot(away[:, 1], np.roll(away[:, 0], -1)))
 
 
 def _without_small_holes(polygon: shapely.Polygon, least: float) -> tuple[shapely.Polygon, float]:
@@ -167,7 +163,8 @@ def _without_small_holes(polygon: shapely.Polygon, least: float) -> tuple[shapel
     return made, float(filled / made.area)
 
 
-def seen_share(plane: WallPlane, contours: list[Contour], foot: float, top: float, front: np.ndarray) -> Seen:
+def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: float,
+                  front: np.ndarray) -> WallCoverage:
     """How much of the wall between heights `foot` and `top` (m) its contours cover, and what stands before the rest.
 
     Parameters
@@ -192,4 +189,4 @@ def seen_share(plane: WallPlane, contours: list[Contour], foot: float, top: floa
         # It is seen aslant: what stands in front hides something to its sides and above.
         before = ndimage.binary_dilation(before, np.ones((2 * _SIDEWARDS + 1, 2 * _SIDEWARDS + 1)))
     covered, hidden = float(seen.mean()), float((before & ~seen).mean())
-    return Seen((right - left) * (high - low), covered, hidden, max(1.0 - covered - hidden, 0.0))
+    return WallCoverage((right - left) * (high - low), covered, hidden, max(1.0 - covered - hidden, 0.0))

@@ -1,6 +1,6 @@
 """Wall points of a building cut into planes (J 5.7).
 
-Planes grow from seeds: a voxel on a flat upright surface, then all that hangs together on its plane within a growing
+Planes grow from seeds: a voxel on a flat upright surface, then all that is connected on its plane within a growing
 circle, fitted anew each time. Seeds that agree with an edge of the outline come first, but nothing binds them to it:
 bays, setbacks and walls that the outline does not have grow from the seeds that are left.
 """
@@ -14,14 +14,14 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
-from .normals import Voxels, voxel_normals
+from .normals import NormalVoxels, voxel_normals
 from .plane_fit import WallPlane, least_squares_plane, robust_plane
-from .statistical_outliers import outlying
+from .statistical_outliers import statistical_outliers
 
-_SEED_TURN = np.cos(np.radians(25.0))
-_EDGE_TURN = np.cos(np.radians(12.0))
+_SEED_COSINE = np.cos(np.radians(25.0))
+_EDGE_COSINE = np.cos(np.radians(12.0))
 _GROWTH = (1.2, 2.5, 5.0, 10.0, 20.0, np.inf)
-_POINT_REACH = 0.12
+_POINT_TOLERANCE = 0.12
 _SLICE = 20_000
 _SEEDS = 3000
 
@@ -35,17 +35,17 @@ class PlaneSettings:
 
     Parameters
     ----------
-    tolerance : farthest distance of a voxel's centroid from its plane, m.
-    least_area : smallest wall, m2. gap : widest gap within one wall, m.
+    tolerance : maximum distance of a voxel's centroid from its plane, m.
+    min_area : smallest wall, m2. max_gap : widest gap within one wall, m.
     """
 
     tolerance: float = 0.08
-    least_area: float = 3.0
-    gap: float = 1.5
+    min_area: float = 3.0
+    max_gap: float = 1.5
 
     def __post_init__(self) -> None:
-        if not (self.tolerance > 0 and self.least_area > 0 and self.gap >= 0):
-            raise InputError("Tolerance and least area of walls must be greater than 0.")
+        if not (self.tolerance > 0 and self.min_area > 0 and self.max_gap >= 0):
+            raise InputError("Tolerance and minimum area of walls must be greater than 0.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +86,7 @@ def _one_pass(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outward: 
     wall = np.flatnonzero(voxels.upright)
     if len(wall) < 3:
         return nothing
-    wall = wall[~outlying(voxels.mean[wall])]
+    wall = wall[~statistical_outliers(voxels.mean[wall])]
     grown = _grow_all(voxels, wall, edges, outward, settings, progress)
     if not grown:
         return nothing
@@ -121,7 +121,7 @@ class _Mask:
         return held
 
 
-def _grow_all(voxels: Voxels, wall: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
+def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
               progress: Progress) -> list[tuple[np.ndarray, np.ndarray, _Mask]]:
     """Planes (point, normal, mask) grown from seeds until no seed is left."""
     mean, normal, weight = voxels.mean[wall], voxels.normal[wall], voxels.count[wall].astype(float)
@@ -144,7 +144,7 @@ def _grow_all(voxels: Voxels, wall: np.ndarray, edges: np.ndarray, outward: np.n
         if found is None:
             continue
         centre, facing, members, mask = found
-        if _area(mask) < settings.least_area:
+        if _area(mask) < settings.min_area:
             tried[members] = True
             continue
         free[members] = False
@@ -165,7 +165,7 @@ def _agrees(mean: np.ndarray, normal: np.ndarray, edges: np.ndarray, outward: np
     for start in range(0, len(mean), _SLICE):
         part = slice(start, start + _SLICE)
         near = edge_distance(mean[part, :2], edges).argmin(axis=1)
-        agrees[part] = np.abs((level[part] * outward[near]).sum(axis=1)) > _EDGE_TURN
+        agrees[part] = np.abs((level[part] * outward[near]).sum(axis=1)) > _EDGE_COSINE
     return agrees
 
 
@@ -183,15 +183,15 @@ def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, f
     centre, facing = mean[seed], normal[seed]
     members = np.array([seed])
     candidates = np.flatnonzero(free)
-    place, turned = mean[candidates], normal[candidates]
+    place, facings = mean[candidates], normal[candidates]
     away = np.linalg.norm(place - mean[seed], axis=1)
     for radius in (*_GROWTH, np.inf):
         near = (np.abs((place - centre) @ facing) < settings.tolerance) & (away < radius)
-        near &= np.abs(turned @ facing) > _SEED_TURN
+        near &= np.abs(facings @ facing) > _SEED_COSINE
         near = candidates[near]
         if len(near) < 3:
             return None
-        mask, members = _connected(seed, near, mean, facing, settings.gap, voxel)
+        mask, members = _connected(seed, near, mean, facing, settings.max_gap, voxel)
         if len(members) < 3:
             return None
         centre, facing = _fit(mean[members], weight[members])
@@ -199,7 +199,7 @@ def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, f
 
 
 def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Plane of voxels: two rounds, the second without those far off."""
+    """Plane of voxels: two iterations, the second without those far off."""
     upright = np.ptp(places[:, 2]) < 3.0
     centre, normal = least_squares_plane(places, weight, upright)
     residual = np.abs((places - centre) @ normal)
@@ -209,7 +209,7 @@ def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray
 
 def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray, gap: float,
                voxel: float) -> tuple[_Mask, np.ndarray]:
-    """Those of `near` that hang together with the seed in the plane over gaps up to `gap`, and their cells."""
+    """Those of `near` that are connected with the seed in the plane over gaps up to `gap`, and their cells."""
     along = np.array([-facing[1], facing[0], 0.0])
     along /= np.linalg.norm(along)
     axes = along, np.cross(facing, along)
@@ -222,8 +222,8 @@ def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray
     filled[place[:, 0], place[:, 1]] = True
     closed = filled
     if gap > 0:
-        reach = ndimage.distance_transform_edt(~filled)
-        closed = reach * cell <= gap / 2 + cell / 2
+        distance = ndimage.distance_transform_edt(~filled)
+        closed = distance * cell <= gap / 2 + cell / 2
     label, _ = ndimage.label(closed, np.ones((3, 3)))
     here = label[place[:, 0], place[:, 1]]
     start = here[np.searchsorted(near, seed)] if seed in near else here[0]
@@ -240,29 +240,29 @@ def _area(mask: _Mask) -> float:
 
 def _outwards(centre: np.ndarray, facing: np.ndarray, places: np.ndarray, edges: np.ndarray,
               outward: np.ndarray) -> np.ndarray:
-    """The plane's normal, turned as most of the outline edges near the wall face."""
+    """The plane's normal, on the side of most of the outline edges near the wall face."""
     if not len(edges):
         return facing
     some = places[:: max(1, len(places) // 200), :2]
     near = edge_distance(some, edges)
-    vote = (outward @ facing[:2])[near.argmin(axis=1)]
-    # Edges across the wall say nothing: only those that run with it have a vote.
-    vote = vote[np.abs(vote) > 0.7]
-    if not len(vote):
+    agreement = (outward @ facing[:2])[near.argmin(axis=1)]
+    # Edges across the wall say nothing: only those that run with it count.
+    agreement = agreement[np.abs(agreement) > 0.7]
+    if not len(agreement):
         best = np.argmin(near.mean(axis=0) - np.abs(outward @ facing[:2]) * 2.0)
-        vote = outward[best] @ facing[:2]
-    return facing if np.sum(np.sign(vote)) >= 0 else -facing
+        agreement = outward[best] @ facing[:2]
+    return facing if np.sum(np.sign(agreement)) >= 0 else -facing
 
 
-def _claim(points: np.ndarray, voxels: Voxels, grown: list, settings: PlaneSettings) -> np.ndarray:
+def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: PlaneSettings) -> np.ndarray:
     """Number of the plane that each point lies on, (n,), -1 for none: the nearest of those that cover its place."""
     owner = np.full(len(points), -1, np.int32)
-    best = np.full(len(points), _POINT_REACH)
+    best = np.full(len(points), _POINT_TOLERANCE)
     order = np.argsort(voxels.of_point, kind="stable")
     starts = np.concatenate([[0], np.cumsum(voxels.count)])
     for number, (centre, normal, mask) in enumerate(grown):
-        reach = _POINT_REACH + voxels.size
-        near = np.flatnonzero(np.abs((voxels.mean - centre) @ normal) < reach)
+        distance = _POINT_TOLERANCE + voxels.size
+        near = np.flatnonzero(np.abs((voxels.mean - centre) @ normal) < distance)
         grownmask = _Mask(mask.axes, mask.low, mask.cell, ndimage.binary_dilation(mask.filled, np.ones((3, 3))))
         near = near[grownmask.holds(voxels.mean[near])]
         if not len(near):

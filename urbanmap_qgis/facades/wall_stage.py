@@ -17,7 +17,7 @@ from ..progress import SILENT, Progress
 from .building_plans import BuildingPlans, outline_edges
 from .facade_points import FacadePoints, FacadeSettings, facade_points
 from .plane_fit import WallPlane
-from .wall_contours import Contour, ContourSettings, Seen, in_plane, on_map, seen_share, wall_contours
+from .wall_contours import Contour, ContourSettings, WallCoverage, in_plane, on_map, wall_contours, wall_coverage
 from .wall_planes import PlaneSettings, edge_distance, wall_segments
 
 OK, ROUGH, PARTLY, FEW, INSIDE = "ok", "rough", "partly seen", "few points", "inside"
@@ -28,8 +28,8 @@ _ROUGH = 0.05
 _HALF = 0.5
 _FEW = 30
 _DEEP = 1.0
-_ALONG = 0.966
-"""Cosine of the largest angle between a wall and the outline's edge that it belongs to: 15 degrees."""
+_MIN_EDGE_COSINE = 0.966
+"""Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class WallSettings:
 
 
 @dataclass(frozen=True, eq=False)
-class Wall:
+class FacadeWall:
     """One contour on one plane of a building.
 
     Attributes
@@ -61,7 +61,7 @@ class Wall:
     points: int
     openings: float
     filled: float
-    seen: Seen
+    seen: WallCoverage
     edge: int
     offset: float
     height_known: bool
@@ -91,7 +91,7 @@ class _Piece:
 
 def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings = WallSettings(),
                ground: RasterSampler | None = None, executor: Executor | None = None,
-               progress: Progress = SILENT) -> tuple[list[Wall], WallCounts]:
+               progress: Progress = SILENT) -> tuple[list[FacadeWall], WallCounts]:
     """Walls of buildings from a survey that lies on the map.
 
     Parameters
@@ -102,7 +102,7 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
     ------
     InsufficientDataError : no point lies near any building.
     """
-    walls: list[Wall] = []
+    walls: list[FacadeWall] = []
     near = with_walls = points = 0
     with facade_points(cloud, plans, settings.facade, ground, progress.part(0.0, 0.5)) as buildings:
         # A worker in another process cannot be asked to stop; between buildings it is.
@@ -121,17 +121,17 @@ def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
             progress: Progress) -> Iterator[_Piece]:
     for row, points in buildings:
         progress.step(row / len(plans))
-        if points.thinned < 1:
-            progress.warn(f"Building {plans.ids[row]}: only {100 * points.thinned:.0f} % of its points were used, "
+        if points.kept_share < 1:
+            progress.warn(f"Building {plans.ids[row]}: only {100 * points.kept_share:.0f} % of its points were used, "
                           "as there are more than fit into memory.")
         yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points)
 
 
-def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> tuple[list[Wall], int]:
+def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> tuple[list[FacadeWall], int]:
     """Walls of one building, and the number of its points."""
     ends, outward = outline_edges(piece.plan)
     given = piece.points
-    walls: list[Wall] = []
+    walls: list[FacadeWall] = []
     for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check or SILENT):
         own = given.points[segment.points]
         contours = wall_contours(segment.plane, own, settings.contours)
@@ -141,7 +141,7 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
 
 
 def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray, outward: np.ndarray,
-               settings: WallSettings) -> list[Wall]:
+               settings: WallSettings) -> list[FacadeWall]:
     """The contours of one plane with all that is known of them."""
     edge, offset = _edge_of(plane, contours, ends, outward)
     walls = []
@@ -152,10 +152,10 @@ def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], end
         depth = _depth(piece.plan, plane, contour.polygon)
         if depth > _DEEP:
             foot = float(z.min())  # it stands on a roof
-        seen = seen_share(plane, [contour], foot, top, piece.points.front)
+        seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
         status, note = _status(plane, contour.points, seen, depth)
-        walls.append(Wall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled, seen,
-                          edge, offset, bool(np.isfinite(piece.top)), status, note))
+        walls.append(FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,
+                                seen, edge, offset, bool(np.isfinite(piece.top)), status, note))
     return walls
 
 
@@ -175,15 +175,15 @@ def _edge_of(plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray,
              outward: np.ndarray) -> tuple[int, float]:
     """Outline edge that a wall runs along: the nearest that faces as it does; and how far the wall stands before it."""
     facing = outward @ plane.normal[:2]
-    alike = np.flatnonzero(facing > _ALONG)
-    if not len(alike):
+    parallel = np.flatnonzero(facing > _MIN_EDGE_COSINE)
+    if not len(parallel):
         return -1, float("nan")
     along = plane.axes[0][:2]
     spans = [contour.polygon.bounds[0::2] for contour in contours]
     places = np.concatenate([np.linspace(*span, 21) for span in spans])
     xy = plane.point[:2] + places[:, None] * along
-    distance = edge_distance(xy, ends[alike])
-    edge = int(alike[distance.mean(axis=0).argmin()])
+    distance = edge_distance(xy, ends[parallel])
+    edge = int(parallel[distance.mean(axis=0).argmin()])
     if np.median(edge_distance(xy, ends[edge:edge + 1])) > 3.0:
         return -1, float("nan")
     return edge, float(np.mean((xy - ends[edge, 0]) @ outward[edge]))
@@ -196,7 +196,7 @@ def _depth(plan: shapely.Geometry, plane: WallPlane, flat: shapely.Polygon) -> f
     return float(shapely.distance(middle, shapely.boundary(plan))) if shapely.contains(plan, middle) else 0.0
 
 
-def _status(plane: WallPlane, points: int, seen: Seen, depth: float) -> tuple[str, str]:
+def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
     """Status of a wall and the reason."""
     if points < _FEW:
         return FEW, f"only {points} points lie on it"
@@ -205,7 +205,7 @@ def _status(plane: WallPlane, points: int, seen: Seen, depth: float) -> tuple[st
     if depth > _DEEP:
         return INSIDE, f"it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window"
     if seen.coverage < _HALF:
-        why = "something stands in front" if seen.hidden > seen.beyond else "the survey did not see the rest"
+        why = "something stands in front" if seen.hidden > seen.unseen else "the survey did not see the rest"
         return PARTLY, f"{100 * seen.coverage:.0f} % of it was seen; {why}"
     return OK, ""
 
@@ -220,7 +220,7 @@ WALL_COLUMNS: tuple[tuple[str, str], ...] = (
 """Names and kinds of the columns of a layer of walls, in order."""
 
 
-def wall_columns(walls: Sequence[Wall]) -> dict[str, list]:
+def wall_columns(walls: Sequence[FacadeWall]) -> dict[str, list]:
     """Columns of `WALL_COLUMNS`; walls are numbered within their building from 1, the largest plane first."""
     columns: dict[str, list] = {name: [] for name, _ in WALL_COLUMNS}
     number: dict[int, int] = {}
@@ -231,23 +231,23 @@ def wall_columns(walls: Sequence[Wall]) -> dict[str, list]:
     return columns
 
 
-def _row(wall: Wall, number: int) -> dict:
+def _row(wall: FacadeWall, number: int) -> dict:
     plane, seen = wall.plane, wall.seen
     outer = in_plane(plane, shapely.get_coordinates(wall.contour.exterior, include_z=True))
     length, height = np.ptp(outer, axis=0)
     return {
         "building_id": wall.building_id, "wall_id": number, "status": wall.status, "note": wall.note,
-        "area": shapely_area(plane, wall.contour), "height": float(height), "length": float(length),
+        "area": contour_area(plane, wall.contour), "height": float(height), "length": float(length),
         "azimuth": float(np.degrees(np.arctan2(plane.normal[0], plane.normal[1])) % 360.0), "tilt": plane.tilt,
         "normal_x": float(plane.normal[0]), "normal_y": float(plane.normal[1]), "normal_z": float(plane.normal[2]),
         "points": wall.points, "passes": plane.passes, "rmse": plane.rmse, "sigma": plane.sigma,
-        "pass_spread": plane.pass_spread, "coverage": seen.coverage, "hidden": seen.hidden, "unseen": seen.beyond,
+        "pass_spread": plane.pass_spread, "coverage": seen.coverage, "hidden": seen.hidden, "unseen": seen.unseen,
         "openings": wall.openings, "filled": wall.filled, "edge": wall.edge if wall.edge >= 0 else None,
         "offset": wall.offset,
     }
 
 
-def shapely_area(plane: WallPlane, contour: shapely.Polygon) -> float:
+def contour_area(plane: WallPlane, contour: shapely.Polygon) -> float:
     """Area of a contour in its plane, m2."""
     flat = [in_plane(plane, shapely.get_coordinates(ring, include_z=True)) for ring in (
         contour.exterior, *contour.interiors)]

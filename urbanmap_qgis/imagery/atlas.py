@@ -15,7 +15,7 @@ _MARGIN = 2
 
 
 @dataclass(frozen=True)
-class Placed:
+class AtlasPlace:
     """Where a texture lies: number of the image, its first row and column there."""
 
     page: int
@@ -23,13 +23,13 @@ class Placed:
     column: int
 
 
-def pack(shapes: Sequence[tuple[int, int]]) -> list[Placed]:
+def pack_textures(shapes: Sequence[tuple[int, int]]) -> list[AtlasPlace]:
     """Places for textures of the given rows and columns, in shelves of falling height.
 
     Textures larger than `LARGEST` less the margins must be made smaller before (see `coarsest_step`).
     """
     order = sorted(range(len(shapes)), key=lambda number: (-shapes[number][0], number))
-    placed: list[Placed | None] = [None] * len(shapes)
+    placed: list[AtlasPlace | None] = [None] * len(shapes)
     page = top = left = shelf = 0
     for number in order:
         rows, columns = (side + 2 * _MARGIN for side in shapes[number])
@@ -37,7 +37,7 @@ def pack(shapes: Sequence[tuple[int, int]]) -> list[Placed]:
             top, left, shelf = top + shelf, 0, 0
         if top + rows > LARGEST:
             page, top, left, shelf = page + 1, 0, 0, 0
-        placed[number] = Placed(page, top + _MARGIN, left + _MARGIN)
+        placed[number] = AtlasPlace(page, top + _MARGIN, left + _MARGIN)
         left, shelf = left + columns, max(shelf, rows)
     return placed
 
@@ -47,7 +47,7 @@ def coarsest_step(width: float, height: float, step: float) -> float:
     return max(step, max(width, height) / (LARGEST - 2 * _MARGIN - 1))
 
 
-def drawn(textures: Sequence[np.ndarray], placed: Sequence[Placed]) -> list[np.ndarray]:
+def draw_atlas(textures: Sequence[np.ndarray], placed: Sequence[AtlasPlace]) -> list[np.ndarray]:
     """The images (rows, columns, 3) uint8 with all textures in their places, each no larger than needed."""
     pages = []
     for page in range(max((place.page for place in placed), default=-1) + 1):

@@ -1,4 +1,4 @@
-"""The texture of one facade: for each texel the best view that nothing hides, brightness evened, seams blended."""
+"""The texture of one facade: for each texel the best view that nothing hides, brightness compensated, seams blended."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from .facades import Facade, Lattice, TexelGrid, lattice, on_facade
-from .obstacles import Obstacles
+from .obstacles import ViewObstacles
 from .views import Source, View
 
 NODES = 0.25
@@ -24,7 +24,7 @@ _OVERLAP = 200
 _UNSEEN = 190
 """Grey of texels that no image shows."""
 
-NOT_FACED, HIDDEN, BEYOND = "no image looks at it", "hidden in all images", "farther from all images than the reach"
+NOT_FACED, HIDDEN = "no image looks at it", "hidden in all images"
 
 
 @dataclass(frozen=True)
@@ -34,15 +34,15 @@ class TextureSettings:
     Parameters
     ----------
     resolution : side of a texel, m.
-    reach : images farther from a facade than this are not used (line images), m.
-    least_seen : share of a facade that must be seen for it to get a texture.
-    least_detail : pixels a metre below which an image shows too little of a place to be used.
+    max_range : images farther from a facade than this are not used (line images), m.
+    min_seen : share of a facade that must be seen for it to get a texture.
+    min_detail : pixels a metre below which an image shows too little of a place to be used.
     """
 
     resolution: float = 0.05
-    reach: float = 40.0
-    least_seen: float = 0.02
-    least_detail: float = 1.0
+    max_range: float = 40.0
+    min_seen: float = 0.02
+    min_detail: float = 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +68,7 @@ class FacadeTexture:
 
 
 def texture_facade(facade: Facade, grid: TexelGrid, sources: Sequence[Source],
-                   obstacles: Callable[[np.ndarray], Obstacles], settings: TextureSettings) -> FacadeTexture:
+                   obstacles: Callable[[np.ndarray], ViewObstacles], settings: TextureSettings) -> FacadeTexture:
     """Texture one facade (Z 4.2: image pixels projected and resampled onto the plane of the facade).
 
     Parameters
@@ -78,20 +78,20 @@ def texture_facade(facade: Facade, grid: TexelGrid, sources: Sequence[Source],
     """
     face = on_facade(facade, grid)
     nodes = lattice(facade, grid, max(NODES, grid.step))
-    views = [view for source in sources for view in source.views(nodes.places, facade.normal, settings.reach)]
-    views = [view for view in views if (view.detail >= settings.least_detail).any()]
+    views = [view for source in sources for view in source.views(nodes.places, facade.normal, settings.max_range)]
+    views = [view for view in views if (view.detail >= settings.min_detail).any()]
     if not views:
-        return _without(grid, NOT_FACED)
+        return _untextured(grid, NOT_FACED)
     shown = [_shown(view, facade, nodes, obstacles, settings) for view in views]
     detail = np.array([nodes.between(view.detail)[face] for view in views])
-    visible = np.array([nodes.nearest(mask)[face] for mask in shown]) & (detail >= settings.least_detail)
+    visible = np.array([nodes.nearest(mask)[face] for mask in shown]) & (detail >= settings.min_detail)
     seen = visible.any(axis=0)
     share = float(seen.mean()) if seen.size else 0.0
-    if share < max(settings.least_seen, 1e-9):
-        return _without(grid, HIDDEN)
+    if share < max(settings.min_seen, 1e-9):
+        return _untextured(grid, HIDDEN)
     best = np.argmax(np.where(visible, detail, -np.inf), axis=0)
     colours = _colours(views, nodes, face, visible, {source.number: source for source in sources})
-    gains = evening_gains(colours, visible)
+    gains = compensation_gains(colours, visible)
     pixels = _blended(grid, face, colours * gains[:, None, :], visible, np.where(seen, best, -1))
     used = np.unique(best[seen])
     mask = np.zeros(face.shape, bool)
@@ -100,14 +100,14 @@ def texture_facade(facade: Facade, grid: TexelGrid, sources: Sequence[Source],
                          tuple(sorted({views[number].image for number in used})))
 
 
-def _without(grid: TexelGrid, reason: str) -> FacadeTexture:
+def _untextured(grid: TexelGrid, reason: str) -> FacadeTexture:
     return FacadeTexture(None, np.zeros((grid.rows, grid.columns), bool), 0.0, np.nan, (), reason)
 
 
-def _shown(view: View, facade: Facade, nodes: Lattice, obstacles: Callable[[np.ndarray], Obstacles],
+def _shown(view: View, facade: Facade, nodes: Lattice, obstacles: Callable[[np.ndarray], ViewObstacles],
            settings: TextureSettings) -> np.ndarray:
     """Mask (nodes,) of the places that a view shows well enough and that nothing hides from it."""
-    shown = view.detail >= settings.least_detail
+    shown = view.detail >= settings.min_detail
     looked = np.flatnonzero(shown)
     if len(looked):
         cameras = view.camera[looked]
@@ -127,8 +127,9 @@ def _colours(views: Sequence[View], nodes: Lattice, face: np.ndarray, visible: n
     return colours
 
 
-def evening_gains(colours: np.ndarray, visible: np.ndarray) -> np.ndarray:
-    """Factors (views, 3) that even out brightness and colour between views where they show the same texels.
+def compensation_gains(colours: np.ndarray, visible: np.ndarray) -> np.ndarray:
+    """Factors (views, 3) that compensate differences of brightness and colour between views where they show the same
+    texels.
 
     The logarithms of the factors are the least squares solution of the median ratios of all pairs of views that share
     enough texels, weighted by how many; their mean, weighted by the texels of each view, is nought.

@@ -11,7 +11,7 @@ import shapely
 from ..geometry.solid import OUTER_WALL, Solid
 from ..geometry.solid_faces import face_normal
 
-_LEAST_SIDE = 0.3
+_MIN_SIDE = 0.3
 """Upright faces narrower or lower than this (m) are reveals and steps, and get no texture."""
 
 
@@ -50,7 +50,7 @@ def facades_of(solids: Sequence[Solid]) -> list[Facade]:
         for face, kind in enumerate(solid.surface_type):
             if kind == OUTER_WALL:
                 facade = _facade(solid, number, face)
-                if min(facade.width, facade.height) >= _LEAST_SIDE:
+                if min(facade.width, facade.height) >= _MIN_SIDE:
                     found.append(facade)
     return found
 

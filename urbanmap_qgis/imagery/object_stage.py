@@ -11,7 +11,7 @@ import shapely
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from .image_outlines import LINE, POINT, POLYGON, ImageOutline
-from .object_surface import LEAST_POINTS, Plane, meet, nearest_surface, surface_plane
+from .object_surface import MIN_POINTS, SurfacePlane, nearest_surface, ray_intersections, surface_plane
 from .outline_points import SNAP, OutlinePoints, outline_points
 
 MEASURED, FACING, PARTLY, NOT_MEASURED = "measured", "faces the camera", "measured in part", "not measured"
@@ -53,20 +53,20 @@ class MapObject:
     reason: str = ""
 
 
-def objects_from_outlines(outlines: Sequence[ImageOutline], cloud: PointCloud, reach: float = 50.0,
+def objects_from_outlines(outlines: Sequence[ImageOutline], cloud: PointCloud, max_range: float = 50.0,
                           progress: Progress = SILENT) -> list[MapObject]:
     """Measure outlines with the laser points behind them, one feature an outline, in their order.
 
     Parameters
     ----------
     cloud : laser points placed by the same trajectory as the images.
-    reach : laser points farther from the camera are not used, m.
+    max_range : laser points farther from the camera are not used, m.
     """
-    behind = outline_points(outlines, _chunks(cloud, progress.part(0.0, 0.9)), reach)
+    behind = outline_points(outlines, _chunks(cloud, progress.part(0.0, 0.9)), max_range)
     made = []
     for number, (outline, points) in enumerate(zip(outlines, behind)):
         progress.step(0.9 + 0.1 * number / len(outlines))
-        made.append(measure(outline, points))
+        made.append(measure_object(outline, points))
     return made
 
 
@@ -76,7 +76,7 @@ def _chunks(cloud: PointCloud, progress: Progress) -> Iterator[np.ndarray]:
         yield np.column_stack([np.asarray(chunk[axis])[keep] for axis in "xyz"])
 
 
-def measure(outline: ImageOutline, points: OutlinePoints) -> MapObject:
+def measure_object(outline: ImageOutline, points: OutlinePoints) -> MapObject:
     """One outline with the laser points behind it."""
     if outline.kind == POLYGON:
         return _polygon(outline, points)
@@ -92,7 +92,7 @@ def _polygon(outline: ImageOutline, points: OutlinePoints) -> MapObject:
     camera = outline.source.rays(*middle.T)[0][0]
     plane = surface_plane(surface, camera)
     rings = [shapely.get_coordinates(ring)[:-1] for ring in (outline.pixels.exterior, *outline.pixels.interiors)]
-    corners = [meet(plane, *outline.source.rays(*ring.T)) for ring in rings]
+    corners = [ray_intersections(plane, *outline.source.rays(*ring.T)) for ring in rings]
     if not all(np.isfinite(ring).all() for ring in corners):
         return MapObject(outline.feature, None, points=len(surface), rmse=plane.rmse,
                          reason="the surface runs along the line of sight")
@@ -103,7 +103,7 @@ def _polygon(outline: ImageOutline, points: OutlinePoints) -> MapObject:
                      reason="" if plane.fitted else "too few points or too narrow for a plane of its own")
 
 
-def _extent(plane: Plane, corners: np.ndarray) -> tuple[float, ...]:
+def _extent(plane: SurfacePlane, corners: np.ndarray) -> tuple[float, ...]:
     """Width, height, azimuth, area, lowest and highest z of corners (n, 3) in a plane."""
     level = np.array([-plane.normal[1], plane.normal[0], 0.0])
     length = np.linalg.norm(level)
@@ -116,10 +116,10 @@ def _extent(plane: Plane, corners: np.ndarray) -> tuple[float, ...]:
             float(corners[:, 2].min()), float(corners[:, 2].max()))
 
 
-def _sigma(outline: ImageOutline, plane: Plane, pixel: np.ndarray) -> float:
+def _sigma(outline: ImageOutline, plane: SurfacePlane, pixel: np.ndarray) -> float:
     """Standard deviation of a corner: of the plane along the ray, and half a pixel beside it."""
     steps = pixel + np.array([[-0.5, 0.0], [0.5, 0.0], [0.0, -0.5], [0.0, 0.5]])
-    ends = meet(plane, *outline.source.rays(*steps.T))
+    ends = ray_intersections(plane, *outline.source.rays(*steps.T))
     pixel_sides = np.linalg.norm(ends[[1, 3]] - ends[[0, 2]], axis=1)
     _, direction = outline.source.rays(*pixel.T)
     along = plane.sigma / max(abs(float(direction[0] @ plane.normal)), 0.05)
@@ -192,7 +192,7 @@ def _sample_sigma(outline: ImageOutline, pixels: np.ndarray, places: np.ndarray,
 def _too_few(points: OutlinePoints) -> str:
     if not len(points):
         return "no laser points lie behind it"
-    return f"{len(points)} laser points behind it are too few, or none of them hang together (needed: {LEAST_POINTS})"
+    return f"{len(points)} laser points behind it are too few, or no group of them is connected (needed: {MIN_POINTS})"
 
 
 def geometry_type(outlines: Sequence[ImageOutline]) -> str:

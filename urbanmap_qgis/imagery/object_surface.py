@@ -1,4 +1,4 @@
-"""The surface that an outline shows: the nearest one that hangs together, and its plane."""
+"""The surface that an outline shows: the nearest one that is connected, and its plane."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from .outline_points import OutlinePoints
 DEPTH_GAP = 0.4
 """Points whose distances differ by more than this (m), with none between, lie on different things."""
 
-LEAST_POINTS = 8
+MIN_POINTS = 8
 """Laser points that a surface needs."""
 
-LEAST_SHARE = 0.1
-"""A surface holds at least this share of the points behind the outline: single stray points are passed over."""
+MIN_SHARE = 0.1
+"""A surface holds at least this share of the points behind the outline: single outliers are passed over."""
 
 _FLAT = 0.05
 _WIDE = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class Plane:
+class SurfacePlane:
     """A plane n . (p - middle) = 0 fitted to points.
 
     Attributes
@@ -42,18 +42,18 @@ class Plane:
 
 
 def nearest_surface(points: OutlinePoints) -> OutlinePoints:
-    """The points on the nearest thing that hangs together in depth; none where there is no such thing."""
+    """The points on the nearest thing connected in depth; none where there is no such thing."""
     order = np.argsort(points.distance, kind="stable")
     distance = points.distance[order]
     ends = np.flatnonzero(np.diff(distance) > DEPTH_GAP) + 1
     for group in np.split(order, ends):
-        if len(group) >= max(LEAST_POINTS, LEAST_SHARE * len(points)):
-            return points.only(np.sort(group))
-    return points.only(np.empty(0, int))
+        if len(group) >= max(MIN_POINTS, MIN_SHARE * len(points)):
+            return points.subset(np.sort(group))
+    return points.subset(np.empty(0, int))
 
 
-def surface_plane(points: OutlinePoints, camera: np.ndarray) -> Plane:
-    """A robust plane through the points (Tukey's weights), turned towards the camera (3,).
+def surface_plane(points: OutlinePoints, camera: np.ndarray) -> SurfacePlane:
+    """A robust plane through the points (Tukey's weights), its normal towards the camera (3,).
 
     Points along a line, as on a pole, tell no plane: then it is the upright one that faces the camera.
     """
@@ -69,22 +69,22 @@ def surface_plane(points: OutlinePoints, camera: np.ndarray) -> Plane:
         weight = np.maximum((1.0 - share**2) ** 2, 1e-12)
     used = np.abs(residual) < 4.0 * scale
     rmse = float(np.sqrt(np.mean(residual[used] ** 2)))
-    flat = rmse < _FLAT and np.sqrt(max(spread[1], 0.0)) > _WIDE and used.sum() >= LEAST_POINTS
+    flat = rmse < _FLAT and np.sqrt(max(spread[1], 0.0)) > _WIDE and used.sum() >= MIN_POINTS
     normal = axes[:, 0]
     if not flat:
-        way = (camera - middle) * [1.0, 1.0, 0.0]
-        normal = way / max(np.linalg.norm(way), 1e-9)
+        towards = (camera - middle) * [1.0, 1.0, 0.0]
+        normal = towards / max(np.linalg.norm(towards), 1e-9)
         middle = np.median(place, axis=0)
         rmse = float(np.std((place - middle) @ normal))
         used = np.ones(len(place), bool)
     normal = normal if (camera - middle) @ normal > 0 else -normal
     count = int(used.sum())
     # Points of one scan line share its errors; a tenth of them is taken as independent.
-    return Plane(middle, normal, rmse, rmse / np.sqrt(max(count / 10.0, 1.0)), count, bool(flat))
+    return SurfacePlane(middle, normal, rmse, rmse / np.sqrt(max(count / 10.0, 1.0)), count, bool(flat))
 
 
-def meet(plane: Plane, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
+def ray_intersections(plane: SurfacePlane, origin: np.ndarray, direction: np.ndarray) -> np.ndarray:
     """Where rays (n, 3) meet a plane; NaN where they run along it or away from it."""
-    slope = direction @ plane.normal
-    length = (plane.middle - origin) @ plane.normal / np.where(np.abs(slope) > 0.05, slope, np.nan)
+    cosine = direction @ plane.normal
+    length = (plane.middle - origin) @ plane.normal / np.where(np.abs(cosine) > 0.05, cosine, np.nan)
     return origin + np.where(length > 0, length, np.nan)[:, None] * direction

@@ -24,14 +24,14 @@ OFF_POINTS = 0.8
 """Laser points nearer to the facade's plane than this (m) belong to it."""
 
 OFF_CAMERA = 1.0
-"""The last part of the way to the camera is not looked at, m."""
+"""The last part of the ray to the camera is not tested, m."""
 
 ENOUGH = 2
 """Laser points in a cell from which it hides."""
 
 
 @dataclass(frozen=True)
-class Voxels:
+class OccupiedVoxels:
     """Cells of `CELL` side with at least `ENOUGH` laser points: whole numbers (n, 3) of x, y, z in cells."""
 
     cells: np.ndarray
@@ -42,20 +42,20 @@ class Voxels:
         return self.cells[keep]
 
 
-NO_POINTS = Voxels(np.empty((0, 3), np.int32))
+NO_POINTS = OccupiedVoxels(np.empty((0, 3), np.int32))
 
 
-def voxels_of(chunks: Iterable[np.ndarray]) -> Voxels:
+def voxels_of(chunks: Iterable[np.ndarray]) -> OccupiedVoxels:
     """Cells that hold laser points, from chunks (n, 3) of points; memory grows with the cells, not the points."""
     cells, counts = np.empty((0, 3), np.int32), np.empty(0, np.int64)
     for points in chunks:
         found, number = np.unique(np.floor(points / CELL).astype(np.int32), axis=0, return_counts=True)
         cells, place = np.unique(np.vstack([cells, found]), axis=0, return_inverse=True)
         counts = np.bincount(place.ravel(), np.concatenate([counts, number]), len(cells))
-    return Voxels(cells[counts >= ENOUGH])
+    return OccupiedVoxels(cells[counts >= ENOUGH])
 
 
-def voxels_from_cloud(cloud: PointCloud, progress: Progress = SILENT) -> Voxels:
+def voxels_from_cloud(cloud: PointCloud, progress: Progress = SILENT) -> OccupiedVoxels:
     """Cells that hold laser points of files of any size; noise and withheld points are left out."""
     def chunks():
         for chunk in iter_chunks(cloud, progress):
@@ -66,7 +66,7 @@ def voxels_from_cloud(cloud: PointCloud, progress: Progress = SILENT) -> Voxels:
 
 
 @dataclass(frozen=True)
-class Obstacles:
+class ViewObstacles:
     """What may hide facades within a box.
 
     Attributes
@@ -85,9 +85,9 @@ class Obstacles:
 
         `normal` (3,) is the facade's, outwards. What lies outside the box hides nothing.
         """
-        way = cameras - places
-        length = np.linalg.norm(way, axis=1)
-        direction = way / length[:, None]
+        vector = cameras - places
+        length = np.linalg.norm(vector, axis=1)
+        direction = vector / length[:, None]
         off = np.maximum(direction @ normal, 1e-6)
         start = OFF_WALL / off
         top = self.low[2] + CELL * self.filled.shape[2]
@@ -117,7 +117,7 @@ class Obstacles:
 
 
 def obstacles_within(low: np.ndarray, high: np.ndarray, roofs: Sequence[shapely.Polygon], heights: np.ndarray,
-                     voxels: Voxels = NO_POINTS) -> Obstacles:
+                     voxels: OccupiedVoxels = NO_POINTS) -> ViewObstacles:
     """Obstacles in a box between two corners (3,), m.
 
     Parameters
@@ -137,4 +137,4 @@ def obstacles_within(low: np.ndarray, high: np.ndarray, roofs: Sequence[shapely.
     filled = np.zeros((rows, columns, levels), bool)
     cells = voxels.within(low, low + CELL * (np.array([columns, rows, levels]) - 0.5)) - np.rint(low / CELL).astype(int)
     filled[cells[:, 1], cells[:, 0], cells[:, 2]] = True
-    return Obstacles(low, tops, filled)
+    return ViewObstacles(low, tops, filled)

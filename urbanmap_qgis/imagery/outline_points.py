@@ -36,29 +36,30 @@ class OutlinePoints:
     def __len__(self) -> int:
         return len(self.distance)
 
-    def only(self, keep: np.ndarray) -> OutlinePoints:
+    def subset(self, keep: np.ndarray) -> OutlinePoints:
         """Those of a mask or of numbers."""
         return OutlinePoints(self.place[keep], self.column[keep], self.row[keep], self.distance[keep])
 
 
-def outline_points(outlines: Sequence[ImageOutline], chunks: Iterable[np.ndarray], reach: float) -> list[OutlinePoints]:
-    """Laser points behind each outline, up to `reach` m from the camera, from chunks (n, 3) of points."""
-    beams = [_beam(outline, reach) for outline in outlines]
+def outline_points(outlines: Sequence[ImageOutline], chunks: Iterable[np.ndarray],
+                   max_range: float) -> list[OutlinePoints]:
+    """Laser points behind each outline, up to `max_range` m from the camera, from chunks (n, 3) of points."""
+    beams = [_beam(outline, max_range) for outline in outlines]
     parts: list[list[OutlinePoints]] = [[] for _ in outlines]
     for points in chunks:
         for number, (outline, beam) in enumerate(zip(outlines, beams)):
             candidates = points[_within(points, beam)]
             if len(candidates):
-                parts[number].append(_behind(outline, candidates, reach))
+                parts[number].append(_behind(outline, candidates, max_range))
     return [_joined(some) for some in parts]
 
 
-def _beam(outline: ImageOutline, reach: float) -> shapely.Polygon:
+def _beam(outline: ImageOutline, max_range: float) -> shapely.Polygon:
     """Plan of the rays of an outline's pixels."""
     pixels = shapely.get_coordinates(shapely.segmentize(outline.pixels, 20.0))
     origin, direction = outline.source.rays(*pixels.T)
-    reach = outline.source.farthest(reach)
-    ends = np.vstack([origin[:, :2], (origin + reach * direction)[:, :2]])
+    max_range = outline.source.image_range(max_range)
+    ends = np.vstack([origin[:, :2], (origin + max_range * direction)[:, :2]])
     plan = shapely.MultiPoint(ends).convex_hull.buffer(_SIDE)
     shapely.prepare(plan)
     return plan
@@ -72,10 +73,10 @@ def _within(points: np.ndarray, beam: shapely.Polygon) -> np.ndarray:
     return near[shapely.contains_xy(beam, points[near, 0], points[near, 1])]
 
 
-def _behind(outline: ImageOutline, points: np.ndarray, reach: float) -> OutlinePoints:
+def _behind(outline: ImageOutline, points: np.ndarray, max_range: float) -> OutlinePoints:
     """Those of the points (n, 3) that lie behind an outline in its image."""
     left, top, right, bottom = outline.pixels.buffer(SNAP).bounds
-    index, column, row, distance = outline.source.pixels(points, (left, top, right, bottom), reach)
+    index, column, row, distance = outline.source.pixels(points, (left, top, right, bottom), max_range)
     if outline.kind == POLYGON:
         keep = shapely.contains_xy(outline.pixels, column, row)
     else:
@@ -90,4 +91,4 @@ def _joined(parts: Sequence[OutlinePoints]) -> OutlinePoints:
     joined = OutlinePoints(*(np.concatenate([getattr(part, name) for part in parts])
                              for name in ("place", "column", "row", "distance")))
     step = -(-len(joined) // _MOST_POINTS)
-    return joined.only(np.arange(0, len(joined), step)) if step > 1 else joined
+    return joined.subset(np.arange(0, len(joined), step)) if step > 1 else joined

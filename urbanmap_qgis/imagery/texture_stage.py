@@ -17,10 +17,10 @@ from ..geometry.solid import ROOF, FaceTexture, Solid
 from ..geometry.solid_faces import solids_of
 from ..io.cityjson import CityBuilding
 from ..progress import SILENT, Progress
-from .atlas import coarsest_step, drawn, pack
+from .atlas import coarsest_step, draw_atlas, pack_textures
 from .facade_texture import NOT_FACED, FacadeTexture, TextureSettings, texture_facade
 from .facades import Facade, TexelGrid, facades_of, texel_grid
-from .obstacles import NO_POINTS, Obstacles, Voxels, obstacles_within
+from .obstacles import NO_POINTS, OccupiedVoxels, ViewObstacles, obstacles_within
 from .views import FrameSource, Source
 
 JPEG_QUALITY = 90
@@ -28,12 +28,12 @@ JPEG_QUALITY = 90
 TEXTURED, PARTLY, NOT_SEEN = "textured", "partly seen", "not seen"
 
 _WHOLE = 0.95
-_FRAME_REACH = 60.0
+_FRAME_RANGE = 60.0
 _ABOVE = 2.0
 
 
 @dataclass(frozen=True, eq=False)
-class Building:
+class BuildingSolids:
     """A building to texture: its id, attributes and solids."""
 
     id: int | str
@@ -75,7 +75,7 @@ class Textured:
 
 
 def buildings_of(ids: Sequence, geometries: Sequence[shapely.Geometry | None],
-                 attributes: Sequence[dict] = ()) -> list[Building]:
+                 attributes: Sequence[dict] = ()) -> list[BuildingSolids]:
     """Buildings from the faces of a layer (MultiPolygonZ).
 
     Raises
@@ -88,16 +88,16 @@ def buildings_of(ids: Sequence, geometries: Sequence[shapely.Geometry | None],
         if geometry is None or shapely.is_empty(geometry):
             continue
         if not shapely.has_z(geometry):
-            raise InputError(f"Building {number} has no heights: give building models (MultiPolygonZ), such as those "
-                             "of “Building models”.")
-        found.append(Building(number, solids_of(geometry), attributes[row] if attributes else {}))
+            raise InputError(f"Building {number} has no heights: give building models (MultiPolygonZ), such as "
+                             "those of “Building models”.")
+        found.append(BuildingSolids(number, solids_of(geometry), attributes[row] if attributes else {}))
     if not found:
         raise InsufficientDataError("There is no building model to texture: check the layer.")
     return found
 
 
-def texture_buildings(buildings: Sequence[Building], sources: Sequence[Source],
-                      settings: TextureSettings | None = None, voxels: Voxels = NO_POINTS,
+def texture_buildings(buildings: Sequence[BuildingSolids], sources: Sequence[Source],
+                      settings: TextureSettings | None = None, voxels: OccupiedVoxels = NO_POINTS,
                       executor: Executor | None = None, progress: Progress = SILENT) -> Iterator[Textured]:
     """Texture buildings one after another; buildings that no image sees come without textures, and say so.
 
@@ -124,7 +124,7 @@ class _Roofs:
     tree: shapely.STRtree
 
     @classmethod
-    def of(cls, buildings: Sequence[Building]) -> _Roofs:
+    def of(cls, buildings: Sequence[BuildingSolids]) -> _Roofs:
         plans, heights = [], []
         for building in buildings:
             for solid in building.solids:
@@ -145,20 +145,20 @@ class _Roofs:
 class _Piece:
     """A building with what may hide it."""
 
-    building: Building
+    building: BuildingSolids
     roofs: np.ndarray
     heights: np.ndarray
-    voxels: Voxels
+    voxels: OccupiedVoxels
 
 
-def _piece(building: Building, sources: Sequence[Source], roofs: _Roofs, voxels: Voxels,
+def _piece(building: BuildingSolids, sources: Sequence[Source], roofs: _Roofs, voxels: OccupiedVoxels,
            settings: TextureSettings) -> _Piece:
     low = np.min([solid.vertices.min(axis=0) for solid in building.solids], axis=0)
     high = np.max([solid.vertices.max(axis=0) for solid in building.solids], axis=0)
     frames = any(isinstance(source, FrameSource) for source in sources)
-    around = np.array([1.0, 1.0, 0.0]) * max(settings.reach, _FRAME_REACH if frames else 0.0)
+    around = np.array([1.0, 1.0, 0.0]) * max(settings.max_range, _FRAME_RANGE if frames else 0.0)
     return _Piece(building, *roofs.around(low - around, high + around),
-                  Voxels(voxels.within(low - around - _ABOVE, high + around + _ABOVE)))
+                  OccupiedVoxels(voxels.within(low - around - _ABOVE, high + around + _ABOVE)))
 
 
 def _texture_building(piece: _Piece, sources: Sequence[Source], settings: TextureSettings) -> Textured:
@@ -185,16 +185,16 @@ def _texture_building(piece: _Piece, sources: Sequence[Source], settings: Textur
     return Textured(CityBuilding(f"building-{building.id}", attributes, building.solids, textures), images, records)
 
 
-def _obstacles(cameras: np.ndarray, piece: _Piece, facade: Facade) -> Obstacles:
+def _obstacles(cameras: np.ndarray, piece: _Piece, facade: Facade) -> ViewObstacles:
     """What may stand between a facade and cameras (n, 3)."""
     corners = facade.places(np.array([0.0, facade.width]), np.array([0.0, facade.height]))
     everything = np.vstack([corners, cameras])
     low, high = everything.min(axis=0) - _ABOVE, everything.max(axis=0) + _ABOVE
     top = max(float(piece.heights.max(initial=corners[:, 2].max())), corners[:, 2].max()) + _ABOVE
     # Above the highest roof nothing hides, so that rays to an aircraft end there.
-    reach = np.array([*np.full(2, max(_FRAME_REACH, np.ptp(corners, axis=0).max())), 0.0])
-    low, high = (np.maximum(low, corners.min(axis=0) - reach - _ABOVE),
-                 np.minimum(high, corners.max(axis=0) + reach + _ABOVE))
+    max_range = np.array([*np.full(2, max(_FRAME_RANGE, np.ptp(corners, axis=0).max())), 0.0])
+    low, high = (np.maximum(low, corners.min(axis=0) - max_range - _ABOVE),
+                 np.minimum(high, corners.max(axis=0) + max_range + _ABOVE))
     high[2] = min(max(high[2], corners[:, 2].max()), top)
     return obstacles_within(low, high, piece.roofs, piece.heights, piece.voxels)
 
@@ -202,13 +202,13 @@ def _obstacles(cameras: np.ndarray, piece: _Piece, facade: Facade) -> Obstacles:
 def _atlas(made: Sequence[FacadeTexture]):
     """Places of the textures in images (None where there is none), and the images."""
     with_pixels = [number for number, texture in enumerate(made) if texture.pixels is not None]
-    placed = pack([made[number].pixels.shape[:2] for number in with_pixels])
-    pages = drawn([made[number].pixels for number in with_pixels], placed)
+    placed = pack_textures([made[number].pixels.shape[:2] for number in with_pixels])
+    pages = draw_atlas([made[number].pixels for number in with_pixels], placed)
     by_facade = dict(zip(with_pixels, placed))
     return [by_facade.get(number) for number in range(len(made))], pages
 
 
-def _face_texture(building: Building, facade: Facade, grid: TexelGrid, place, name: str,
+def _face_texture(building: BuildingSolids, facade: Facade, grid: TexelGrid, place, name: str,
                   shape: tuple[int, ...]) -> FaceTexture:
     """Where the vertices of a facade lie in an image of `shape`."""
     solid = building.solids[facade.solid]
@@ -221,7 +221,7 @@ def _face_texture(building: Building, facade: Facade, grid: TexelGrid, place, na
     return FaceTexture(name, tuple(uv))
 
 
-def _record(building: Building, number: int, facade: Facade, texture: FacadeTexture,
+def _record(building: BuildingSolids, number: int, facade: Facade, texture: FacadeTexture,
             sources: Sequence[Source]) -> FacadeRecord:
     solid = building.solids[facade.solid]
     rings = [solid.vertices[list(ring)] for ring in solid.faces[facade.face]]

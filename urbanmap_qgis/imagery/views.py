@@ -20,10 +20,10 @@ from ..mobile.trajectory import Trajectory
 GRAZING = np.cos(np.radians(80.0))
 """Rays that meet the facade flatter than this show nothing useful."""
 
-_FRAME_REACH = 5000.0
+_FRAME_RANGE = 5000.0
 
-_MOST_SWEEPS = 4
-"""Times that a turning vehicle's camera may sweep over one place and be looked at."""
+_MAX_SWEEPS = 4
+"""Times that a rotating vehicle's camera may sweep over one place and be looked at."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,8 +51,8 @@ class Source(Protocol):
     number: int
     name: str
 
-    def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
-        """Views of places (n, 3) up to `reach` m away on a facade with the normal (3,)."""
+    def views(self, places: np.ndarray, normal: np.ndarray, max_range: float) -> list[View]:
+        """Views of places (n, 3) up to `max_range` m away on a facade with the normal (3,)."""
 
     def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:
         """Colours (n, 3) float32 at pixels (n,)."""
@@ -60,14 +60,14 @@ class Source(Protocol):
     def size(self) -> tuple[int, int]:
         """Columns and rows of the image."""
 
-    def farthest(self, reach: float) -> float:
-        """How far the image shows things, m, where those of line images are used up to `reach`."""
+    def image_range(self, max_range: float) -> float:
+        """How far the image shows things, m, where those of line images are used up to `max_range`."""
 
     def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
 
     def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
-               reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+               max_range: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
 
 
@@ -84,36 +84,37 @@ class StripSource:
     trajectory: Trajectory
     path: np.ndarray
 
-    def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
+    def views(self, places: np.ndarray, normal: np.ndarray, max_range: float) -> list[View]:
         """Its views of places (n, 3): one for each time that the camera passed and swept over them."""
-        return [view for first, last in self._passes(places, normal, reach)
-                for view in self._pass_views(first, last, places, normal, reach)]
+        return [view for first, last in self._passes(places, normal, max_range)
+                for view in self._pass_views(first, last, places, normal, max_range)]
 
-    def _passes(self, places: np.ndarray, normal: np.ndarray, reach: float) -> np.ndarray:
-        """First and last column (k, 2) of the stretches from which the camera may see the places."""
+    def _passes(self, places: np.ndarray, normal: np.ndarray, max_range: float) -> np.ndarray:
+        """First and last column (k, 2) of the intervals of columns from which the camera may see the places."""
         low, high = places.min(axis=0), places.max(axis=0)
         known = np.isfinite(self.path[:, 0])
         off = np.where(known[:, None], self.path, 0.0) - np.clip(self.path, low, high)
         near = np.zeros(len(known), bool)
-        near[known] = (((off[known] ** 2).sum(axis=1) < reach**2)
+        near[known] = (((off[known] ** 2).sum(axis=1) < max_range**2)
                        & ((self.path[known] - places[0]) @ normal > 0))
         ends = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]])))
         return ends.reshape(-1, 2)
 
-    def _pass_views(self, first: int, last: int, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
-        """Views of the stretch of columns from `first` to before `last`."""
+    def _pass_views(self, first: int, last: int, places: np.ndarray, normal: np.ndarray,
+                    max_range: float) -> list[View]:
+        """Views of the columns from `first` to before `last`."""
         if last - first < 2:
             return []
         strip = StripImage(self.strip.camera, self.strip.times[first:last])
-        found = project_to_strip(places, strip, self.trajectory, reach)
+        found = project_to_strip(places, strip, self.trajectory, max_range)
         if not len(found):
             return []
-        turn = np.arange(len(found)) - np.searchsorted(found.point_index, found.point_index)
+        sweep = np.arange(len(found)) - np.searchsorted(found.point_index, found.point_index)
         camera, axes = camera_poses(self.strip.camera, self.trajectory, found.time)
         detail = self._detail(found, camera, axes, places, normal)
         views = []
-        for number in range(min(turn.max() + 1, _MOST_SWEEPS)):
-            own = np.flatnonzero((turn == number) & np.isfinite(detail))
+        for number in range(min(sweep.max() + 1, _MAX_SWEEPS)):
+            own = np.flatnonzero((sweep == number) & np.isfinite(detail))
             view = _empty_view(self.number, len(places))
             index = found.point_index[own]
             view.column[index], view.row[index] = found.column[own] + first, found.row[own]
@@ -125,21 +126,21 @@ class StripSource:
         """Columns and rows of the image."""
         return self.strip.columns, self.strip.camera.rows
 
-    def farthest(self, reach: float) -> float:
+    def image_range(self, max_range: float) -> float:
         """How far the image shows things, m."""
-        return reach
+        return max_range
 
     def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
         return pixel_rays(self.strip, self.trajectory, np.clip(column, 0, self.strip.columns - 1), row)
 
     def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
-               reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+               max_range: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
         left, top, right, bottom = window
         first, last = max(int(left) - 1, 0), min(int(right) + 2, self.strip.columns)
         strip = StripImage(self.strip.camera, self.strip.times[first:last])
-        found = project_to_strip(points, strip, self.trajectory, reach)
+        found = project_to_strip(points, strip, self.trajectory, max_range)
         column = found.column + first
         keep = (column >= left) & (column <= right) & (found.row >= top) & (found.row <= bottom)
         return found.point_index[keep], column[keep], found.row[keep], found.distance[keep]
@@ -154,8 +155,8 @@ class StripSource:
         earlier = np.clip(found.time - 0.05, *self.trajectory.time[[0, -1]])
         swept = []
         for time in (earlier, later):
-            place, turned = camera_poses(self.strip.camera, self.trajectory, time)
-            swept.append(np.einsum("ni,ni->n", places[found.point_index] - place, turned[:, :, 1]))
+            place, axes_then = camera_poses(self.strip.camera, self.trajectory, time)
+            swept.append(np.einsum("ni,ni->n", places[found.point_index] - place, axes_then[:, :, 1]))
         speed = np.abs(swept[1] - swept[0]) / np.maximum(later - earlier, 1e-6)
         rate = 1.0 / np.median(np.diff(self.strip.times))
         across = rate / np.maximum(speed, 1e-3)
@@ -193,8 +194,8 @@ class FrameSource:
     frame: AerialFrame
     camera: FrameCamera
 
-    def views(self, places: np.ndarray, normal: np.ndarray, reach: float) -> list[View]:
-        """Its view of places (n, 3); `reach` does not matter, frames are taken from afar."""
+    def views(self, places: np.ndarray, normal: np.ndarray, max_range: float) -> list[View]:
+        """Its view of places (n, 3); `max_range` does not matter, frames are taken from afar."""
         column, row, _ = project_to_frame(self.camera, self.frame.pose, places)
         centre = np.asarray(self.frame.pose.centre)
         ray = places - centre
@@ -214,9 +215,9 @@ class FrameSource:
         """Columns and rows of the image."""
         return self.camera.width, self.camera.height
 
-    def farthest(self, reach: float) -> float:
-        """How far the image shows things, m; `reach` is for line images."""
-        return max(reach, _FRAME_REACH)
+    def image_range(self, max_range: float) -> float:
+        """How far the image shows things, m; `max_range` is for line images."""
+        return max(max_range, _FRAME_RANGE)
 
     def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
@@ -224,13 +225,13 @@ class FrameSource:
         return np.broadcast_to(self.frame.pose.centre, direction.shape), direction
 
     def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
-               reach: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+               max_range: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
         left, top, right, bottom = window
         column, row, _ = project_to_frame(self.camera, self.frame.pose, points)
         distance = np.linalg.norm(points - self.frame.pose.centre, axis=1)
         keep = np.flatnonzero((column >= left) & (column <= right) & (row >= top) & (row <= bottom)
-                              & (distance <= self.farthest(reach)))
+                              & (distance <= self.image_range(max_range)))
         return keep, column[keep], row[keep], distance[keep]
 
     def colours(self, column: np.ndarray, row: np.ndarray) -> np.ndarray:

@@ -75,7 +75,7 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
         raise InputError("The model has no part with a volume.")
     edges = half_edges(faces[kept], (0.0, 0.0), GRID)
     edges.origin = origin
-    intervals = [joined(filled[f]) for f in kept]
+    intervals = [merged_intervals(filled[f]) for f in kept]
     if lift:
         base, up = min(own[0][0] for own in intervals), round(lift * _UNITS)
         intervals = [[(bottom + up if base < bottom < top - up else bottom, top) for bottom, top in own]
@@ -83,7 +83,7 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
     return _Builder(edges, intervals, [roof_of[f] for f in kept]).solids()
 
 
-def joined(intervals: Iterable[Interval]) -> list[Interval]:
+def merged_intervals(intervals: Iterable[Interval]) -> list[Interval]:
     """Intervals in order, those that touch or overlap joined."""
     result: list[Interval] = []
     for bottom, top in sorted(intervals):
@@ -94,7 +94,7 @@ def joined(intervals: Iterable[Interval]) -> list[Interval]:
     return result
 
 
-def without(intervals: Sequence[Interval], taken: Sequence[Interval]) -> list[Interval]:
+def subtracted_intervals(intervals: Sequence[Interval], taken: Sequence[Interval]) -> list[Interval]:
     """What is left of intervals when others are taken away; both in order."""
     left = []
     for bottom, top in intervals:
@@ -215,7 +215,7 @@ class _Builder:
                 continue
             other = self.edges.cell.get((b, a))
             beside = own.get(other, []) if other is not None else []
-            for bottom, top in without(own[cell], beside):
+            for bottom, top in subtracted_intervals(own[cell], beside):
                 walls.append((a, b, bottom, top, cell, OUTER_WALL if not beside else INNER_WALL))
                 for node in (a, b):
                     stops.setdefault(node, set()).update((bottom, top))

@@ -1,4 +1,4 @@
-"""Models of all buildings joined with the measured walls below a height (J 5.7, figure 5-12).
+"""Models of all buildings merged with the measured walls below a height (J 5.7, figure 5-12).
 
 Below the height the plan's outer edges lie on the measured walls, above it the model from the air stays as it was;
 what stands out or back at the height becomes a level overhang or ledge. Every result is checked like any other
@@ -47,7 +47,7 @@ _LOW = 0.5
 _TOUCH = 0.02
 """Neighbours may share this much plan more than before, m2: the rounding of their nodes."""
 
-_ROUNDS = 20
+_MAX_ITERATIONS = 20
 _LIFT = 0.01
 
 
@@ -84,7 +84,7 @@ class MergedBuilding:
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """A building on its way."""
+    """A building while it is being merged."""
 
     building_id: int
     geometry: shapely.Geometry | None
@@ -109,7 +109,7 @@ class _Plan:
 def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], walls: Sequence[MeasuredWall],
                  settings: MergeSettings = JAVANMARDI, executor: Executor | None = None,
                  progress: Progress = SILENT) -> list[MergedBuilding]:
-    """Join models with measured walls, in the order given.
+    """Merge models with measured walls, in the order given.
 
     Parameters
     ----------
@@ -139,7 +139,7 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
     for number, plan in enumerate(in_order(work, zip(ids, models), executor, progress.check)):
         plans.append(plan)
         progress.step(0.4 * number / len(ids))
-    plans = _beside_neighbours(plans, progress.part(0.4, 0.5))
+    plans = _clear_of_neighbours(plans, progress.part(0.4, 0.5))
     merged = []
     for number, building in enumerate(in_order(partial(_merged, settings=settings), plans, executor, progress.check)):
         merged.append(building)
@@ -168,7 +168,7 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
 
 def _weakest(plan: _Plan) -> int:
     """The moved edge with the least evidence: measured length, then area."""
-    return min(plan.lines, key=lambda number: (plan.matches[number].seen * plan.edges.edges[number].length,
+    return min(plan.lines, key=lambda number: (plan.matches[number].measured * plan.edges.edges[number].length,
                                                plan.matches[number].wall.area, number))
 
 
@@ -181,12 +181,12 @@ def _tops(edges: PlanEdges, parts: ModelParts) -> list[float]:
     return tops
 
 
-def _beside_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
+def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
     """Leave edges in their places that would run into a neighbour, moved or not."""
     rows = [row for row, plan in enumerate(plans) if plan.geometry is not None and plan.edges is not None]
     before = {row: shapely.union_all([cell.polygon for cell in plans[row].parts.cells]) for row in rows}
     after = {row: _union(plans[row]) for row in rows}
-    for _ in range(_ROUNDS):
+    for _ in range(_MAX_ITERATIONS):
         changed = False
         tree = shapely.STRtree([shapely.union(before[row], after[row]) for row in rows])
         pairs = tree.query(tree.geometries, predicate="intersects")
@@ -199,9 +199,9 @@ def _beside_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
             common = shapely.intersection(after[one], after[two])
             if common.area - shapely.intersection(before[one], before[two]).area <= _TOUCH:
                 continue
-            guilty = _guilty(plans[one], common)
-            if guilty:
-                plans[one] = plans[one].stopped(guilty, NEIGHBOUR, "the measured wall lies in the neighbour "
+            intruding = _intruding(plans[one], common)
+            if intruding:
+                plans[one] = plans[one].stopped(intruding, NEIGHBOUR, "the measured wall lies in the neighbour "
                                                 f"{plans[two].building_id}")
                 after[one] = _union(plans[one])
                 changed = True
@@ -216,7 +216,7 @@ def _union(plan: _Plan) -> shapely.Geometry:
     return shapely.union_all([cell.polygon for cell in plan.parts.cells] if cells is None else cells)
 
 
-def _guilty(plan: _Plan, common: shapely.Geometry) -> list[int]:
+def _intruding(plan: _Plan, common: shapely.Geometry) -> list[int]:
     """The edge moved outwards that swept most of a place; all that moved outwards where none did."""
     outwards = [number for number in plan.lines if plan.matches[number].offset > 0]
     swept = {}
@@ -348,7 +348,7 @@ EDGE_COLUMNS: tuple[tuple[str, str], ...] = (
 """Names and kinds of the columns of a merged model's walls."""
 
 
-def model_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
+def merged_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
     """Columns of `MODEL_COLUMNS`: measured is the share of the outer walls' length that lies on measured walls;
     offsets are those of the moved walls, m; volume_change in m3."""
     rows = []
@@ -372,7 +372,7 @@ def edge_columns(buildings: Sequence[MergedBuilding]) -> dict[str, list]:
         for number, edge in enumerate(building.edges, 1):
             match, wall = edge.match, edge.match.wall
             rows.append((building.building_id, number, match.status, match.note,
-                         wall.number + 1 if wall else None, edge.length, match.offset, match.turn, match.seen,
+                         wall.number + 1 if wall else None, edge.length, match.offset, match.rotation, match.measured,
                          wall.rmse if wall else math.nan, wall.sigma if wall else math.nan))
     return _columns(EDGE_COLUMNS, rows)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...geometry.alpha_shape import signed_area
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from ..solids.plan_partition import Cell
 
@@ -17,7 +18,7 @@ _STRAIGHT = 0.03
 """Nodes this near to the line between an edge's ends (m) lie on the edge."""
 
 _PARALLEL = math.sin(math.radians(20.0))
-"""Edges that turn less than this into one another keep a step between them when one moves."""
+"""Edges at less than this angle to one another keep a step between them when one moves."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +78,7 @@ class PlanEdges:
         self.edges = [edge for ring in self.rings for edge in self._straight(ring)]
 
     def _straight(self, ring: list[int]) -> list[OuterEdge]:
-        """The ring cut at the nodes where it turns."""
+        """The ring cut at the nodes where it bends."""
         corners = _corners(self.xy[ring])
         made = []
         for first, last in zip(corners, [*corners[1:], corners[0] + len(ring)]):
@@ -103,7 +104,7 @@ class PlanEdges:
                 return None
             outer = max(shapes, key=lambda shape: shapely.Polygon(shape).area)
             polygon = shapely.Polygon(outer, [shape for shape in shapes if shape is not outer])
-            if not polygon.is_valid or _turn(outer) <= 0:
+            if not polygon.is_valid or signed_area(outer) <= 0:
                 return None
             pieces.setdefault(cell[0], []).append(polygon)
             total += polygon.area
@@ -134,7 +135,7 @@ class PlanEdges:
                 node = edge.nodes[-1]
                 one = lines.get(number, edge.line)
                 two = lines.get(following, self.edges[following].line)
-                places[node] = _meeting(one, two, self.xy[node])
+                places[node] = _intersection(one, two, self.xy[node])
         return places
 
     def _cell_rings(self) -> dict[tuple[int, int], list[list[tuple[int, bool, bool]]]]:
@@ -173,26 +174,26 @@ def _corners(xy: np.ndarray) -> list[int]:
     n = len(xy)
     before, after = np.roll(xy, 1, axis=0), np.roll(xy, -1, axis=0)
     a, b = xy - before, after - xy
-    turn = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / (np.hypot(*a.T) * np.hypot(*b.T))
+    bend = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]) / (np.hypot(*a.T) * np.hypot(*b.T))
     back = (a * b).sum(axis=1) < 0
-    start = int(np.argmax(turn + back))
+    start = int(np.argmax(bend + back))
     corners = [start]
     anchor = start
     for step in range(start + 1, start + n):
         following = xy[(step + 1) % n]
         between = xy[[place % n for place in range(anchor + 1, step + 1)]]
-        way = following - xy[anchor % n]
-        length = np.hypot(*way)
+        chord = following - xy[anchor % n]
+        length = np.hypot(*chord)
         away = between - xy[anchor % n]
-        off = np.abs(away[:, 0] * way[1] - away[:, 1] * way[0]) / max(length, 1e-9)
-        along = away @ way / max(length, 1e-9)
+        off = np.abs(away[:, 0] * chord[1] - away[:, 1] * chord[0]) / max(length, 1e-9)
+        along = away @ chord / max(length, 1e-9)
         if length < 1e-9 or off.max() > _STRAIGHT or (along > length + 1e-6).any() or (np.diff(along) < -1e-6).any():
             corners.append(step % n)
             anchor = step
     return sorted(corners)
 
 
-def _meeting(one: Line, two: Line, node: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _intersection(one: Line, two: Line, node: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Where two lines meet, twice; for lines that run nearly alike their feet from the node: a step between them."""
     across = one.along[0] * two.along[1] - one.along[1] * two.along[0]
     if abs(across) < _PARALLEL:
@@ -201,8 +202,3 @@ def _meeting(one: Line, two: Line, node: np.ndarray) -> tuple[np.ndarray, np.nda
     share = (away[0] * two.along[1] - away[1] * two.along[0]) / across
     place = one.point + share * one.along
     return place, place
-
-
-def _turn(xy: np.ndarray) -> float:
-    away = xy - xy[0]
-    return float(np.dot(away[:, 0], np.roll(away[:, 1], -1)) - np.dot(away[:, 1], np.roll(away[:, 0], -1)))

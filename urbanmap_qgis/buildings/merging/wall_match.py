@@ -21,7 +21,7 @@ _SAME = 0.01
 _SHORT = 0.5
 _LONG = 4.0
 _BENT = 0.3
-_TURNED = 1.0
+_SMALL_ROTATION = 1.0
 
 
 @dataclass(frozen=True)
@@ -31,25 +31,25 @@ class MergeSettings:
     Parameters
     ----------
     height : up to which height above the model's ground walls are taken from the survey, m (J 5.7: 20 m).
-    max_offset : farthest way that a wall goes, m. max_turn : largest turn, degrees.
-    least_share : least share of a wall's length that must have been measured; at least a metre.
+    max_offset : maximum distance by which a wall moves, m. max_rotation : maximum rotation, degrees.
+    min_share : minimum share of a wall's length that must have been measured; at least a metre.
     overhang : a roof that stands out over the measured wall by more than this stays as it is, m; below, it follows.
     slab : height of the roof's edge over an overhang, m, where the top of the measured wall does not tell it.
-    worst_rmse : walls whose points scatter more are not used, m.
+    max_rmse : walls whose points scatter more are not used, m.
     """
 
     height: float = 20.0
     max_offset: float = 1.5
-    max_turn: float = 5.0
-    least_share: float = 0.3
+    max_rotation: float = 5.0
+    min_share: float = 0.3
     overhang: float = 0.3
     slab: float = 0.3
-    worst_rmse: float = 0.1
+    max_rmse: float = 0.1
 
     def __post_init__(self) -> None:
-        if not (self.height > 0 and self.max_offset > 0 and 0 < self.max_turn <= 20 and 0 < self.least_share <= 1):
-            raise InputError("Height, largest way and turn (up to 20 degrees) and the share of a wall must be greater "
-                             "than 0.")
+        if not (self.height > 0 and self.max_offset > 0 and 0 < self.max_rotation <= 20 and 0 < self.min_share <= 1):
+            raise InputError("Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be "
+                             "greater than 0.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,9 +99,9 @@ def measured_wall(number: int, polygon: shapely.Polygon, rmse: float = math.nan,
     middle = (foot + top) / 2
     on_trace = centre[:2] + level * ((centre[2] - middle) * normal[2] / np.hypot(*normal[:2]))
     along = np.array([-level[1], level[0]])
-    reach = (ring[:, :2] - on_trace) @ along
+    extent = (ring[:, :2] - on_trace) @ along
     holes = sum(shapely.Polygon(_flat(hole, along)).area for hole in polygon.interiors)
-    return MeasuredWall(number, on_trace, level, float(reach.min()), float(reach.max()), foot, top,
+    return MeasuredWall(number, on_trace, level, float(extent.min()), float(extent.max()), foot, top,
                         max(size - holes, 0.0), rmse, sigma, float(np.degrees(np.arcsin(normal[2]))))
 
 
@@ -119,9 +119,9 @@ class WallIndex:
                                                          wall.point + wall.right * wall.along])
                                      for wall in self.walls])
 
-    def near(self, edge: OuterEdge, reach: float) -> list[MeasuredWall]:
-        """Walls within reach of an edge, in the order of the layer."""
-        found = self.tree.query(shapely.LineString(edge.ends), predicate="dwithin", distance=reach)
+    def near(self, edge: OuterEdge, max_distance: float) -> list[MeasuredWall]:
+        """Walls within a distance (m) of an edge, in the order of the layer."""
+        found = self.tree.query(shapely.LineString(edge.ends), predicate="dwithin", distance=max_distance)
         return [self.walls[number] for number in sorted(found)]
 
 
@@ -132,8 +132,8 @@ class EdgeMatch:
     Attributes
     ----------
     status : see the constants. note : in words. wall : the wall, None without one.
-    line : where the edge goes, None where it stays. offset : of the wall outwards from the edge, m. turn : degrees.
-    seen : share of the edge's length along which the wall was measured.
+    line : where the edge goes, None where it stays. offset : of the wall outwards from the edge, m. rotation : degrees.
+    measured : share of the edge's length along which the wall was measured.
     """
 
     status: str
@@ -141,90 +141,92 @@ class EdgeMatch:
     wall: MeasuredWall | None = None
     line: Line | None = None
     offset: float = math.nan
-    turn: float = math.nan
-    seen: float = 0.0
+    rotation: float = math.nan
+    measured: float = 0.0
 
 
 def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> EdgeMatch:
     """The measured wall of an edge between heights `base` and `top` (m), and what follows."""
     found, far = [], None
     for wall in walls.near(edge, settings.max_offset + 1.0):
-        measured = _along(edge, wall, base, top)
-        if measured is None:
+        extent = _along(edge, wall, base, top)
+        if extent is None:
             continue
-        seen, offset, turn = measured
-        if seen < settings.least_share or seen * edge.length < 1.0:
+        measured, offset, rotation = extent
+        if measured < settings.min_share or measured * edge.length < 1.0:
             continue
-        if math.isfinite(wall.rmse) and wall.rmse > settings.worst_rmse:
+        if math.isfinite(wall.rmse) and wall.rmse > settings.max_rmse:
             continue
-        if abs(offset) > settings.max_offset or abs(turn) > settings.max_turn:
+        if abs(offset) > settings.max_offset or abs(rotation) > settings.max_rotation:
             if far is None or abs(offset) < abs(far.offset):
-                far = EdgeMatch(TOO_FAR, _far_note(offset, turn, settings), wall, None, offset, turn, seen)
+                far = EdgeMatch(TOO_FAR, _far_note(offset, rotation, settings), wall, None, offset, rotation, measured)
             continue
-        found.append((wall, seen, offset, turn))
+        found.append((wall, measured, offset, rotation))
     if not found:
         return far or EdgeMatch(NOT_SEEN, "no measured wall runs along it")
-    wall, seen, offset, turn = max(found, key=lambda item: (round(item[1], 2), item[0].area))
+    wall, measured, offset, rotation = max(found, key=lambda item: (round(item[1], 2), item[0].area))
     others = [item for item in found if item[0] is not wall and abs(item[2] - offset) > 0.3 and item[1] > 0.25]
     note = f"{len(others)} more wall{'s' * (len(others) > 1)} at another depth along it" if others else ""
-    line = _new_line(edge, wall, seen, turn)
-    if seen < _SHORT and _bent(edge, line, walls, wall, base, top, settings):
-        return EdgeMatch(TOO_FAR, "the facade along it is not straight", wall, None, offset, turn, seen)
+    line = _new_line(edge, wall, measured, rotation)
+    if measured < _SHORT and _bent(edge, line, walls, wall, base, top, settings):
+        return EdgeMatch(TOO_FAR, "the facade along it is not straight", wall, None, offset, rotation, measured)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
     if np.hypot(*ends.T).max() < _SAME:
-        return EdgeMatch(KEPT, note, wall, None, offset, turn, seen)
+        return EdgeMatch(KEPT, note, wall, None, offset, rotation, measured)
     if np.hypot(*ends.T).max() > 1.5 * settings.max_offset:
-        return EdgeMatch(TOO_FAR, "an end would move too far", wall, None, offset, turn, seen)
-    return EdgeMatch(MOVED, note, wall, line, offset, turn, seen)
+        return EdgeMatch(TOO_FAR, "an end would move too far", wall, None, offset, rotation, measured)
+    return EdgeMatch(MOVED, note, wall, line, offset, rotation, measured)
 
 
 def _bent(edge: OuterEdge, line: Line, walls: WallIndex, chosen: MeasuredWall, base: float, top: float,
           settings: MergeSettings) -> bool:
-    """Whether other walls before the edge, turned however, lie off the line that one of them gives."""
+    """Whether other walls before the edge, however oriented, lie off the line that one of them gives."""
     for wall in walls.near(edge, settings.max_offset):
         if wall is chosen or wall.normal @ line.outward < 0.5 or min(wall.top, top) - max(wall.foot, base) < 0.5:
             continue
         middle = wall.point + (wall.left + wall.right) / 2 * wall.along
-        reach = (middle - edge.ends[0]) @ edge.line.along
-        if 0 < reach < edge.length and abs((middle - line.point) @ line.outward) > _BENT:
+        extent = (middle - edge.ends[0]) @ edge.line.along
+        if 0 < extent < edge.length and abs((middle - line.point) @ line.outward) > _BENT:
             return True
     return False
 
 
 def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tuple[float, float, float] | None:
-    """Share of the edge that a wall runs along, its offset outwards (m) and turn (degrees); None where it does not."""
+    """Share of the edge that a wall runs along, its offset outwards (m) and rotation (degrees); None where it does
+    not."""
     line = edge.line
     cosine = float(line.outward @ wall.normal)
     if cosine < 0.94 or min(wall.top, top) - max(wall.foot, base) < 0.5:
         return None
-    ends = np.array([wall.point + reach * wall.along for reach in (wall.left, wall.right)])
-    reach = np.sort((ends - edge.ends[0]) @ line.along)
-    low, high = max(reach[0], 0.0), min(reach[1], edge.length)
+    ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])
+    extent = np.sort((ends - edge.ends[0]) @ line.along)
+    low, high = max(extent[0], 0.0), min(extent[1], edge.length)
     if high <= low:
         return None
     middle = edge.ends[0] + (low + high) / 2 * line.along
     offset = float(((wall.point - middle) @ wall.normal) / cosine)
-    turn = math.degrees(math.atan2(line.along[0] * wall.along[1] - line.along[1] * wall.along[0],
-                                   float(line.along @ wall.along)))
-    return (high - low) / edge.length, offset, turn
+    rotation = math.degrees(math.atan2(line.along[0] * wall.along[1] - line.along[1] * wall.along[0],
+                                       float(line.along @ wall.along)))
+    return (high - low) / edge.length, offset, rotation
 
 
-def _new_line(edge: OuterEdge, wall: MeasuredWall, seen: float, turn: float) -> Line:
-    """The wall's trace; an edge of which little was seen, on a wall that is short or turned, keeps its direction."""
-    if seen >= _SHORT or (wall.right - wall.left >= _LONG and abs(turn) < _TURNED):
+def _new_line(edge: OuterEdge, wall: MeasuredWall, measured: float, rotation: float) -> Line:
+    """The wall's trace; an edge of which little was measured, on a wall that is short or rotated, keeps its
+    direction."""
+    if measured >= _SHORT or (wall.right - wall.left >= _LONG and abs(rotation) < _SMALL_ROTATION):
         return Line(wall.point, wall.along)
     line = edge.line
-    ends = np.array([wall.point + reach * wall.along for reach in (wall.left, wall.right)])
-    reach = np.clip((ends - edge.ends[0]) @ line.along, 0.0, edge.length)
-    middle = edge.ends[0] + reach.mean() * line.along
-    way = ((wall.point - middle) @ wall.normal) / float(line.outward @ wall.normal)
-    return Line(edge.ends[0] + way * line.outward, line.along)
+    ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])
+    extent = np.clip((ends - edge.ends[0]) @ line.along, 0.0, edge.length)
+    middle = edge.ends[0] + extent.mean() * line.along
+    shift = ((wall.point - middle) @ wall.normal) / float(line.outward @ wall.normal)
+    return Line(edge.ends[0] + shift * line.outward, line.along)
 
 
-def _far_note(offset: float, turn: float, settings: MergeSettings) -> str:
+def _far_note(offset: float, rotation: float, settings: MergeSettings) -> str:
     if abs(offset) > settings.max_offset:
         return f"the wall was measured {abs(offset):.2f} m {'outside' if offset > 0 else 'inside'} of it"
-    return f"the measured wall is turned by {abs(turn):.1f} degrees against it"
+    return f"the measured wall is rotated by {abs(rotation):.1f} degrees against it"
 
 
 JAVANMARDI = MergeSettings()

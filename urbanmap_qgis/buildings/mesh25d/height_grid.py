@@ -14,14 +14,14 @@ from scipy.sparse.csgraph import connected_components
 from ...errors import InsufficientDataError
 from ...geometry.grid import Grid
 
-_FINEST, _COARSEST = 0.2, 1.0
+_MIN_CELL, _MAX_CELL = 0.2, 1.0
 _LAYER = 0.3
 """Points this far below the highest of their cell (m) lie on the same surface."""
 
-LEAST_POINTS = 20
+MIN_POINTS = 20
 """Points that a mesh needs at least."""
 
-_ROUNDS = 20
+_MAX_ITERATIONS = 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,20 +43,20 @@ class HeightGrid:
 
 def cell_size(points: np.ndarray, area: float) -> float:
     """Side of a cell (m) that holds about one of points (n, 3) on an area (m2)."""
-    return float(np.clip(math.sqrt(area / max(len(points), 1)), _FINEST, _COARSEST))
+    return float(np.clip(math.sqrt(area / max(len(points), 1)), _MIN_CELL, _MAX_CELL))
 
 
-def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, least_area: float) -> HeightGrid:
+def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, min_area: float) -> HeightGrid:
     """Grid the top surface of points (n, 3), m, and cut it where neighbouring cells differ by more than `step` (m).
 
-    Surfaces smaller than `least_area` (m2) count as the one beside them that is nearest in height; their own heights
+    Surfaces smaller than `min_area` (m2) count as the one beside them that is nearest in height; their own heights
     are taken from there.
 
     Raises
     ------
     InsufficientDataError : fewer than 20 points.
     """
-    if len(points) < LEAST_POINTS:
+    if len(points) < MIN_POINTS:
         raise InsufficientDataError(f"only {len(points)} points lie in it")
     cell = cell_size(points, plan.area)
     x_min, y_min, x_max, y_max = plan.bounds
@@ -66,10 +66,10 @@ def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, least_a
     if not measured.any():
         raise InsufficientDataError("none of its points lies on its outline")
     inside = _inside(plan, grid)
-    for _ in range(_ROUNDS):
+    for _ in range(_MAX_ITERATIONS):
         filled = _filled(z)
         label = _surfaces(filled, max(step, 1.5 * cell))
-        small = _small(label, inside & np.isfinite(z), least_area / cell**2)
+        small = _small(label, inside & np.isfinite(z), min_area / cell**2)
         if not small.any():
             break
         # A small piece goes to the surface around it: its heights are forgotten and filled from beside.
@@ -78,7 +78,7 @@ def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, least_a
             z = _top_heights(points, grid)
             label = np.zeros(grid.shape, np.int64)
             break
-    return HeightGrid(grid, _filled(z), np.isfinite(z), _without_checkers(label), plan)
+    return HeightGrid(grid, _filled(z), np.isfinite(z), _without_corner_contacts(label), plan)
 
 
 def _top_heights(points: np.ndarray, grid: Grid) -> np.ndarray:
@@ -133,10 +133,10 @@ def _small(label: np.ndarray, counted: np.ndarray, least: float) -> np.ndarray:
     return small[label] & counted
 
 
-def _without_checkers(label: np.ndarray) -> np.ndarray:
+def _without_corner_contacts(label: np.ndarray) -> np.ndarray:
     """Labels without cells that touch others of their surface only at a corner, and numbered from 0."""
     label = label.copy()
-    for _ in range(_ROUNDS):
+    for _ in range(_MAX_ITERATIONS):
         a, b, c, d = label[:-1, :-1], label[:-1, 1:], label[1:, :-1], label[1:, 1:]
         # Two surfaces crosswise, or four: the lower right cell joins its left neighbour.
         cross = ((a == d) & (b != a) & (c != a)) | ((b == c) & (a != b) & (d != b))

@@ -23,7 +23,7 @@ _OTHERS = (2, 3, 4, 5, 9, 17)
 AROUND = 2.0
 """Points up to this far outside an outline (m) tell the ground there."""
 
-_LEAST = 20
+_MIN_POINTS = 20
 
 
 def building_points(cloud: PointCloud, footprints: Footprints,
@@ -98,8 +98,8 @@ def _chosen(records: np.ndarray, polygon: shapely.Geometry | None, numbered: boo
     if numbered:
         return points[inside], float("nan")
     beside = points[(kind == GROUND_CLASS) & ~inside] if (kind == GROUND_CLASS).any() else points[~inside]
-    ground = float(np.quantile(beside[:, 2], 0.02)) if len(beside) >= _LEAST else float("nan")
+    ground = float(np.quantile(beside[:, 2], 0.02)) if len(beside) >= _MIN_POINTS else float("nan")
     building = inside & (kind == BUILDING_CLASS)
-    if building.sum() < _LEAST:
+    if building.sum() < _MIN_POINTS:
         building = inside & ~np.isin(kind, _OTHERS)
     return points[building], ground

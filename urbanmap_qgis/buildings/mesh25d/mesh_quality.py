@@ -16,14 +16,14 @@ class MeshFit:
 
     Attributes
     ----------
-    points : number. within : share within the stated error. rmse, p95, largest : m, to the nearest surface.
+    points : number. within : share within the stated error. rmse, p95, max_distance : m, to the nearest surface.
     """
 
     points: int
     within: float
     rmse: float
     p95: float
-    largest: float
+    max_distance: float
 
 
 def is_watertight(mesh: Solid) -> bool:
@@ -62,18 +62,18 @@ def roof_distance(mesh: Solid, points: np.ndarray) -> np.ndarray:
     return result
 
 
-def wall_distance(mesh: Solid, points: np.ndarray, reach: float) -> np.ndarray:
-    """Distance (n,) of points from the walls' rectangles within reach; inf beyond."""
+def wall_distance(mesh: Solid, points: np.ndarray, max_range: float) -> np.ndarray:
+    """Distance (n,) of points from the walls' rectangles within `max_range`; inf beyond."""
     rows = wall_boxes(mesh)
     result = np.full(len(points), np.inf)
     if not len(rows):
         return result
     lines = shapely.linestrings(rows[:, :4].reshape(-1, 2, 2))
-    point, wall = shapely.STRtree(lines).query(shapely.points(points[:, :2]), predicate="dwithin", distance=reach)
-    aside = shapely.distance(shapely.points(points[point, :2]), lines[wall])
+    point, wall = shapely.STRtree(lines).query(shapely.points(points[:, :2]), predicate="dwithin", distance=max_range)
+    beside = shapely.distance(shapely.points(points[point, :2]), lines[wall])
     below = np.maximum(rows[wall, 4] - points[point, 2], 0.0)
     above = np.maximum(points[point, 2] - rows[wall, 5], 0.0)
-    np.minimum.at(result, point, np.hypot(aside, below + above))
+    np.minimum.at(result, point, np.hypot(beside, below + above))
     return result
 
 

@@ -33,7 +33,7 @@ OK, COARSE, GROUND_UNKNOWN, NOT_MODELLED = "ok", "error exceeded", "ground unkno
 STOREY = 3.0
 _ENOUGH = 0.95
 _TRIES = (1.0, 0.7, 0.4)
-"""Shares of the stated error, step and least area that are tried one after another while the points are not met."""
+"""Shares of the stated error, step and minimum area that are tried one after another while the points are not met."""
 
 _GAIN = 0.01
 """More triangles must bring at least this share of points within the error."""
@@ -49,22 +49,22 @@ class MeshSettings:
     Parameters
     ----------
     max_error : distance within which at least 95 % of the points shall lie, m.
-    step : height steps above this become upright walls, m. least_area : smallest surface of its own, m2.
+    step : height steps above this become upright walls, m. min_area : smallest surface of its own, m2.
     """
 
     max_error: float = 0.3
     step: float = 0.5
-    least_area: float = 2.0
+    min_area: float = 2.0
 
     def __post_init__(self) -> None:
-        if not (self.max_error > 0 and self.step > 0 and self.least_area >= 0):
-            raise InputError("The largest error and the height step must be greater than 0.")
+        if not (self.max_error > 0 and self.step > 0 and self.min_area >= 0):
+            raise InputError("The maximum error and the height step must be greater than 0.")
 
 
 @dataclass(frozen=True, eq=False)
 class BuildingMesh:
     """The mesh of a building, None with a reason where there is none; valid: closed without self-intersection, None
-    where that was not looked at; surfaces: pieces parted by height steps."""
+    where that was not looked at; surfaces: pieces separated by height steps."""
 
     building_id: int
     mesh: Solid | None
@@ -142,7 +142,7 @@ def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray
 def _meshed(number: int, plan: shapely.Geometry, points: np.ndarray, base: float, settings: MeshSettings,
             share: float) -> BuildingMesh:
     tolerance = share * settings.max_error
-    heights = height_grid(points, plan, share * settings.step, share * settings.least_area)
+    heights = height_grid(points, plan, share * settings.step, share * settings.min_area)
     parts = surface_plan(heights, heights.grid.cell)
     cells = surface_cells(heights, parts)
     levels = border_heights(parts, cells, base, max(1.0, 3 * heights.grid.cell), 0.5 * tolerance)
@@ -212,7 +212,7 @@ def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
     for item in meshes:
         fit, mesh = item.fit, item.mesh
         top = float(mesh.vertices[:, 2].max()) - item.base if mesh else math.nan
-        figures = (fit.points, fit.rmse, fit.p95, fit.largest, fit.within) if fit else (0, *(math.nan,) * 4)
+        figures = (fit.points, fit.rmse, fit.p95, fit.max_distance, fit.within) if fit else (0, *(math.nan,) * 4)
         rows.append((item.building_id, item.status, item.reason, len(mesh.faces) if mesh else 0, item.surfaces,
                      item.base, top, *figures, item.watertight, item.valid))
     return {name: [row[place] for row in rows] for place, (name, _) in enumerate(MESH_COLUMNS)}

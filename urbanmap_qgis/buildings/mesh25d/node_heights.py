@@ -39,10 +39,10 @@ def border_heights(plan: SurfacePlan, cells: list[np.ndarray], base: float, spac
     chains = _densified(plan.edges, spacing)
     heights = _fitted(plan, cells, base)
     for chain in chains:
-        _thin(plan.edges, chain, heights, round(tolerance * UNITS))
-    _meet(plan.edges, heights, round(base * UNITS))
-    _cross(plan.edges, heights)
-    _one_top(plan.edges, heights, round(base * UNITS))
+        _simplify_chain(plan.edges, chain, heights, round(tolerance * UNITS))
+    _equalise_heights(plan.edges, heights, round(base * UNITS))
+    _add_crossings(plan.edges, heights)
+    _fill_dips(plan.edges, heights, round(base * UNITS))
     return heights
 
 
@@ -108,7 +108,7 @@ def local_heights(cells: np.ndarray, places: np.ndarray) -> np.ndarray:
     return np.clip(height, points[:, :, 2].min(axis=1) - _BEYOND, points[:, :, 2].max(axis=1) + _BEYOND)
 
 
-def _thin(edges: HalfEdges, chain: list[int], heights: Heights, tolerance: int) -> None:
+def _simplify_chain(edges: HalfEdges, chain: list[int], heights: Heights, tolerance: int) -> None:
     """Take nodes out of a chain while the heights of the surfaces at both sides stay within tolerance."""
     sides = [surface for surface in (edges.cell.get((chain[0], chain[1])), edges.cell.get((chain[1], chain[0])))
              if surface is not None]
@@ -140,7 +140,7 @@ def _sectors(edges: HalfEdges) -> dict[int, list[int]]:
             for node, others in around.items()}
 
 
-def _meet(edges: HalfEdges, heights: Heights, base: int) -> None:
+def _equalise_heights(edges: HalfEdges, heights: Heights, base: int) -> None:
     """Give surfaces of nearly one height at a node the same height there."""
     for node, surfaces in sorted(_sectors(edges).items()):
         names = sorted({surface for surface in surfaces if surface != OUTSIDE}, key=lambda s: heights[s, node])
@@ -155,7 +155,7 @@ def _meet(edges: HalfEdges, heights: Heights, base: int) -> None:
             group = [surface] if surface is not None else []
 
 
-def _cross(edges: HalfEdges, heights: Heights) -> None:
+def _add_crossings(edges: HalfEdges, heights: Heights) -> None:
     """Put a node where the surfaces beside an edge cross each other."""
     for a, b in sorted({(min(pair), max(pair)) for pair in edges.cell}):
         left, right = edges.cell.get((a, b)), edges.cell.get((b, a))
@@ -177,7 +177,7 @@ def _cross(edges: HalfEdges, heights: Heights) -> None:
         heights[left, node] = heights[right, node] = level
 
 
-def _one_top(edges: HalfEdges, heights: Heights, base: int) -> None:
+def _fill_dips(edges: HalfEdges, heights: Heights, base: int) -> None:
     """Let heights round every node rise once and fall once: a dip between two tops is filled, at the node alone."""
     for node, surfaces in sorted(_sectors(edges).items()):
         if len(surfaces) < 4:

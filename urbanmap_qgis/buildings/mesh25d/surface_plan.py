@@ -12,7 +12,7 @@ from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_
 from .height_grid import HeightGrid
 
 GRID = 0.01
-_LEAST_FACE = 0.3
+_MIN_FACE = 0.3
 """Pieces of plan smaller than this (m2) go to the neighbour with the longest common edge."""
 
 
@@ -49,7 +49,7 @@ def surface_plan(heights: HeightGrid, tolerance: float) -> SurfacePlan:
     faces = faces[shapely.contains(outline, shapely.point_on_surface(faces))]
     if not len(faces):
         raise InsufficientDataError("its outline has no area")
-    label = _joined(faces, _labels(faces, heights, origin))
+    label = _small_merged(faces, _labels(faces, heights, origin))
     edges = half_edges(faces, (0.0, 0.0), GRID)
     edges.origin = origin
     return _surfaces(edges, label)
@@ -87,7 +87,7 @@ def _labels(faces: np.ndarray, heights: HeightGrid, origin) -> np.ndarray:
     return label
 
 
-def _joined(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
+def _small_merged(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
     """Labels of the faces with small ones given to the neighbour with the longest common edge."""
     label = label.copy()
     area = shapely.area(faces)
@@ -98,7 +98,7 @@ def _joined(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
         if other is not None:
             beside[face][other] = beside[face].get(other, 0.0) + edges.length(a, b)
     for face in np.argsort(area, kind="stable"):
-        if area[face] >= _LEAST_FACE:
+        if area[face] >= _MIN_FACE:
             break
         length: dict[int, float] = {}
         for other, common in beside[face].items():
@@ -109,7 +109,7 @@ def _joined(faces: np.ndarray, label: np.ndarray) -> np.ndarray:
 
 
 def _surfaces(edges: HalfEdges, label: np.ndarray) -> SurfacePlan:
-    """Faces of one label that hang together as one surface, without the edges inside."""
+    """Faces of one label that are connected as one surface, without the edges inside."""
     piece = list(range(len(label)))
 
     def root(face: int) -> int:

@@ -1,6 +1,6 @@
 """A triangulated surface over a polygon, refined where it is farthest from its points (greedy insertion).
 
-Source: Garland and Heckbert, "Fast polygonal approximation of terrains and height fields", 1995; edges are turned by
+Source: Garland and Heckbert, "Fast polygonal approximation of terrains and height fields", 1995; edges are flipped by
 Lawson's rule, those of the polygon never.
 """
 
@@ -48,13 +48,14 @@ class Tin:
             del self.beside[a, b]
         return triangle
 
-    def refine(self, xy: np.ndarray, z: np.ndarray, tolerance: float, most: int) -> None:
-        """Insert the farthest of points (n, 2), heights (n,), until all lie within `tolerance` (m); `most` at most."""
+    def refine(self, xy: np.ndarray, z: np.ndarray, tolerance: float, max_points: int) -> None:
+        """Insert the farthest of points (n, 2), heights (n,), until all lie within `tolerance` (m); `max_points` at
+        most."""
         owner = self.locate(xy, list(self.triangles))
         error = np.zeros(len(xy))
         held = owner >= 0
         self._measure(xy, z, owner, error, np.flatnonzero(held))
-        for _ in range(most):
+        for _ in range(max_points):
             worst = int(error.argmax()) if len(error) else -1
             if worst < 0 or error[worst] <= tolerance:
                 return
@@ -140,7 +141,7 @@ class Tin:
                 [name for name in dict.fromkeys(new + come) if name in self.triangles])
 
     def _legalise(self, waiting: list[tuple[int, int]]) -> tuple[list[int], list[int]]:
-        """Turn edges until none has a point in its circle; which triangles went and came."""
+        """Flip edges until none has a point in its circle; which triangles went and came."""
         gone, come = [], []
         while waiting:
             a, b = waiting.pop()
