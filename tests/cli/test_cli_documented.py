@@ -27,7 +27,7 @@ def commands_of(page: Path) -> list[str]:
     """Commands in the blocks without a language, lines that go on joined."""
     blocks = re.findall(r"^```(?:sh|bash)?\n(.*?)^```", page.read_text(encoding="utf-8"), re.M | re.S)
     lines = "\n".join(blocks).replace("\\\n", " ").splitlines()
-    return [line for line in lines if re.match(r"(scripts/|qgis_process|make |python|\.venv)", line)]
+    return [line for line in lines if re.match(r"(scripts/\w|qgis_process|make |python|\.venv)", line)]
 
 
 def outputs_of(command: str) -> list[str]:

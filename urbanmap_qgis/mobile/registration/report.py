@@ -13,7 +13,7 @@ import numpy as np
 from ...io.raster import RasterSampler
 from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, profile
-from ...io.svg_profile import Stretch as Shade
+from ...io.svg_profile import ShadedInterval as Shade
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .stage import RegisteredSurvey, stretches
@@ -75,18 +75,18 @@ def _profiles(report: Report, made: RegisteredSurvey) -> None:
     report.section("Correction over the driven way")
     names = ("east", "north", "up") if correction.three_d else ("east", "north")
     series = [Series(name, correction.value[:, k], colour) for k, (name, colour) in enumerate(zip(names, COLOURS))]
-    report.figure(profile(way, series, "way (m)", "m", stretches=shades), "What the reported places lack")
+    report.figure(profile(way, series, "way (m)", "m", intervals=shades), "What the reported places lack")
     angles = ("roll", "pitch", "heading") if correction.three_d else ("heading",)
     numbers = (3, 4, 5) if correction.three_d else (5,)
     series = [Series(name, correction.value[:, k], colour) for name, k, colour in zip(angles, numbers, COLOURS)]
-    report.figure(profile(way, series, "way (m)", "degrees", stretches=shades), "What the reported angles lack")
+    report.figure(profile(way, series, "way (m)", "degrees", intervals=shades), "What the reported angles lack")
     series = [Series("plan", correction.plan_sigma(), COLOURS[0])]
     if correction.three_d:
         series.append(Series("height", sigma[:, 2], COLOURS[2]))
-    report.figure(profile(way, series, "way (m)", "m", stretches=shades), "Standard deviation of the correction")
+    report.figure(profile(way, series, "way (m)", "m", intervals=shades), "Standard deviation of the correction")
     off = np.hypot(correction.residual[:, 0], correction.residual[:, 1])
     if np.isfinite(off).any():
-        report.figure(profile(way, [Series("windows", off, COLOURS[3], dots=True)], "way (m)", "m", stretches=shades),
+        report.figure(profile(way, [Series("windows", off, COLOURS[3], dots=True)], "way (m)", "m", intervals=shades),
                       "How far each window alone lies from the smooth correction, in plan")
     report.section("Windows")
     report.figure(profile(way, [Series("window length", windows.window_length, COLOURS[0])], "way (m)", "m"),
