@@ -382,6 +382,38 @@ def mms_patches(layer) -> None:
         "σ [% round(\"sigma\", 3) %] m in plan, window [% round(\"window\", 1) %] m")
 
 
+def adjustment_ties(layer) -> None:
+    """Ties, control points and reference of a network by what is left of them, with enlarged arrows."""
+    line = 'make_line($geometry, translate($geometry, 200 * "east", 200 * "north"))'
+    entries = []
+    for label, condition, colour in (("residual below 2 cm", '"plan" < 0.02', "#1a9850"),
+                                     ("2 to 5 cm", '"plan" < 0.05', "#a6d96a"),
+                                     ("5 cm and more", '"plan" >= 0.05', "#fdae61")):
+        symbol = marker(colour)
+        symbol.insertSymbolLayer(0, arrow_along(line, colour))
+        low = ' AND "plan" >= 0.02' if label.startswith("2") else ""
+        entries.append((label, f'"weight" >= 0.3 AND {condition}{low}', symbol))
+    entries.append(("without weight", "ELSE", marker("#d73027")))
+    rules(layer, entries)
+    layer.setMapTipTemplate(
+        "<b>[% \"kind\" %]</b> [% \"drive\" %] [% coalesce(\"other\", '') %]<br>in plan [% round(\"plan\", 3) %] m, up "
+        "[% round(\"up\", 3) %] m, weight [% round(\"weight\", 2) %]<br>(arrows: residual 200 times enlarged)")
+
+
+def adjustment_nodes(layer) -> None:
+    """Corrected paths by how they were placed."""
+    rules(layer, (
+        ("placed, σ up to 5 cm", "\"status\" = 'placed' AND \"sigma\" <= 0.05", marker("#1a9850", 1.4)),
+        ("placed, σ above 5 cm", "\"status\" = 'placed' AND \"sigma\" > 0.05", marker("#d9ef8b", 1.4)),
+        ("bridged", "\"status\" = 'bridged'", marker("#fdae61", 1.8)),
+        ("relative only", "\"status\" = 'relative only'", marker("#6a51a3", 1.8)),
+        ("not tied", "ELSE", marker("#d73027", 2.2))))
+    layer.setMapTipTemplate(
+        "<b>[% \"drive\" %], [% round(\"chainage\", 1) %] m: [% \"status\" %]</b><br>correction east "
+        "[% round(\"east\", 3) %], north [% round(\"north\", 3) %], up [% round(\"up\", 3) %] m<br>"
+        "σ [% round(\"sigma\", 3) %] m in plan")
+
+
 SATELLITES = ((3, "below 4: no position", "#b2182b"), (5, "4 to 5", "#ef8a62"), (8, "6 to 8", "#fddbc7"),
               (12, "9 to 12", "#67a9cf"), (1000, "13 and more", "#2166ac"))
 """Upper limit, label and colour of the classes of visible satellites."""
@@ -424,6 +456,10 @@ FIELDS = {
                         "north_before:double north_after:double"),
     mms_patches: ("PointZ", "status:string reason:string way:double sigma:double east:double north:double up:double "
                   "window:double"),
+    adjustment_ties: ("PointZ", "kind:string drive:string other:string plan:double east:double north:double up:double "
+                      "sigma:double weight:double"),
+    adjustment_nodes: ("PointZ", "drive:string status:string chainage:double east:double north:double up:double "
+                       "sigma:double"),
     facade_walls: ("PolygonZ", "building_id:integer wall_id:integer status:string note:string area:double "
                    "azimuth:double points:integer rmse:double sigma:double coverage:double hidden:double"),
     facades: ("PolygonZ", "building_id:integer facade:integer area:double seen:double detail:double images:string "

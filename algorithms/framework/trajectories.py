@@ -74,17 +74,20 @@ class TrajectoryParameters(Declarations):
 
         `crs_wkt` is needed where `like` came as a layer.
         """
-        from ...urbanmap_qgis.mobile.trajectory_files import write_trajectory
-
         path = self.output_path(parameters, name, context)
-        if path is None:
-            return None
-        if like.format != "layer":
-            write_trajectory(path, like, trajectory)
-            return str(path)
-        path = path.with_suffix(".gpkg") if path.suffix.lower() in TABLE_SUFFIXES else path
-        _write_layer(path, like, trajectory, crs_wkt or like.crs_wkt or "", context)
-        return str(path)
+        return None if path is None else str(write_trajectory_file(path, like, trajectory, crs_wkt, context))
+
+
+def write_trajectory_file(path: Path, like, trajectory, crs_wkt: str | None, context: QgsProcessingContext) -> Path:
+    """Write a trajectory of the same epochs in the format of `like`; the path that it got."""
+    from ...urbanmap_qgis.mobile.trajectory_files import write_trajectory
+
+    if like.format != "layer":
+        write_trajectory(path, like, trajectory)
+        return path
+    path = path.with_suffix(".gpkg") if path.suffix.lower() in TABLE_SUFFIXES else path
+    _write_layer(path, like, trajectory, crs_wkt or like.crs_wkt or "", context)
+    return path
 
 
 def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt: str | None = None):

@@ -11,9 +11,9 @@ CRS_HELP = ("Coordinate reference system of the control points, where their laye
             "for SBET trajectories.")
 
 
-def add_control(algorithm) -> None:
+def add_control(algorithm, optional: bool = False) -> None:
     """Declare CONTROL and CRS."""
-    algorithm.add_vector("CONTROL", "Control points", HELP)
+    algorithm.add_vector("CONTROL", "Control points", HELP, optional)
     algorithm.add_crs("CRS", "Coordinate reference system", CRS_HELP, optional=True, advanced=True)
 
 

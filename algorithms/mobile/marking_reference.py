@@ -20,11 +20,11 @@ HELP = ("The reference: a raster whose cells are above 0 where there is paint, o
         "from orthophoto” makes both.")
 
 
-def add_markings(algorithm) -> None:
+def add_markings(algorithm, optional: bool = False) -> None:
     """Declare MARKINGS."""
     kinds = QgsProcessing.SourceType
     algorithm.declare_parameter(QgsProcessingParameterMapLayer(
-        "MARKINGS", tr("Reference markings"), None, False, [kinds.TypeRaster, kinds.TypeVectorPolygon]), HELP)
+        "MARKINGS", tr("Reference markings"), None, optional, [kinds.TypeRaster, kinds.TypeVectorPolygon]), HELP)
 
 
 def read_reference(algorithm, parameters, context, ground, progress):

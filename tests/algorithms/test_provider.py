@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
-            "registermms", "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
+            "registermms", "adjustsurveys", "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",

@@ -1,0 +1,185 @@
+"""urbanmap:adjustsurveys."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER, tr
+from ..framework.trajectories import TABLE_SUFFIXES, trajectory_exists, trajectory_of, write_trajectory_file
+from .control_points import add_control, read_control
+from .marking_reference import add_markings, read_reference
+
+TIE_FIELDS = (("kind", "text"), ("drive", "text"), ("other", "text"), ("time", "real"), ("chainage", "real"),
+              ("east", "real"), ("north", "real"), ("up", "real"), ("plan", "real"), ("sigma", "real"),
+              ("weight", "real"))
+NODE_FIELDS = (("drive", "text"), ("status", "text"), ("time", "real"), ("chainage", "real"), ("east", "real"),
+               ("north", "real"), ("up", "real"), ("heading", "real"), ("sigma", "real"), ("sigma_up", "real"))
+
+
+class AdjustSurveys(UrbanMapAlgorithm):
+    ID = "adjustsurveys"
+    NAME = "Adjust several drives"
+    SOURCE = "network adjustment on the registration of Javanmardi 2018, 3.2.4 and 4"
+    KEYWORDS = ("MMS", "mobile", "adjustment", "network", "tie", "control", "trajectory", "strip")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
+    HELP = (
+        "Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, "
+        "tie them to each other; control points and reference markings place them. All go into one least-squares "
+        "adjustment, in which each trajectory drifts as GNSS and inertial units do.\n"
+        "Without control points and reference markings the drives agree with each other, but their place is only "
+        "relative: the result says so.\n"
+        "The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply "
+        "corrected trajectory”."
+    )
+
+    def declare(self):
+        self.add_points(help="The drives: LAS, LAZ or COPC files with intensities and GPS times, or their markings as "
+                        "“Road markings of a mobile survey” writes them. Each file belongs to the trajectory along "
+                        "which it was measured.")
+        self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile),
+            "The reported trajectory of each drive: CSV time,x,y,z,roll,pitch,heading, SBET, or point layers.")
+        self.add_calibration(optional=True)
+        add_control(self, optional=True)
+        add_markings(self, optional=True)
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, for the reference markings.",
+                        optional=True)
+        self.add_distance("CONTROL_SIGMA", "Accuracy of control in plan", "Standard deviation of control points and of "
+                          "their measurement in the survey.", 0.02, 0.001, 10.0)
+        self.add_distance("CONTROL_SIGMA_Z", "Accuracy of control in height", "The same in height.", 0.03, 0.001, 10.0)
+        self.add_distance("SEARCH", "Maximum error", "How far drives may lie apart in plan.", 4.0, 0.5, 20.0,
+                          advanced=True)
+        self.add_folder_output("OUTPUT", "Corrected trajectories", "Folder in which each trajectory is written under "
+                               "its own name.")
+        self.add_layer_output("OUTPUT_TIES", "Ties", "One point an observation: its residual (m), its standard "
+                              "deviation and the weight that it kept.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+        self.add_layer_output("OUTPUT_NODES", "Corrections", "Points along the corrected paths, with correction, "
+                              "standard deviations and status.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Residuals by kind, corrections and their uncertainty, what to "
+                             "distrust.", HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("TIES", "Ties", "Number of ties between drives.")
+        self.add_number_output("TIE_RMS", "RMS of ties in plan", "Of their residuals.", "m")
+        self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over all drives.", "m")
+        self.add_number_output("RELATIVE", "Relative only", "1 where nothing fixes the place of the drives, otherwise "
+                               "0.")
+
+    def check(self, parameters, context):
+        texts = self._trajectory_texts(parameters, context)
+        for text in texts:
+            if not trajectory_exists(text, context):
+                raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of("TRAJECTORY"),
+                                                                                       text))
+        targets = self._targets(parameters, context, texts)
+        sources = [Path(text.split("|")[0]) for text in texts]
+        for target in targets:
+            if targets.count(target) > 1 or (target.exists() and any(path.exists() and target.samefile(path)
+                                                                     for path in sources)):
+                raise InputError(tr("{0}: {1} would be written over another trajectory; choose another folder.").format(
+                    self.label_of("OUTPUT"), target.name))
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.adjustment.report import write_network_report
+        from ...urbanmap_qgis.mobile.adjustment.stage import adjust_surveys, assign_clouds
+        from ...urbanmap_qgis.mobile.calibration import read_calibration
+
+        progress = self.progress(feedback)
+        paths = self.point_files(parameters, "POINTS", context)
+        crs = open_cloud(paths).crs_wkt
+        self.require_projected("POINTS", crs)
+        files = self._trajectories(parameters, context, crs, progress)
+        targets = self._targets(parameters, context, self._trajectory_texts(parameters, context))
+        names = [path.stem for path in targets]
+        clouds = assign_clouds(paths, [item.trajectory for item in files], names)
+        calibration = self.input_path(parameters, "CALIBRATION", context)
+        made = adjust_surveys(clouds, [item.trajectory for item in files], names,
+                              self._control(parameters, context, crs, progress),
+                              self._reference(parameters, context, crs, progress), self._run(parameters, context),
+                              read_calibration(calibration) if calibration else None, progress.part(0.0, 0.95))
+        results = self._write_layers(parameters, context, made, crs, progress)
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_network_report(report, made, self.settings_of(parameters))
+            results["OUTPUT_REPORT"] = str(report)
+        targets[0].parent.mkdir(parents=True, exist_ok=True)
+        for drive, like, target in zip(made.drives, files, targets):
+            write_trajectory_file(target, like, drive.corrected, crs, context)
+        return {**results, **self._figures(made), "OUTPUT": str(targets[0].parent)}
+
+    def _trajectory_texts(self, parameters, context) -> list[str]:
+        """What TRAJECTORY names, each once."""
+        texts = list(dict.fromkeys(t for t in self.parameterAsFileList(parameters, "TRAJECTORY", context) if t))
+        if not texts:
+            raise InputError(tr("{0}: no file was given.").format(self.label_of("TRAJECTORY")))
+        return texts
+
+    def _trajectories(self, parameters, context, crs, progress) -> list:
+        """The core's `TrajectoryFile` of each one that was given."""
+        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs)
+                for text in self._trajectory_texts(parameters, context)]
+        for item in read:
+            for note in item.notes:
+                progress.warn(note)
+        return read
+
+    def _targets(self, parameters, context, texts) -> list[Path]:
+        """Where each trajectory is written: under its own name, what comes as a layer as a GeoPackage."""
+        folder = Path(self.parameterAsFileOutput(parameters, "OUTPUT", context))
+        sources = [Path(text.split("|")[0]) for text in texts]
+        return [folder / (path.name if path.suffix.lower() in TABLE_SUFFIXES else f"{path.stem}.gpkg")
+                for path in sources]
+
+    def _control(self, parameters, context, crs, progress):
+        if parameters.get("CONTROL") is None:
+            return None
+        control, control_crs = read_control(self, parameters, context, progress)
+        if control_crs:
+            self.same_crs("POINTS", crs, "CONTROL", control_crs)
+        return control
+
+    def _reference(self, parameters, context, crs, progress):
+        if parameters.get("MARKINGS") is None:
+            return None
+        ground = self.raster_path(parameters, "GROUND", context)
+        reference, reference_crs = read_reference(self, parameters, context, ground, progress)
+        self.same_crs("POINTS", crs, "MARKINGS", reference_crs)
+        return reference
+
+    def _run(self, parameters, context):
+        """The core's settings."""
+        from ...urbanmap_qgis.mobile.adjustment.stage import AdjustmentRun
+        from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
+        from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
+
+        def number(name):
+            return self.parameterAsDouble(parameters, name, context)
+
+        return AdjustmentRun(RegistrationRun(windows=RegistrationSettings(search=number("SEARCH"))),
+                             number("CONTROL_SIGMA"), number("CONTROL_SIGMA_Z"))
+
+    def _figures(self, made) -> dict:
+        tied = {row[0]: row for row in made.residual_rows()}.get("tie")
+        figures = {"TIES": tied[1] if tied else 0, "MEDIAN_SIGMA": made.median_sigma(), "RELATIVE": int(made.relative)}
+        return {**figures, "TIE_RMS": tied[3]} if tied else figures
+
+    def _write_layers(self, parameters, context, made, crs, progress) -> dict:
+        import shapely
+
+        from ...urbanmap_qgis.mobile.adjustment.tables import node_columns, tie_columns
+
+        results = {}
+        for name, fields, (columns, places), style in (
+                ("OUTPUT_TIES", TIE_FIELDS, tie_columns(made), "adjustment_ties"),
+                ("OUTPUT_NODES", NODE_FIELDS, node_columns(made), "adjustment_nodes")):
+            layer = self.write_layer(parameters, name, context, make_fields(*fields), columns, crs,
+                                     shapely.points(places), "PointZ", style=style, progress=progress)
+            if layer:
+                results[name] = layer
+        return results

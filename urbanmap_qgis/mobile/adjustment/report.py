@@ -1,0 +1,78 @@
+"""The report of a network of drives: what agrees, what is placed, how sure, and what to distrust."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+import numpy as np
+
+from ...io.report import Report
+from ...io.svg_profile import COLOURS, Series, profile
+from .network import KINDS
+from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
+
+_WORST = 10
+
+
+def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey, settings: Mapping[str, str]) -> None:
+    """Write the report (HTML)."""
+    report = Report("Adjustment of several drives")
+    _verdict(report, survey)
+    report.section("Residuals by kind")
+    report.table(("Observation", "number", "without weight", "RMS in plan (m)", "largest in plan (m)",
+                  "RMS in height (m)", "largest in height (m)"), survey.residual_rows())
+    report.section("Drives")
+    report.table(("Drive", "path length (m)", "mean correction in plan (m)", "median sigma in plan (m)",
+                  "largest sigma in plan (m)", *(f"{name} (%)" for name in STATUS_NAMES)),
+                 [_drive_row(drive) for drive in survey.drives])
+    _worst(report, survey)
+    for drive in survey.drives:
+        _profiles(report, drive)
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _verdict(report: Report, survey: AdjustedSurvey) -> None:
+    if survey.relative:
+        report.warning("The drives agree with each other, but nothing fixes their place: give control points or "
+                       "reference markings, or use the result only for comparing drives.")
+    else:
+        sigma = np.concatenate([drive.plan_sigma() for drive in survey.drives])
+        report.paragraph(f"The drives are placed with a standard deviation of {100 * np.median(sigma):.1f} cm in plan "
+                         f"(median; largest {100 * sigma.max():.0f} cm).")
+    for drive in survey.drives:
+        if (drive.status == STATUS_NAMES.index("not tied")).all():
+            report.warning(f"{drive.name} shares no markings with other drives, control or reference: it stays as "
+                           "reported.")
+
+
+def _drive_row(drive: AdjustedDrive) -> tuple:
+    plan, sigma = np.hypot(*drive.correction[:, :2].T), drive.plan_sigma()
+    shares = (100.0 * float(np.mean(drive.status == number)) for number in range(len(STATUS_NAMES)))
+    return (drive.name, float(drive.chainage[-1] - drive.chainage[0]), float(plan.mean()), float(np.median(sigma)),
+            float(sigma.max()), *shares)
+
+
+def _worst(report: Report, survey: AdjustedSurvey) -> None:
+    seen, network = survey.observations, survey.network
+    plan = np.hypot(*network.residual[:, :2].T)
+    worst = np.argsort(-plan)[:_WORST]
+    report.section("Largest residuals")
+    names = [drive.name for drive in survey.drives]
+    report.table(("Observation", "drive", "chainage (m)", "other drive", "in plan (m)", "in height (m)", "weight"),
+                 [(KINDS[seen.kind[k]], names[seen.drive[k]], float(seen.clock[k]),
+                   names[seen.other[k]] if seen.other[k] >= 0 else "", float(plan[k]),
+                   float(network.residual[k, 2]), float(network.weight[k])) for k in worst])
+
+
+def _profiles(report: Report, drive: AdjustedDrive) -> None:
+    report.section(drive.name)
+    curves = [Series(name, drive.correction[:, k], colour)
+              for k, (name, colour) in enumerate(zip(("east", "north", "up"), COLOURS))]
+    report.figure(profile(drive.chainage, curves, "chainage (m)", "m"), "Correction along the path")
+    sigma = np.sqrt(drive.covariance[:, 2, 2])
+    report.figure(profile(drive.chainage, [Series("plan", drive.plan_sigma(), COLOURS[0]),
+                                           Series("height", sigma, COLOURS[2])], "chainage (m)", "m"),
+                  "Standard deviation of the correction")

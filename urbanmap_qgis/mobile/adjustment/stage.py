@@ -1,0 +1,312 @@
+"""From several drives to one adjusted network: ties, control and reference in, a correction for each drive out."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...errors import InputError, InsufficientDataError
+from ...io.pointcloud import PointCloud, iter_chunks, open_cloud
+from ...progress import SILENT, Progress
+from ..apply_correction import survey_time_shift
+from ..calibration import Calibration
+from ..control import ControlPoints
+from ..registration.correction.drift_model import drift_clock, torn_steps, waited_steps
+from ..registration.stage import RegistrationRun, survey_markings
+from ..registration.start.reference import Reference
+from ..trajectory import Trajectory, interpolate
+from .network import (
+    CONTROL,
+    KINDS,
+    NONE,
+    TIE,
+    DriveNodes,
+    Network,
+    NetworkObservations,
+    NetworkSettings,
+    adjust_network,
+)
+from .ties import Drive, pairs_of, reference_observations, tie_drives
+
+PLACED, BRIDGED, RELATIVE, NOT_TIED = range(4)
+STATUS_NAMES = ("placed", "bridged", "relative only", "not tied")
+"""Of a node: near observations of a network with control or reference; farther from them; in a network whose place is
+only what the drives report in the mean; of a drive without any observation, which stays as reported."""
+
+_NODES = 5.0  # m of the drift's clock
+_NEAR = 30.0  # m from an observation that a node is placed by
+_KEPT = 0.3  # weight from which an observation counts
+_BELONGS = 200.0  # m from the vehicle within which its points lie in the median
+_CONTROL_REACH = 60.0  # m from the vehicle within which it measures a control point
+_SAMPLE = 5000  # points by which a cloud's drive is found
+
+
+@dataclass(frozen=True)
+class AdjustmentRun:
+    """How drives are adjusted.
+
+    Attributes
+    ----------
+    registration : of ties and reference. control_sigma, control_sigma_z : m, of control points, their measurement in
+        the survey included.
+    """
+
+    registration: RegistrationRun = field(default_factory=RegistrationRun)
+    control_sigma: float = 0.02
+    control_sigma_z: float = 0.03
+
+
+@dataclass(frozen=True)
+class AdjustedDrive:
+    """One drive's result.
+
+    Attributes
+    ----------
+    name : of the drive. reported, corrected : trajectories of the same epochs.
+    time, chainage : (k,) s, m, of the nodes. place : (k, 3) m, corrected. correction : (k, 4) m, degrees of heading.
+    covariance : (k, 4, 4). status : (k,) PLACED and its fellows.
+    """
+
+    name: str
+    reported: Trajectory
+    corrected: Trajectory
+    time: np.ndarray
+    chainage: np.ndarray
+    place: np.ndarray
+    correction: np.ndarray
+    covariance: np.ndarray
+    status: np.ndarray
+
+    def plan_sigma(self) -> np.ndarray:
+        """(k,) standard deviation in the worst direction in plan, m."""
+        return np.sqrt(np.linalg.eigvalsh(self.covariance[:, :2, :2])[:, -1])
+
+
+@dataclass(frozen=True)
+class AdjustedSurvey:
+    """All drives, and the observations with what is left of them.
+
+    Attributes
+    ----------
+    drives : in the given order. observations, network : of the adjustment. place : (n, 3) m, where each observation
+        lies after it. relative : whether no drive is tied to control or reference.
+    """
+
+    drives: tuple[AdjustedDrive, ...]
+    observations: NetworkObservations
+    network: Network
+    place: np.ndarray
+    relative: bool
+
+    def median_sigma(self) -> float:
+        """Median standard deviation in plan over all drives, m."""
+        return float(np.median(np.concatenate([drive.plan_sigma() for drive in self.drives])))
+
+    def residual_rows(self) -> list[tuple[str, int, int, float, float, float, float]]:
+        """By kind: name, number, number that lost its weight, RMS and largest residual in plan and in height, m."""
+        rows = []
+        for kind, name in enumerate(KINDS):
+            here = self.observations.kind == kind
+            if here.any():
+                plan = np.hypot(*self.network.residual[here, :2].T)
+                up = np.abs(self.network.residual[here, 2])
+                known = up[np.isfinite(up)]
+                rows.append((name, int(here.sum()), int((self.network.weight[here] < _KEPT).sum()),
+                             float(np.sqrt(np.mean(plan**2))), float(plan.max()),
+                             float(np.sqrt(np.mean(known**2))) if len(known) else np.nan,
+                             float(known.max()) if len(known) else np.nan))
+        return rows
+
+
+def assign_clouds(paths: Sequence[str | os.PathLike], trajectories: Sequence[Trajectory],
+                  names: Sequence[str]) -> list[list[str | os.PathLike]]:
+    """The files of each trajectory: a file belongs to the one along which its points were measured.
+
+    Raises
+    ------
+    InputError : a file belongs to no trajectory, or a trajectory has no file.
+    """
+    found: list[list[str | os.PathLike]] = [[] for _ in trajectories]
+    for path in paths:
+        cloud = open_cloud([path])
+        away = [_distance(cloud, trajectory) for trajectory in trajectories]
+        nearest = int(np.argmin(away))
+        if not away[nearest] < _BELONGS:
+            raise InputError(f"{cloud.paths[0].name} belongs to none of the trajectories: none covers its GPS times "
+                             "near its points. Give the trajectory of each drive.")
+        found[nearest].append(path)
+    for name, files in zip(names, found):
+        if not files:
+            raise InputError(f"No point cloud was measured along {name}: give the points of each drive.")
+    return found
+
+
+def _distance(cloud: PointCloud, trajectory: Trajectory) -> float:
+    """Median distance, m, of some points from the vehicle when they were measured; inf where the times do not meet."""
+    try:
+        shift = survey_time_shift(cloud, trajectory)
+    except InputError:
+        return np.inf
+    chunk = next(iter_chunks(cloud))
+    some = slice(None, None, max(len(chunk) // _SAMPLE, 1))
+    time = np.asarray(chunk.gps_time)[some] + shift
+    within = trajectory.within(time)
+    if not within.any():
+        return np.inf
+    place = interpolate(trajectory, time[within]).place
+    return float(np.median(np.hypot(np.asarray(chunk.x)[some][within] - place[:, 0],
+                                    np.asarray(chunk.y)[some][within] - place[:, 1])))
+
+
+def adjust_surveys(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: Sequence[Trajectory],
+                   names: Sequence[str], control: ControlPoints | None = None, reference: Reference | None = None,
+                   run: AdjustmentRun | None = None, calibration: Calibration | None = None,
+                   progress: Progress = SILENT) -> AdjustedSurvey:
+    """Adjust several drives at once.
+
+    Parameters
+    ----------
+    clouds : the files of each drive: surveys, or markings as “Road markings of a mobile survey” writes them.
+    control : points of any of the drives; each is taken to be of the drive that was nearest at its time.
+
+    Raises
+    ------
+    InsufficientDataError : nothing ties the drives to each other, to control or to a reference.
+    """
+    run = run or AdjustmentRun()
+    count = len(trajectories)
+    drives = []
+    for number, (paths, trajectory, name) in enumerate(zip(clouds, trajectories, names)):
+        part = progress.part(0.5 * number / count, 0.5 * (number + 1) / count)
+        drives.append(Drive(name, trajectory, survey_markings(open_cloud(paths), trajectory,
+                                                              run.registration.extraction, calibration, part)))
+    progress.message("Looking for markings that drives share.")
+    found = [tie_drives(drives, run.registration, progress.part(0.5, 0.8))]
+    if reference is not None:
+        found.append(reference_observations(drives, reference, run.registration, progress.part(0.8, 0.9)))
+    if control is not None:
+        found.append(control_observations(drives, control, run))
+    observations = NetworkObservations.joined(found)
+    if not len(observations):
+        raise InsufficientDataError("The drives share no markings, and no control point or reference marking fits "
+                                    "them: nothing can be adjusted.")
+    return _adjusted(drives, observations, run, progress)
+
+
+def control_observations(drives: Sequence[Drive], control: ControlPoints, run: AdjustmentRun) -> NetworkObservations:
+    """Control points as observations of the drives that measured them.
+
+    Raises
+    ------
+    InputError : a point was measured by none of the drives.
+    """
+    away = np.stack([_away(drive.trajectory, control) for drive in drives])
+    number = np.argmin(away, axis=0)
+    nearest = away.min(axis=0)
+    if (nearest > _CONTROL_REACH).any():
+        name = control.id[int(np.argmax(nearest))]
+        raise InputError(f"Control point {name} was measured by none of the drives: no trajectory passes within "
+                         f"{_CONTROL_REACH:.0f} m of it at its time.")
+    n = len(control)
+    clock, arm = np.zeros(n), np.zeros((n, 2))
+    for k, drive in enumerate(drives):
+        here = number == k
+        clock[here] = np.interp(control.time[here], drive.trajectory.time, _clock(drive.trajectory, run))
+        arm[here] = (control.surveyed - interpolate(drive.trajectory, control.time, "hold").place)[here, :2]
+    value = np.column_stack([control.true - control.surveyed, np.full(n, np.nan)])
+    variance = np.array([run.control_sigma, run.control_sigma, run.control_sigma_z, 1.0]) ** 2
+    return NetworkObservations(number, clock, arm, np.full(n, NONE), np.zeros(n), np.zeros((n, 2)), value,
+                        np.tile(np.diag(variance), (n, 1, 1)), np.full(n, CONTROL))
+
+
+def _away(trajectory: Trajectory, control: ControlPoints) -> np.ndarray:
+    """Distance (n,) in plan, m, from the vehicle to each point in the survey at its time; inf outside the drive."""
+    place = interpolate(trajectory, control.time, "hold").place
+    away = np.hypot(*(control.surveyed - place)[:, :2].T)
+    return np.where(trajectory.within(control.time), away, np.inf)
+
+
+def _clock(trajectory: Trajectory, run: AdjustmentRun) -> np.ndarray:
+    return drift_clock(trajectory, run.registration.correction.standing)
+
+
+def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun,
+              progress: Progress) -> AdjustedSurvey:
+    """Solve the network and say of each node how it was placed."""
+    clocks = [_clock(drive.trajectory, run) for drive in drives]
+    nodes, times = zip(*(_nodes(drive.trajectory, clock) for drive, clock in zip(drives, clocks)))
+    progress.message(f"Adjusting {len(drives)} drives with {len(observations)} observations.")
+    network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
+    kept = network.weight >= _KEPT
+    placed = _networks(len(drives), observations, kept)
+    made = tuple(_drive_result(drives[k], clocks[k], nodes[k], times[k], network.state[k], network.covariance[k],
+                               _node_status(nodes[k], k, observations, kept, placed[k])) for k in range(len(drives)))
+    place = np.array([interpolate(made[d].corrected, np.interp([c], clocks[d], made[d].reported.time)).place[0]
+                      + np.append(arm, 0.0) for d, c, arm in
+                      zip(observations.drive, observations.clock, observations.arm)]).reshape(-1, 3)
+    survey = AdjustedSurvey(made, observations, network, place, not any(item is True for item in placed))
+    _tell(survey, placed, progress)
+    return survey
+
+
+def _nodes(trajectory: Trajectory, clock: np.ndarray) -> tuple[DriveNodes, np.ndarray]:
+    """Nodes along a drive's clock, and their times, s."""
+    count = max(int(np.ceil((clock[-1] - clock[0]) / _NODES)), 1)
+    at = np.linspace(clock[0], clock[-1], count + 1)
+    rising = np.concatenate([[True], np.diff(clock) > 0])
+    time = np.interp(at, clock[rising], trajectory.time[rising])
+    return DriveNodes(at, waited_steps(trajectory, time), torn_steps(trajectory, time)), time
+
+
+def _networks(count: int, observations: NetworkObservations, kept: np.ndarray) -> list[bool | None]:
+    """For each drive: whether its network has control or reference; None for a drive without any observation."""
+    group = list(range(count))
+    for first, second in pairs_of(observations.take(kept)):
+        old, new = group[first], group[second]
+        group = [new if item == old else item for item in group]
+    absolute = kept & (observations.kind != TIE)
+    placed = {group[number] for number in observations.drive[absolute].tolist()}
+    seen = set(observations.drive[kept].tolist()) | set(observations.other[kept].tolist())
+    return [group[number] in placed if number in seen else None for number in range(count)]
+
+
+def _node_status(nodes: DriveNodes, number: int, observations: NetworkObservations, kept: np.ndarray,
+                 placed: bool | None) -> np.ndarray:
+    """(k,) status of a drive's nodes."""
+    if not placed:
+        return np.full(len(nodes), RELATIVE if placed is False else NOT_TIED)
+    clock = np.concatenate([observations.clock[kept & (observations.drive == number)],
+                            observations.other_clock[kept & (observations.other == number)]])
+    near = np.abs(nodes.clock[:, None] - clock[None, :]).min(axis=1) <= _NEAR
+    return np.where(near, PLACED, BRIDGED)
+
+
+def _drive_result(drive: Drive, clock: np.ndarray, nodes: DriveNodes, time: np.ndarray, state: np.ndarray,
+                  covariance: np.ndarray, status: np.ndarray) -> AdjustedDrive:
+    """A drive with its correction at all epochs."""
+    if status[0] == NOT_TIED:
+        state = np.zeros_like(state)
+    value = np.column_stack([np.interp(clock, nodes.clock, state[:, axis, 0]) for axis in range(state.shape[1])])
+    turned = np.zeros((len(clock), 3))
+    turned[:, 2] = value[:, 3]
+    reported = drive.trajectory
+    corrected = Trajectory(reported.time, reported.place + value[:, :3], reported.angles + turned)
+    return AdjustedDrive(drive.name, reported, corrected, time, nodes.clock, interpolate(corrected, time).place,
+                         state[:, :, 0], covariance, status)
+
+
+def _tell(survey: AdjustedSurvey, placed: Sequence[bool | None], progress: Progress) -> None:
+    """Say what was reached, and warn of what is not placed."""
+    for name, count, lost, plan, _, up, _ in survey.residual_rows():
+        progress.message(f"{count} observations ({name}), {lost} without weight; RMS residual {100 * plan:.1f} cm in "
+                         f"plan, {100 * up:.1f} cm in height.")
+    relative = [drive.name for drive, item in zip(survey.drives, placed) if item is False]
+    loose = [drive.name for drive, item in zip(survey.drives, placed) if item is None]
+    if relative:
+        progress.warn(f"No control point or reference marking fixes {', '.join(relative)}: these drives agree with "
+                      "each other, but their place is only relative.")
+    if loose:
+        progress.warn(f"Nothing ties {', '.join(loose)} to anything: it stays as reported.")
