@@ -27,7 +27,7 @@ from . import destinations, layers
 from .dependencies import refusal
 from .interrupt import signals_cancel
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
-from .parameters import check_names, tr
+from .parameters import check_names, tr, with_words
 from .trajectories import TrajectoryParameters, trajectory_exists
 
 ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
@@ -133,6 +133,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return message
 
     def checkParameterValues(self, parameters, context):
+        try:
+            parameters = with_words(parameters, self.parameterDefinitions())
+        except InputError as error:
+            return False, str(error)
         accepted, message = super().checkParameterValues(parameters, context)
         if not accepted:
             return accepted, message
@@ -153,6 +157,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             raise QgsProcessingException(message)
         with signals_cancel(feedback) as signals:
             try:
+                parameters = with_words(parameters, self.parameterDefinitions())
                 self._check_all(parameters, context)
                 with Staging() as staging:
                     return self._compute_apart(parameters, context, feedback, staging)

@@ -30,6 +30,8 @@ from qgis.core import (
 )
 from qgis.PyQt.QtCore import QCoreApplication
 
+from ...urbanmap_qgis.errors import InputError
+
 LAZ_FILTER = "LAZ point cloud (*.laz);;LAS point cloud (*.las)"
 CITYJSON_FILTER = "CityJSON (*.city.json *.json)"
 HTML_FILTER = "HTML report (*.html)"
@@ -153,7 +155,7 @@ class Declarations:
 
     def add_choice(self, name: str, label: str, help: str, choices: Sequence[str], default: str,
                    advanced: bool = False):
-        """One of a few words; the words themselves are the values, also on the command line."""
+        """One of a few words; the words themselves are the values. On the command line their numbers do as well."""
         definition = QgsProcessingParameterEnum(name, tr(label), list(choices), False, default, False, True)
         return self.declare_parameter(definition, f"{help} ({', '.join(choices)})", advanced)
 
@@ -249,6 +251,27 @@ def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:
         hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(known)}."
         sentences.append(tr("Unknown parameter {0} is ignored; {1}").format(name, hint))
     return sentences
+
+
+def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[str, object]:
+    """The parameters with the words of choices where their numbers were given (0, 1, ... as `qgis_process help` counts).
+
+    Raises
+    ------
+    InputError : what was given is neither a word nor the number of one.
+    """
+    made = dict(parameters)
+    for definition in definitions:
+        given = made.get(definition.name())
+        if definition.type() != "enum" or not definition.usesStaticStrings() or not isinstance(given, (str, int)):
+            continue
+        words = definition.options()
+        text = str(given).strip()
+        if given not in words and (isinstance(given, bool) or not text.isdecimal() or int(text) >= len(words)):
+            raise InputError(tr("{0}: {1} is none of {2}; give one of these words, or its number from 0 on.").format(
+                definition.description(), given, ", ".join(words)))
+        made[definition.name()] = given if given in words else words[int(text)]
+    return made
 
 
 def _with_unit(label: str, unit: str) -> str:

@@ -347,3 +347,20 @@ def test_two_datums_of_one_zone_differ(plugin, qgis_app):
     errors = plugin("urbanmap_qgis.errors")
     with pytest.raises(errors.InputError):
         crs.same_crs("A", QgsCoordinateReferenceSystem("EPSG:2451"), "B", QgsCoordinateReferenceSystem("EPSG:6677"))
+
+
+@pytest.mark.parametrize("given", ["user error", "1", 1, " 1 "])
+def test_choice_by_word_and_by_number(example, feedback, polygon_layer, given):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="The tile is empty"):
+        run_example(example, feedback, {"FOOTPRINTS": polygon_layer([SQUARE]), "MODE": given, "OUTPUT": "memory:"})
+
+
+@pytest.mark.parametrize("given", ["7", "-1", "1.5", "nonsense", True])
+def test_choice_that_is_none_is_refused(example, qgis_app, polygon_layer, given):
+    from qgis.core import QgsProcessingContext
+
+    accepted, message = example().create().checkParameterValues(
+        {"FOOTPRINTS": polygon_layer([SQUARE]), "MODE": given, "OUTPUT": "memory:"}, QgsProcessingContext())
+    assert not accepted and "is none of copy, user error" in message
