@@ -13,12 +13,16 @@ from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from .manifold import PlanRepair, repair_plan
 from .plan_partition import Cell
 
+MIN_STEP = 0.05
+"""Roofs nearer in height than this (m) become one level: no step or inner wall below it is kept. Laser heights do not
+show such steps, and validators join vertices of 1 mm."""
+
 _UNITS = 10_000
 """Lattice units a metre: coordinates are exact to 0.1 mm."""
 
 
 def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: float = 0.1,
-                    least_step: float = 0.001) -> tuple[Solid, ...]:
+                    least_step: float = MIN_STEP) -> tuple[Solid, ...]:
     """Raise the cells of a plan to solids, one for each part whose cells hang together by edges.
 
     Parameters
@@ -54,7 +58,7 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
 
 
 def _levels(heights: Sequence[float], base: int, least_height: float, least_step: float):
-    """Heights in lattice units, at least `least_height` over the base and never nearly equal; which were raised."""
+    """Heights in lattice units: `least_height` or more over the base, `least_step` or more apart; which were raised."""
     lowest = base + max(round(least_height * _UNITS), 1)
     units = [round(height * _UNITS) for height in heights]
     raised = [unit < lowest for unit in units]

@@ -71,7 +71,7 @@ def check_solid(solid: FacedBody, planarity: float = 0.001, snap: float = 0.001,
     ----------
     solid : vertices (V, 3), m, and faces (rings of vertex indices, not closed, outer ring first).
     planarity : largest distance of a point from its face's plane, m (203).
-    snap : vertices nearer to each other than this (m) count as one.
+    snap : vertices as near to each other as this (m) count as one.
     normals : largest angle between a face's plane and a triangle of the face, degrees (204).
 
     Raises
@@ -167,11 +167,9 @@ class _Mesh:
 
 def _joined(points: np.ndarray, snap: float) -> np.ndarray:
     """For each point the number of the first one that it counts as one with."""
-    pairs = cKDTree(points).query_pairs(snap, output_type="ndarray") if len(points) > 1 else np.empty((0, 2))
-    if len(pairs):
-        # Points just one lattice step of 1 mm apart are two, whatever rounding says.
-        apart = np.linalg.norm(points[pairs[:, 0]] - points[pairs[:, 1]], axis=1)
-        pairs = pairs[apart < snap * (1 - 1e-6)]
+    # As val3dity does, points just `snap` apart count as one, whatever rounding says.
+    tree = cKDTree(points) if len(points) > 1 else None
+    pairs = tree.query_pairs(snap * (1 + 1e-6), output_type="ndarray") if tree else np.empty((0, 2))
     if not len(pairs):
         return np.arange(len(points))
     links = coo_matrix((np.ones(len(pairs)), pairs.T), shape=(len(points),) * 2)
