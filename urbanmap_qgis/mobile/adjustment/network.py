@@ -22,7 +22,7 @@ KINDS = ("tie", "control point", "reference marking")
 NONE = -1
 """Number of the other drive of an observation of one drive alone."""
 
-_FACTORS = (0.5, 1.0, 2.0, 4.0, 8.0)
+_FACTORS = (1.0, 2.0, 4.0, 8.0)
 _PASSES = 30
 _CONVERGED = 1e-3  # change of weights
 _COLUMNS = 384  # of the covariance that are solved for at once
