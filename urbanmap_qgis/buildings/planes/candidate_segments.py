@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from ..polygons.partition_lines import Cracks, _inward_walls, _outline_edges, find_cracks
+from ..polygons.partition_lines import LabelBoundaries, inward_walls, label_boundaries, outline_edges
 from .label_raster import LabelRaster
 from .step_lines import building_directions, step_lines
 
@@ -15,7 +15,7 @@ LEAST_BEND = 0.07
 LEAST_LENGTH = 1.0
 """Metres of common border that make a segment."""
 
-EXTENSION = 3.0
+EXTENSION = 30.0
 """Metres by which segments are drawn longer than the border they come from."""
 
 MERGE = 0.3
@@ -33,21 +33,21 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     ----------
     planes : (k, 3) a, b, c of z = a x + b y + c. points, label : (n, 3) and (n,), to place steps exactly.
     """
-    cracks = find_cracks(raster.label, raster.x, raster.y)
+    cracks = label_boundaries(raster.label, raster.x, raster.y)
     reach = 1.5 * raster.cell + 0.2
     lines, ends, explained = _intersections(cracks, planes, raster.cell, reach)
-    rest = Cracks(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
-    normals = building_directions(_outline_edges(outline)[:, 2:], planes)
+    rest = LabelBoundaries(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
+    normals = building_directions(outline_edges(outline)[:, 2:], planes)
     for line, along in step_lines(rest, normals, raster.cell, LEAST_LENGTH, points[:, :2], label):
         _add(lines, ends, line, along)
     bounds = outline.bounds
     whole = float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])) + 1.0
-    for line in _inward_walls(outline, LEAST_LENGTH)[:MOST_WALLS]:
+    for line in inward_walls(outline, LEAST_LENGTH)[:MOST_WALLS]:
         _add(lines, ends, line, _around(line, bounds, whole))
     return _segments(lines, ends)
 
 
-def _intersections(cracks: Cracks, planes: np.ndarray, cell: float, reach: float):
+def _intersections(cracks: LabelBoundaries, planes: np.ndarray, cell: float, reach: float):
     """Lines and extents where planes meet at equal height beside their common border; which cracks lie there."""
     count = len(planes)
     low, high = np.minimum(cracks.left, cracks.right), np.maximum(cracks.left, cracks.right)

@@ -75,7 +75,7 @@ def _ceiling(grid: Grid, cell: np.ndarray, z: np.ndarray) -> np.ndarray:
     """Highest point within `CEILING_REACH` of each cell, inf where there is none."""
     top = np.full(grid.rows * grid.columns, -np.inf)
     np.maximum.at(top, cell, z)
-    reach = max(1, int(round(CEILING_REACH / grid.cell)))
+    reach = max(1, round(CEILING_REACH / grid.cell))
     window = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     highest = cv2.dilate(np.where(np.isfinite(top), top, -1e9).reshape(grid.shape), window,
                          borderType=cv2.BORDER_CONSTANT, borderValue=-1e9)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from ..polygons.plan_arrangement import GRID, _segments
+from ..polygons.plan_arrangement import GRID, ring_segments
 from .alpha_expansion import expand_labels
 from .label_raster import LabelRaster
 
@@ -51,7 +51,7 @@ def plan_faces(outline: shapely.Geometry, segments: np.ndarray) -> PlanFaces:
     inside = shapely.get_coordinates(shapely.point_on_surface(pieces))
     shapely.prepare(outline)
     pieces = pieces[shapely.contains_xy(outline, inside[:, 0], inside[:, 1])]
-    xy, start, end, piece = _segments(pieces)
+    xy, start, end, piece = ring_segments(pieces)
     key = np.minimum(start, end) * len(xy) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
     twins = np.flatnonzero(key[order[1:]] == key[order[:-1]])
@@ -84,7 +84,7 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
                 label: np.ndarray) -> np.ndarray:
     """Cubic metres (n, k) between the points and each plane, over each face."""
     tree = shapely.STRtree(faces.polygons)
-    count, k, area = len(faces.polygons), len(planes), raster.cell**2
+    count, _k, area = len(faces.polygons), len(planes), raster.cell**2
     own = label >= 0
     p = points[own]
     off = np.minimum(np.abs(p[:, 2:] - (p[:, :2] @ planes[:, :2].T + planes[:, 2])), CAP)

@@ -39,7 +39,7 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
     if len(points) < FEWEST:
         return np.full(len(points), -1)
     around = surroundings(points, density)
-    fewest = max(FEWEST, int(round(parameters.least_area * density)))
+    fewest = max(FEWEST, round(parameters.least_area * density))
     label = grow_planes(points, around, parameters.tolerance, fewest)
     label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
     for _ in range(2):

@@ -38,7 +38,7 @@ class Surroundings:
 
 def surroundings(points: np.ndarray, density: float) -> Surroundings:
     """Neighbours and normals of points (n, 3), local coordinates in m, at `density` points/m2."""
-    wanted = int(round(math.pi * RADIUS**2 * density))
+    wanted = round(math.pi * RADIUS**2 * density)
     k = min(min(max(wanted, NEIGHBOURS[0]), NEIGHBOURS[1]) + 1, len(points))
     near = cKDTree(points).query(points, k)[1].reshape(len(points), k)
     away = points[near] - points[:, None, :]

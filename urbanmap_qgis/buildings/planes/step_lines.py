@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..polygons.partition_lines import Cracks
+from ..polygons.partition_lines import LabelBoundaries
 from ..polygons.regularisation import main_directions
 
 WINDOW = 1.3
@@ -42,7 +42,7 @@ def building_directions(edges: np.ndarray, planes: np.ndarray) -> np.ndarray:
     return np.array(kept)
 
 
-def step_lines(cracks: Cracks, normals: np.ndarray, cell: float, least_length: float, points: np.ndarray,
+def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_length: float, points: np.ndarray,
                label: np.ndarray) -> list[tuple[tuple[float, float, float], tuple[float, float]]]:
     """Lines (nx, ny, offset) with their first and last place along (-ny, nx), the longest first.
 

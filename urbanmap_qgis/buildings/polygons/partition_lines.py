@@ -72,7 +72,7 @@ def candidate_lines(boundaries: LabelBoundaries, outline: shapely.Geometry, cell
     max_lines : strongest first.
     points : shifts each line to where it separates them best.
     """
-    edges = _outline_edges(outline)
+    edges = outline_edges(outline)
     main = (main_directions(edges[:, 2:])[:, None] + np.array([0.0, 90.0])).ravel() % 180.0
     lines = []
     for members in _collect(boundaries.xy, cell, main, min_length, max_lines):
@@ -80,7 +80,7 @@ def candidate_lines(boundaries: LabelBoundaries, outline: shapely.Geometry, cell
         if points is not None:
             line = _shifted_to_points(line, boundaries.xy[members], points, 1.5 * cell)
         lines.append(line)
-    return _merged(_snapped(lines, edges, merge) + _inward_walls(outline, min_length)[:MAX_WALL_LINES], merge)
+    return _merged(_snapped(lines, edges, merge) + inward_walls(outline, min_length)[:MAX_WALL_LINES], merge)
 
 
 def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: shapely.Geometry, cell: float,
@@ -89,7 +89,7 @@ def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: 
 
     For roofs too small to gather votes. regions: cell centres (n, 2) of each.
     """
-    edges = _outline_edges(outline)
+    edges = outline_edges(outline)
     angle = np.radians(main_directions(edges[:, 2:])[0])
     axes = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
     sides = []
@@ -101,14 +101,14 @@ def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: 
     return _merged(list(map(tuple, lines.tolist())) + _snapped(sides, edges, merge), merge)
 
 
-def _outline_edges(outline: shapely.Geometry) -> np.ndarray:
+def outline_edges(outline: shapely.Geometry) -> np.ndarray:
     """Edges as rows (x, y, dx, dy)."""
     xy, ring = shapely.get_coordinates(shapely.get_rings(shapely.get_parts(outline)), return_index=True)
     same = ring[1:] == ring[:-1]
     return np.column_stack([xy[:-1], np.diff(xy, axis=0)])[same]
 
 
-def _inward_walls(outline: shapely.Geometry, min_length: float) -> list[tuple[float, float, float]]:
+def inward_walls(outline: shapely.Geometry, min_length: float) -> list[tuple[float, float, float]]:
     """Lines of the walls of at least `min_length` that end at an inward corner, the longest first."""
     rings = shapely.get_rings([orient(part) for part in shapely.get_parts(outline)])
     found = []

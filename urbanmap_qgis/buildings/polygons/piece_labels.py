@@ -31,7 +31,7 @@ def choose_roofs(cost: np.ndarray, arrangement: Arrangement, smoothness: float,
     cost = np.where(thin[:, None], THIN_WEIGHT, 1.0) * cost
     shared = arrangement.shared * smoothness
     chosen = _smooth(cost, shared)
-    return _without_small_parts(chosen, cost, shared, area, min_roof_area)
+    return without_small_parts(chosen, cost, shared, area, min_roof_area)
 
 
 def _smooth(cost: np.ndarray, shared: np.ndarray) -> np.ndarray:
@@ -47,7 +47,7 @@ def _smooth(cost: np.ndarray, shared: np.ndarray) -> np.ndarray:
     return chosen
 
 
-def _without_small_parts(chosen: np.ndarray, cost: np.ndarray, shared: np.ndarray, area: np.ndarray,
+def without_small_parts(chosen: np.ndarray, cost: np.ndarray, shared: np.ndarray, area: np.ndarray,
                          min_roof_area: float) -> np.ndarray:
     chosen = chosen.copy()
     k = cost.shape[1]

@@ -45,7 +45,7 @@ def arrange(outline: shapely.Geometry, lines: np.ndarray) -> Arrangement:
     return Arrangement(pieces, inside, _shared_lengths(pieces))
 
 
-def _segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+def ring_segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Distinct vertices (m, 2), and for each ring segment the vertex numbers of its ends and its polygon."""
     rings, polygon_of_ring = shapely.get_rings(polygons, return_index=True)
     xy, ring = shapely.get_coordinates(rings, return_index=True)
@@ -56,7 +56,7 @@ def _segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray,
 
 
 def _shared_lengths(pieces: np.ndarray) -> np.ndarray:
-    xy, start, end, piece = _segments(pieces)
+    xy, start, end, piece = ring_segments(pieces)
     key = np.minimum(start, end) * len(xy) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
     twins = np.flatnonzero(key[order[1:]] == key[order[:-1]])
@@ -89,7 +89,7 @@ def dissolve(pieces: np.ndarray, labels: np.ndarray, outline: shapely.Geometry) 
 def _clean(polygons: np.ndarray, outline: shapely.Geometry) -> list:
     corners = shapely.get_coordinates(outline)
     exact = {(round(x / GRID), round(y / GRID)): (x, y) for x, y in corners.tolist()}
-    xy, start, end, _ = _segments(polygons)
+    xy, start, end, _ = ring_segments(polygons)
     needed = _nodes_needed(xy, start, end)
     rounded = np.round(xy / GRID).astype(np.int64)
     for i, key in enumerate(map(tuple, rounded.tolist())):

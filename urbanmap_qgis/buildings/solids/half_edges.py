@@ -123,3 +123,26 @@ def _turn(edges: HalfEdges, before: int, here: int, choices: list[int]) -> int:
     came = edges.direction(here, before)
     turns = [(edges.direction(here, there) - came) % (2 * math.pi) for there in choices]
     return choices.pop(turns.index(min(turns)))
+
+
+def connected_cells(edges: HalfEdges, count: int) -> list[set[int]]:
+    """Cells 0 to `count` - 1 grouped by common edges, in the order of their first cells."""
+    beside: list[set[int]] = [set() for _ in range(count)]
+    for (a, b), cell in edges.cell.items():
+        other = edges.cell.get((b, a))
+        if other is not None:
+            beside[cell].add(other)
+    seen: set[int] = set()
+    parts = []
+    for first in range(count):
+        if first in seen:
+            continue
+        part, waiting = set(), [first]
+        while waiting:
+            cell = waiting.pop()
+            if cell not in part:
+                part.add(cell)
+                waiting.extend(beside[cell] - part)
+        seen |= part
+        parts.append(part)
+    return parts

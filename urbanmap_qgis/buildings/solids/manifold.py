@@ -9,10 +9,13 @@ way round), a triangle of about a centimetre.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from .half_edges import OUTSIDE, HalfEdges
+
+Height = Callable[[int, int], int]
+"""Height of a cell at a node, in the unit of the base."""
 
 CORNER_SIZE = 0.01
 """Wanted length of the legs of a cut corner, m."""
@@ -64,11 +67,14 @@ def repair_plan(edges: HalfEdges, heights: list[int], base: int) -> PlanRepair:
     edges : half edges of one connected part; changed in place.
     heights : height of each cell, changed in place; `base` : height of what lies outside (same unit).
     """
+    def level(cell: int, _node: int) -> int:
+        return heights[cell]
+
     cut = levelled = 0
     unrepaired: list[int] = []
     # Each round levels a cell, so more rounds than cells would only move heights to and fro.
     for _ in heights:
-        done, unrepaired = _cut_corners(edges, heights, base)
+        done, unrepaired = cut_corners(edges, level, base)
         cut += done
         changed = _level(edges, unrepaired, heights, base) if unrepaired else 0
         levelled += changed
@@ -77,14 +83,17 @@ def repair_plan(edges: HalfEdges, heights: list[int], base: int) -> PlanRepair:
     return PlanRepair(cut, levelled, len(unrepaired))
 
 
-def _cut_corners(edges: HalfEdges, heights: Sequence[int], base: int) -> tuple[int, list[int]]:
-    """Cut corners at every node where heights rise twice; return how many, and the nodes where none could be."""
+def cut_corners(edges: HalfEdges, height: Height, base: int) -> tuple[int, list[int]]:
+    """Cut corners at every node where heights rise twice; return how many, and the nodes where none could be.
+
+    `height` gives the height of a cell at a node.
+    """
     done, failed = 0, []
     around = _neighbours(edges)
     # With fewer than four edges heights cannot rise twice; nodes that a cut adds have three or fewer.
     for node in sorted(node for node, others in around.items() if len(others) > 3):
         for _ in around:
-            repairs = list(_possible_repairs(_corners(edges, node, around[node], heights, base)))
+            repairs = list(_possible_repairs(_corners(edges, node, around[node], height, base)))
             if not repairs:
                 break
             if not any(_cut(edges, node, repair) for repair in sorted(repairs, key=_reluctance)):
@@ -101,7 +110,7 @@ def _level(edges: HalfEdges, nodes: list[int], heights: list[int], base: int) ->
     around = _neighbours(edges)
     ways = []
     for node in nodes:
-        for repair in _possible_repairs(_corners(edges, node, around[node], heights, base)):
+        for repair in _possible_repairs(_corners(edges, node, around[node], lambda cell, _: heights[cell], base)):
             cells = sorted({corner.cell for corner in repair.corners})
             if repair.target != OUTSIDE and OUTSIDE not in cells:
                 cost = sum(area[cell] * abs(heights[cell] - heights[repair.target]) for cell in cells)
@@ -131,14 +140,14 @@ def _neighbours(edges: HalfEdges) -> dict[int, set[int]]:
     return neighbours
 
 
-def _corners(edges: HalfEdges, node: int, around: set[int], heights: Sequence[int], base: int) -> list[_Corner]:
+def _corners(edges: HalfEdges, node: int, around: set[int], height: Height, base: int) -> list[_Corner]:
     """Corners round a node, counterclockwise."""
     spokes = sorted((edges.direction(node, other), other) for other in around)
     corners = []
     for (angle, right), (next_angle, left) in zip(spokes, [*spokes[1:], spokes[0]]):
         cell = edges.cell.get((node, right), OUTSIDE)
-        height = base if cell == OUTSIDE else heights[cell]
-        corners.append(_Corner(right, left, cell, height, (next_angle - angle) % (2 * math.pi)))
+        top = base if cell == OUTSIDE else height(cell, node)
+        corners.append(_Corner(right, left, cell, top, (next_angle - angle) % (2 * math.pi)))
     return corners
 
 

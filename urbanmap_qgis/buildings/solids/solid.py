@@ -9,7 +9,7 @@ import shapely
 
 from ...errors import InputError
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Face, Solid
-from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
+from .half_edges import HalfEdges, connected_cells, half_edges, trace_rings, whole_metre_origin
 from .manifold import PlanRepair, repair_plan
 from .plan_partition import Cell
 
@@ -48,7 +48,7 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
     base = round(base_height * _UNITS)
     heights, raised = _levels([cell.height for cell in cells], base, least_height, least_step)
     solids = []
-    for part in _parts(edges, len(cells)):
+    for part in connected_cells(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, edges.x, edges.y, directed)
         repair = repair_plan(piece, heights, base)
@@ -70,29 +70,6 @@ def _levels(heights: Sequence[float], base: int, least_height: float, least_step
             last = unit
         level[unit] = last
     return [level[unit] for unit in units], raised
-
-
-def _parts(edges: HalfEdges, count: int) -> list[set[int]]:
-    """Cells grouped by common edges, in the order of their first cells."""
-    beside: list[set[int]] = [set() for _ in range(count)]
-    for (a, b), cell in edges.cell.items():
-        other = edges.cell.get((b, a))
-        if other is not None:
-            beside[cell].add(other)
-    seen: set[int] = set()
-    parts = []
-    for first in range(count):
-        if first in seen:
-            continue
-        part, waiting = set(), [first]
-        while waiting:
-            cell = waiting.pop()
-            if cell not in part:
-                part.add(cell)
-                waiting.extend(beside[cell] - part)
-        seen |= part
-        parts.append(part)
-    return parts
 
 
 class _Builder:
