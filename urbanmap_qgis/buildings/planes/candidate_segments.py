@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from ..polygons.partition_lines import LabelBoundaries, inward_walls, label_boundaries, outline_edges
+from ..polygons.partition_lines import LabelBoundaries, edge_rows, inward_walls, label_boundaries
 from .label_raster import LabelRaster
 from .step_lines import building_directions, step_lines
 
@@ -37,7 +37,7 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     reach = 1.5 * raster.cell + 0.2
     lines, ends, explained = _intersections(cracks, planes, raster.cell, reach)
     rest = LabelBoundaries(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
-    normals = building_directions(outline_edges(outline)[:, 2:], planes)
+    normals = building_directions(edge_rows(outline)[:, 2:], planes)
     for line, along in step_lines(rest, normals, raster.cell, LEAST_LENGTH, points[:, :2], label):
         _add(lines, ends, line, along)
     bounds = outline.bounds

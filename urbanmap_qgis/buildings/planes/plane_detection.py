@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .plane_merging import assign_points, merge_planes
+from .plane_merging import merge_planes, nearest_plane_labels
 from .plane_moments import moments, solve
 from .region_growing import grow_planes, surroundings
 
@@ -43,7 +43,7 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
     label = grow_planes(points, around, parameters.tolerance, fewest)
     label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
     for _ in range(2):
-        label = assign_points(points, around.neighbours, label, parameters.tolerance)
+        label = nearest_plane_labels(points, around.neighbours, label, parameters.tolerance)
     return _without_small(label, fewest)
 
 

@@ -53,7 +53,7 @@ def _adjacency(neighbours: np.ndarray, label: np.ndarray, count: int) -> list[tu
     return [(int(pair // count), int(pair % count)) for pair in pairs[times >= 3]]
 
 
-def assign_points(points: np.ndarray, neighbours: np.ndarray, label: np.ndarray, tolerance: float) -> np.ndarray:
+def nearest_plane_labels(points: np.ndarray, neighbours: np.ndarray, label: np.ndarray, tolerance: float) -> np.ndarray:
     """Labels (n,) with every point at the nearest plane among its neighbours', none beyond `tolerance` m."""
     count = int(label.max(initial=-1)) + 1
     if not count:

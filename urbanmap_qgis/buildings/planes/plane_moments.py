@@ -27,7 +27,7 @@ def moments_of(points: np.ndarray) -> np.ndarray:
 
 
 def solve(m: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Planes (..., 3) as a, b, c and the sums of squared height residuals (...) from moments (..., 10)."""
+    """Planes (..., 3) as a, b, c and the sums of squared height plane_distances (...) from moments (..., 10)."""
     m = np.asarray(m, float)
     n = np.maximum(m[..., 0], 1.0)
     mx, my, mz = m[..., 1] / n, m[..., 2] / n, m[..., 3] / n
@@ -47,6 +47,18 @@ def heights(plane: np.ndarray, xy: np.ndarray) -> np.ndarray:
     return xy @ plane[:2] + plane[2]
 
 
-def residuals(plane: np.ndarray, points: np.ndarray) -> np.ndarray:
+def plane_distances(plane: np.ndarray, points: np.ndarray) -> np.ndarray:
     """Distances (n,) of points (n, 3) from a plane (3,), at right angles to it, above positive, m."""
     return (points[:, 2] - heights(plane, points[:, :2])) / np.sqrt(1.0 + plane[0] ** 2 + plane[1] ** 2)
+
+
+def slope_degrees(plane: np.ndarray) -> float:
+    """Angle of a plane (3,) to the level, degrees."""
+    return float(np.degrees(np.arctan(np.hypot(plane[0], plane[1]))))
+
+
+def azimuth_degrees(plane: np.ndarray) -> float:
+    """Direction that a plane (3,) falls to, degrees clockwise from north; NaN where it is level."""
+    if plane[0] == 0 and plane[1] == 0:
+        return float("nan")
+    return float(np.degrees(np.arctan2(-plane[0], -plane[1])) % 360.0)

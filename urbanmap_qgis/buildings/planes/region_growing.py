@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from .plane_moments import moments_of, residuals, solve
+from .plane_moments import moments_of, plane_distances, solve
 
 RADIUS = 0.8
 """Wanted radius of the neighbourhood a normal is fitted to, m."""
@@ -98,12 +98,12 @@ def _grown(points: np.ndarray, around: Surroundings, normals: np.ndarray, free: 
     near = around.neighbours[seed]
     plane = np.array([*around.slope[seed], 0.0])
     plane[2] = points[seed, 2] - plane[:2] @ points[seed, :2]
-    near = near[free[near] & (np.abs(residuals(plane, points[near])) < tolerance)]
+    near = near[free[near] & (np.abs(plane_distances(plane, points[near])) < tolerance)]
     members = near
     for _ in range(_ROUNDS):
         if len(members) >= 3:
             plane = solve(moments_of(points[members]))[0]
-        fits = free & (np.abs(residuals(plane, points)) < tolerance)
+        fits = free & (np.abs(plane_distances(plane, points)) < tolerance)
         fits &= normals @ _normals(plane[None, :2])[0] > MAX_ANGLE
         if not fits[seed]:
             return members[:0]

@@ -72,7 +72,7 @@ def candidate_lines(boundaries: LabelBoundaries, outline: shapely.Geometry, cell
     max_lines : strongest first.
     points : shifts each line to where it separates them best.
     """
-    edges = outline_edges(outline)
+    edges = edge_rows(outline)
     main = (main_directions(edges[:, 2:])[:, None] + np.array([0.0, 90.0])).ravel() % 180.0
     lines = []
     for members in _collect(boundaries.xy, cell, main, min_length, max_lines):
@@ -89,7 +89,7 @@ def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: 
 
     For roofs too small to gather votes. regions: cell centres (n, 2) of each.
     """
-    edges = outline_edges(outline)
+    edges = edge_rows(outline)
     angle = np.radians(main_directions(edges[:, 2:])[0])
     axes = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
     sides = []
@@ -101,7 +101,7 @@ def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: 
     return _merged(list(map(tuple, lines.tolist())) + _snapped(sides, edges, merge), merge)
 
 
-def outline_edges(outline: shapely.Geometry) -> np.ndarray:
+def edge_rows(outline: shapely.Geometry) -> np.ndarray:
     """Edges as rows (x, y, dx, dy)."""
     xy, ring = shapely.get_coordinates(shapely.get_rings(shapely.get_parts(outline)), return_index=True)
     same = ring[1:] == ring[:-1]

@@ -1,0 +1,102 @@
+"""A building's plan divided among its roof planes (in place of J 5.3.3): polygons at their planes' heights."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..polygons.partition_lines import edge_rows
+from ..polygons.piece_labels import without_small_parts
+from ..polygons.plan_arrangement import dissolve
+from ..polygons.regularisation import main_directions
+from .candidate_segments import candidate_segments
+from .label_raster import LabelRaster, label_raster
+from .plan_faces import SMOOTHNESS, PlanFaces, label_faces, plan_faces
+from .plan_nodes import meeting_polygons
+from .plane_moments import moments
+from .plane_regularisation import regular_planes
+
+LEAST_AREA = 1.0
+"""Smaller pieces of a roof (m2) join the neighbour that fits best."""
+
+OK, ONE_PLANE, LOST = "ok", "one plane", "lost planes"
+
+
+@dataclass(frozen=True)
+class PlanePartition:
+    """Polygons (k) with z that fill an outline, edge by edge beside each other.
+
+    Attributes
+    ----------
+    polygons : at the heights of their planes, m, in the outline's coordinates.
+    roof_numbers : (k,) the plane's number as the points have it.
+    planes : (k, 3) a, b, c of z = a (x - origin x) + b (y - origin y) + c. origin : x and y, m.
+    coverage : (k,) share of the area with points.
+    status : "ok", "one plane", or "lost planes": some plane found no place.
+    """
+
+    polygons: tuple[shapely.Polygon, ...]
+    roof_numbers: np.ndarray
+    planes: np.ndarray
+    origin: np.ndarray
+    coverage: np.ndarray
+    status: str
+
+
+def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.ndarray) -> PlanePartition:
+    """Divide an outline among the planes of the points in and round it.
+
+    Parameters
+    ----------
+    outline : Polygon or MultiPolygon, courtyards as holes, m.
+    points : (n, 3) of the building, m. roof : (n,) number of the plane of each, 0 = none; at least one has a plane.
+    """
+    origin = np.floor(outline.bounds[:2])
+    local = shapely.transform(shapely.force_2d(outline), lambda c: c - origin)
+    numbers, label = np.unique(roof[roof > 0], return_inverse=True)
+    of_point = np.full(len(roof), -1)
+    of_point[roof > 0] = label.ravel()
+    points = points - np.array([*origin, 0.0])
+    directions = np.radians(main_directions(edge_rows(local)[:, 2:]))
+    directions = np.concatenate([np.column_stack([np.cos(directions), np.sin(directions)]),
+                                 np.column_stack([-np.sin(directions), np.cos(directions)])])
+    planes = regular_planes(moments(points, of_point, len(numbers)), directions)
+    density = max(np.count_nonzero(roof) / local.area, 0.3)
+    raster = label_raster(points, of_point, local, density)
+    polygons, labels = _divided(local, raster, planes, points, of_point)
+    lifted = meeting_polygons(polygons, planes[labels])
+    shift = np.array([*origin, 0.0])
+    moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
+                  for polygon in lifted)
+    status = ONE_PLANE if len(numbers) == 1 else LOST if len(set(labels.tolist())) < len(numbers) else OK
+    return PlanePartition(moved, numbers[labels], planes[labels], origin, _coverage(raster, polygons), status)
+
+
+def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
+             label: np.ndarray) -> tuple[list[shapely.Polygon], np.ndarray]:
+    """Polygons that fill the outline, and the plane of each."""
+    if len(planes) == 1:
+        parts = list(shapely.get_parts(outline))
+        return parts, np.zeros(len(parts), np.int64)
+    faces = plan_faces(outline, candidate_segments(raster, planes, outline, points, label))
+    chosen, cost = label_faces(faces, raster, planes, points, label)
+    chosen = without_small_parts(chosen, cost, _shared(faces) * SMOOTHNESS, shapely.area(faces.polygons), LEAST_AREA)
+    return dissolve(faces.polygons, chosen, outline)
+
+
+def _shared(faces: PlanFaces) -> np.ndarray:
+    """Length (n, n) of the border between any two faces, m."""
+    shared = np.zeros((len(faces.polygons),) * 2)
+    np.add.at(shared, (faces.pairs[:, 0], faces.pairs[:, 1]), faces.length)
+    return shared + shared.T
+
+
+def _coverage(raster: LabelRaster, polygons: list[shapely.Polygon]) -> np.ndarray:
+    """Share (k,) of the cells of each polygon that hold points."""
+    row, column = np.nonzero(raster.inside)
+    places = shapely.points(raster.x[column], raster.y[row])
+    place, polygon = shapely.STRtree(polygons).query(places, predicate="intersects")
+    cells = np.bincount(polygon, minlength=len(polygons))
+    return np.bincount(polygon, raster.seen[row, column][place], len(polygons)) / np.maximum(cells, 1)

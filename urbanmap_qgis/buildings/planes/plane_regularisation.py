@@ -1,0 +1,105 @@
+"""Planes made level, parallel and mirrored where the points agree within their noise."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .plane_moments import solve
+
+LEVEL_ERROR = 0.04
+"""A plane is level where that adds no more than this root mean square error, m."""
+
+LEVEL_SLOPE = 0.02
+"""So is one of less slope."""
+
+TURN_ERROR = 0.03
+"""Planes are turned to the building's directions, and made mirror images, where that adds no more error, m."""
+
+MOST_TURN = np.radians(6.0)
+MIRROR_SLOPE = 0.08
+"""Largest difference of two slopes that are made one."""
+
+
+def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
+    """Planes (k, 3) of the moments (k, 10) of their points, regular where the points agree.
+
+    Parameters
+    ----------
+    directions : (d, 2) unit vectors of the outline's main directions and across; a plane may fall along them.
+    """
+    planes, squares = solve(table)
+    n = np.maximum(table[:, 0], 1.0)
+    own = squares / n
+    planes = planes.copy()
+    level = _level(table)
+    slope = np.hypot(planes[:, 0], planes[:, 1])
+    flat = (level - own < LEVEL_ERROR**2) | (slope < LEVEL_SLOPE)
+    for row in range(len(planes)):
+        if flat[row]:
+            planes[row] = 0.0, 0.0, table[row, 3] / n[row]
+    sloped = np.flatnonzero(~flat)
+    axis = {row: _turned(table[row], planes[row], float(own[row]), directions) for row in sloped.tolist()}
+    for row, fixed in axis.items():
+        if fixed is not None:
+            planes[row] = _along(table[row], fixed)
+    _mirror(table, planes, own, axis)
+    return planes
+
+
+def _level(table: np.ndarray) -> np.ndarray:
+    """Mean square height error (k,) of level planes."""
+    n = np.maximum(table[:, 0], 1.0)
+    return np.maximum(table[:, 9] / n - (table[:, 3] / n) ** 2, 0.0)
+
+
+def _turned(m: np.ndarray, plane: np.ndarray, own: float, directions: np.ndarray) -> np.ndarray | None:
+    """The building's direction that a plane may fall along; None where none is near or its points disagree."""
+    slope = float(np.hypot(plane[0], plane[1]))
+    if not len(directions) or slope == 0:
+        return None
+    cosine = directions @ plane[:2] / slope
+    best = int(np.argmax(np.abs(cosine)))
+    if abs(cosine[best]) < np.cos(MOST_TURN):
+        return None
+    direction = directions[best] * np.sign(cosine[best])
+    turned = _along(m, direction)
+    return direction if _mean_square(m, turned) - own < TURN_ERROR**2 else None
+
+
+def _along(m: np.ndarray, direction: np.ndarray, slope: float | None = None) -> np.ndarray:
+    """Best plane (3,) that rises along a direction, at a given slope or its own best."""
+    n, mean = m[0], m[1:4] / m[0]
+    if slope is None:
+        xx, xy, yy = m[4] / n - mean[0]**2, m[5] / n - mean[0] * mean[1], m[6] / n - mean[1]**2
+        xz, yz = m[7] / n - mean[0] * mean[2], m[8] / n - mean[1] * mean[2]
+        u, v = direction
+        slope = (u * xz + v * yz) / max(u * u * xx + 2 * u * v * xy + v * v * yy, 1e-9)
+    gradient = np.asarray(direction) * slope
+    return np.array([*gradient, mean[2] - gradient @ mean[:2]])
+
+
+def _mean_square(m: np.ndarray, plane: np.ndarray) -> float:
+    """Mean square height error of a plane."""
+    a, b, c = plane
+    total = (m[9] + a * a * m[4] + 2 * a * b * m[5] + b * b * m[6] + c * c * m[0] - 2 * (a * m[7] + b * m[8] + c * m[3])
+             + 2 * c * (a * m[1] + b * m[2]))
+    return max(float(total / m[0]), 0.0)
+
+
+def _mirror(table: np.ndarray, planes: np.ndarray, own: np.ndarray, axis: dict[int, np.ndarray | None]) -> None:
+    """One slope for planes that fall along one axis, in the same or the opposite sense, changed in place."""
+    left = sorted((row for row, fixed in axis.items() if fixed is not None), key=lambda row: -table[row, 0])
+    while left:
+        first = left.pop(0)
+        slope = float(np.hypot(*planes[first, :2]))
+        group = [first] + [row for row in left if abs(abs(axis[row] @ axis[first]) - 1) < 1e-9
+                           and abs(np.hypot(*planes[row, :2]) - slope) < MIRROR_SLOPE]
+        if len(group) < 2:
+            continue
+        weight = table[group, 0]
+        common = float(np.hypot(planes[group, 0], planes[group, 1]) @ weight / weight.sum())
+        for row in group:
+            made = _along(table[row], axis[row], common)
+            if _mean_square(table[row], made) - own[row] < TURN_ERROR**2:
+                planes[row] = made
+        left = [row for row in left if row not in group]
