@@ -27,6 +27,7 @@ from scripts.bench_street import street_tables  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models, roof_cells, wall_rectangles  # noqa: E402
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints  # noqa: E402
+from urbanmap_qgis.buildings.planes.plane_detection import LEVELS, PLANES, PlaneParameters  # noqa: E402
 from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_polygons  # noqa: E402
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters  # noqa: E402
@@ -66,8 +67,9 @@ def outlines_of(path: Path, field: str) -> tuple[np.ndarray, list]:
 
 def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None,
           placing: SegmentationParameters | None = None, levels: RoofParameters | None = None,
-          drawing: PolygonParameters | None = None) -> Run:
+          drawing: PolygonParameters | None = None, sloped: bool = False) -> Run:
     """The chain of the building stages as the algorithms run it, with its defaults where nothing else is given."""
+    shape = PLANES if sloped else LEVELS
     seconds = {}
     footprints = clean_footprints(outlines)
 
@@ -84,12 +86,14 @@ def chain(points: Path, outlines: np.ndarray, base: np.ndarray | None = None,
         placed = Footprints(footprints.ids, found.outlines, footprints.notes)
         density = float(np.median(found.density[found.density > 0]))
         timed("segment roofs", lambda: segment_cloud_roofs(open_cloud([buildings]), placed, roofs, levels,
-                                                           found.ground, density))
-        drawn = timed("roof polygons", lambda: cloud_roof_polygons(open_cloud([roofs]), placed, drawing))
+                                                           found.ground, density,
+                                                           planes=PlaneParameters() if sloped else None))
+        drawn = timed("roof polygons", lambda: cloud_roof_polygons(open_cloud([roofs]), placed,
+                                                                   drawing or PolygonParameters(roofs=shape)))
         table = RoofInput(np.array(drawn.polygon, object), np.array(drawn.building_id), np.array(drawn.roof_id),
                           np.array(drawn.height), np.array(drawn.status, object))
         models = timed("building models", lambda: build_models(
-            placed, table, found.ground if base is None else base, open_cloud([roofs])))
+            placed, table, found.ground if base is None else base, open_cloud([roofs]), roof_shape=shape))
     return Run(models, seconds)
 
 

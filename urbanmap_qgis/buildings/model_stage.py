@@ -13,14 +13,20 @@ from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid, surfaces
+from ..geometry.solid_faces import face_normal
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
+from .planes.plane_detection import LEVELS, PLANES
+from .planes.plane_solids import checked_sloped_solids
+from .planes.roof_type import roof_type
 from .quality import ModelFit, RoofCell, model_fit
 from .solids.plan_partition import partition_plan
 from .solids.solid import building_solids
 from .solids.validity import check_solid
+
+LEVEL_LOD, SLOPED_LOD = "1.3", "2.2"
 
 STOREY = 2.5
 """Height (m) given to a building whose ground is not known, below its lowest roof."""
@@ -32,7 +38,7 @@ OK, BLOCK, SIMPLIFIED, GROUND_UNKNOWN, NOT_MODELLED = (
 
 @dataclass(frozen=True)
 class RoofInput:
-    """Roof polygons, one row each: plan polygon, building, roof, height (m), status."""
+    """Roof polygons, one row each: polygon (with z where its roof is a plane), building, roof, height (m), status."""
 
     polygon: np.ndarray
     building_id: np.ndarray
@@ -55,6 +61,8 @@ class BuildingModel:
     fit : figures of fit to the points; None where no points were given.
     density : roof points a m2 of the plan, NaN where no points were given.
     unseen : share of the plan without roof points, NaN where no points were given.
+    lod : level of detail, "2.2" with roofs on their planes, "1.3" with level ones.
+    roof_type : what the roof is, a word of `roof_type`; empty without a model.
     """
 
     building_id: int
@@ -66,6 +74,8 @@ class BuildingModel:
     fit: ModelFit | None = None
     density: float = float("nan")
     unseen: float = float("nan")
+    lod: str = LEVEL_LOD
+    roof_type: str = ""
 
 
 @dataclass(frozen=True)
@@ -77,17 +87,20 @@ class ModelPiece:
     notes: np.ndarray
     base: np.ndarray
     roofs: list[RoofInput]
+    sloped: bool
     points: list[np.ndarray] | None = field(default=None)
 
 
 def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None = None,
-                 executor: Executor | None = None, progress: Progress = SILENT) -> list[BuildingModel]:
+                 executor: Executor | None = None, progress: Progress = SILENT,
+                 roof_shape: str = LEVELS) -> list[BuildingModel]:
     """A model, or the reason why there is none, for every footprint, in their order.
 
     Parameters
     ----------
     roofs : polygons and heights of the roofs. base : (n,) ground height of each building, m, NaN where unknown.
     cloud : points with `building_id` and `roof_id`, for the figures of fit.
+    roof_shape : `PLANES`: roofs as their polygons' z has them; `LEVELS`: all at their one height.
 
     Raises
     ------
@@ -97,7 +110,7 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
         raise InputError("No roof has a building_id that the outlines have: give the outlines that the roofs "
                          "were made with.")
     models: list[BuildingModel | None] = [None] * len(footprints)
-    pieces = _pieces(footprints, roofs, base, cloud, progress)
+    pieces = _pieces(footprints, roofs, base, cloud, roof_shape == PLANES, progress)
     for rows, made in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, made):
             models[row] = model
@@ -106,7 +119,7 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
 
 
 def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None,
-            progress: Progress):
+            sloped: bool, progress: Progress):
     """Blocks of buildings, with their points where a cloud is given."""
     order = np.argsort(roofs.building_id, kind="stable")
     sorted_ids = roofs.building_id[order]
@@ -118,7 +131,7 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: P
     done = 0
     for rows, points in _blocks(footprints, cloud, progress.part(0.0, 0.3)):
         yield rows, ModelPiece(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows], base[rows],
-                               [roofs_of(int(number)) for number in footprints.ids[rows]], points)
+                               [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, points)
         done += len(rows)
         progress.part(0.3, 1.0).step(done / len(footprints))
 
@@ -142,13 +155,13 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
     for place, number in enumerate(block.ids.tolist()):
         points = None if block.points is None else block.points[place]
         made.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place],
-                                   float(block.base[place]), points))
+                                   float(block.base[place]), points, block.sloped))
     return rows, made
 
 
 def model_building(number: int, outline: shapely.Geometry | None, note: str, roofs: RoofInput, base: float,
-                   points: np.ndarray | None = None) -> BuildingModel:
-    """The model of one building from its roofs, with its figures of fit to `points` (n, 3)."""
+                   points: np.ndarray | None = None, sloped: bool = False) -> BuildingModel:
+    """The model of one building from its roofs, sloped or level, with its figures of fit to `points` (n, 3)."""
     if not len(roofs.height):
         reason = note or "no roof was found in its points"
         return BuildingModel(number, (), base, 0, NOT_MODELLED, reason)
@@ -160,13 +173,25 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
         status = GROUND_UNKNOWN if status == OK else status
         reason = f"its ground is not known, the base is put {STOREY} m under its lowest roof"
     try:
-        solids, problems = _checked_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
+        solids, problems, lod = (), [""], SLOPED_LOD
+        if sloped and shapely.has_z(roofs.polygon).all():
+            solids, problems = checked_sloped_solids(outline, roofs.polygon, roofs.roof_id, base)
+        if problems:
+            lod = LEVEL_LOD
+            reason = "; ".join(filter(None, (reason, _not_sloped(problems[0]))))
+            solids, problems = _checked_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
         if problems:
             solids, status, reason = _simplified(outline, roofs, base, problems)
     except InsufficientDataError as error:
         return BuildingModel(number, (), base, 0, NOT_MODELLED, str(error))
-    model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason)
+    model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason, lod=lod,
+                          roof_type=roof_type(roof_cells(solids)) if solids else "")
     return model if points is None or not solids else _measured(model, points)
+
+
+def _not_sloped(problem: str) -> str:
+    """Why a building that was to have sloped roofs has level ones; empty where it was not."""
+    return f"level roofs, as the sloped solid is not valid ({problem})" if problem else ""
 
 
 def _checked_solids(outline: shapely.Geometry | None, polygons: np.ndarray, heights: np.ndarray, ids: np.ndarray,
@@ -218,12 +243,16 @@ def roof_cells(solids: tuple[Solid, ...]) -> list[RoofCell]:
     for solid in solids:
         for polygon, kind, face, roof_id in zip(surfaces(solid), solid.surface_type, solid.faces, solid.roof_id):
             if kind == ROOF:
-                cells.append(RoofCell(shapely.force_2d(polygon), float(solid.vertices[face[0][0], 2]), roof_id))
+                place, gradient = solid.vertices[face[0][0]].tolist(), (0.0, 0.0)
+                if np.ptp(solid.vertices[list(face[0]), 2]) > 0:
+                    normal = face_normal(solid.vertices, face)
+                    gradient = float(-normal[0] / normal[2]), float(-normal[1] / normal[2])
+                cells.append(RoofCell(shapely.force_2d(polygon), place[2], roof_id, gradient, (place[0], place[1])))
     return cells
 
 
 def wall_rectangles(solids: tuple[Solid, ...]) -> np.ndarray:
-    """Walls of solids (w, 6): x and y of both ends, lowest and highest z."""
+    """Walls of solids (w, 8): x and y of both ends, lowest z at both, highest z at both."""
     rows = []
     for solid in solids:
         for face, kind in zip(solid.faces, solid.surface_type):
@@ -231,9 +260,12 @@ def wall_rectangles(solids: tuple[Solid, ...]) -> np.ndarray:
                 continue
             corners = solid.vertices[list(face[0])]
             along = corners[:, :2] - corners[0, :2]
-            far = int(np.argmax((along**2).sum(axis=1)))
-            rows.append([*corners[0, :2], *corners[far, :2], corners[:, 2].min(), corners[:, 2].max()])
-    return np.array(rows, dtype=float).reshape(-1, 6)
+            length2 = (along**2).sum(axis=1)
+            far = int(np.argmax(length2))
+            at_far = along @ along[far] > 0.5 * length2[far]
+            ends = corners[~at_far, 2], corners[at_far, 2]
+            rows.append([*corners[0, :2], *corners[far, :2], *(z.min() for z in ends), *(z.max() for z in ends)])
+    return np.array(rows, dtype=float).reshape(-1, 8)
 
 
 def ground_area(solids: tuple[Solid, ...]) -> float:

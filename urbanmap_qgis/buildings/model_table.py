@@ -17,7 +17,7 @@ COLUMNS: tuple[tuple[str, str], ...] = (
     ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),
     ("height", "real"), ("area", "real"), ("volume", "real"), ("points", "int"), ("density", "real"),
     ("rmse_z", "real"), ("rmse_z95", "real"), ("median_dz", "real"), ("rmse_3d", "real"), ("p95", "real"),
-    ("coverage", "real"), ("unseen", "real"),
+    ("coverage", "real"), ("unseen", "real"), ("lod", "text"), ("roof_type", "text"),
 )
 """Names and kinds of the columns, in order."""
 
@@ -44,6 +44,7 @@ def _row(model: BuildingModel) -> dict:
         "base": model.base, "height": top - model.base, "area": ground_area(model.solids) if model.solids else nan,
         "volume": sum(volume(solid) for solid in model.solids) if model.solids else nan,
         "points": fit.points if fit else 0, "density": model.density, "unseen": model.unseen,
+        "lod": model.lod if model.solids else "", "roof_type": model.roof_type,
         **{name: getattr(fit, name) if fit else nan
            for name in ("rmse_z", "rmse_z95", "median_dz", "rmse_3d", "p95", "coverage")},
     }

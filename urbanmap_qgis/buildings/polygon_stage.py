@@ -16,6 +16,9 @@ from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
+from .planes.plane_detection import LEVELS, PLANES
+from .planes.plane_moments import azimuth_degrees, slope_degrees
+from .planes.plane_partition import partition_planes
 from .polygons.outline_from_points import outline_from_points
 from .polygons.roof_plan import partition_roofs
 from .polygons.roof_polygon import PaperParameters, paper_roof_polygons
@@ -44,6 +47,7 @@ class PolygonParameters:
 
     method: str = PARTITION
     height: str = ROBUST
+    roofs: str = LEVELS
     min_line_points: int = 5
 
 
@@ -53,11 +57,13 @@ class RoofPolygons:
 
     Attributes
     ----------
-    polygon : plan polygons. building_id, roof_id : what they belong to; roof 0 is a plain block.
+    polygon : plan polygons, with z where roofs are planes.
+    building_id, roof_id : what they belong to; roof 0 is a plain block.
     height, height_max : robust height and that of the highest point.
     points, density : roof points over the polygon, and a m2 of it.
     rmse : root mean square height difference of these points to `height`.
     coverage : share of the polygon's area with roof points. boundary_rms : of its inner edges to the points'.
+    slope, azimuth : degrees, of the roof plane to the level, and where it falls to, clockwise from north (NaN: level).
     status : words.
     """
 
@@ -71,6 +77,8 @@ class RoofPolygons:
     rmse: list = field(default_factory=list)
     coverage: list = field(default_factory=list)
     boundary_rms: list = field(default_factory=list)
+    slope: list = field(default_factory=list)
+    azimuth: list = field(default_factory=list)
     status: list = field(default_factory=list)
 
     def extend(self, other: RoofPolygons) -> None:
@@ -127,11 +135,12 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
             _outline_each(table, number, outline, points, roof, block.parameters)
         elif not roof.any():
             _add_block(table, number, outline, points[2])
-        elif block.parameters.method == POINTS:
-            plan, status = _outline_of(points, roof, outline, beside)
-            _divide_plan(table, number, plan, points, roof, block.parameters, status)
         else:
-            _divide_plan(table, number, outline, points, roof, block.parameters)
+            divide = _divide_planes if block.parameters.roofs == PLANES else _divide_plan
+            plan, status = outline, ""
+            if block.parameters.method == POINTS:
+                plan, status = _outline_of(points, roof, outline, beside)
+            divide(table, number, plan, points, roof, block.parameters, status)
     return len(block.ids), table
 
 
@@ -143,11 +152,35 @@ def _add_block(table: RoofPolygons, number: int, outline: shapely.Geometry, z: n
 
 
 def _add(table: RoofPolygons, number: int, roof_id: int, polygon: shapely.Polygon, height: float, top: float,
-         z: np.ndarray, coverage: float, boundary_rms: float, status: str) -> None:
-    rmse = float(np.sqrt(np.mean((z - height) ** 2))) if len(z) else math.nan
+         z: np.ndarray, coverage: float, boundary_rms: float, status: str, plane: np.ndarray | None = None,
+         off: np.ndarray | None = None) -> None:
+    """Add a row; `off`: distances of the points from a sloped roof `plane`, else taken from `height`."""
+    off = z - height if off is None else off
+    rmse = float(np.sqrt(np.mean(off ** 2))) if len(z) else math.nan
+    slope, azimuth = (0.0, math.nan) if plane is None else (slope_degrees(plane), azimuth_degrees(plane))
     row = RoofPolygons([polygon], [number], [roof_id], [height], [top], [len(z)], [len(z) / polygon.area], [rmse],
-                       [coverage], [boundary_rms], [status])
+                       [coverage], [boundary_rms], [slope], [azimuth], [status])
     table.extend(row)
+
+
+def _divide_planes(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,
+                   parameters: PolygonParameters, outline_status: str = "") -> None:
+    """The whole outline divided among its roof planes."""
+    xyz = np.column_stack(points)
+    found = partition_planes(outline, xyz, roof)
+    status = f"{found.status}; {outline_status}" if outline_status else found.status
+    for polygon, roof_id, plane, coverage in zip(found.polygons, found.roof_numbers.tolist(), found.planes,
+                                                 found.coverage.tolist()):
+        own = roof == roof_id
+        flat = shapely.force_2d(polygon)
+        shapely.prepare(flat)
+        own[own] = shapely.contains_xy(flat, *xyz[own, :2].T)
+        z = xyz[own, 2]
+        off = z - (xyz[own, :2] - found.origin) @ plane[:2] - plane[2]
+        middle = np.array(flat.centroid.coords[0]) - found.origin
+        height = float(middle @ plane[:2] + plane[2])
+        _add(table, number, roof_id, polygon, _height(z, parameters) if len(z) and parameters.height == MAXIMUM else
+             height, float(z.max()) if len(z) else height, z, coverage, math.nan, status, plane, off)
 
 
 def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,

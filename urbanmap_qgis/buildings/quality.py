@@ -13,11 +13,17 @@ BEST_SHARE = 0.95
 
 @dataclass(frozen=True)
 class RoofCell:
-    """One horizontal roof of a model: its plan polygon and its height (m)."""
+    """One roof of a model: its plan polygon and its height (m) at `place`, rising from there by `gradient` (m a m)."""
 
     polygon: shapely.Polygon
     height: float
     roof_id: int = 0
+    gradient: tuple[float, float] = (0.0, 0.0)
+    place: tuple[float, float] = (0.0, 0.0)
+
+    def heights(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Heights (n,) of the roof's plane, m."""
+        return self.height + self.gradient[0] * (x - self.place[0]) + self.gradient[1] * (y - self.place[1])
 
 
 @dataclass(frozen=True)
@@ -46,9 +52,10 @@ class ModelFit:
 
 def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell],
               walls: np.ndarray) -> ModelFit:
-    """Fit of points (n,) to a model of flat roofs and vertical walls.
+    """Fit of points (n,) to a model of level or sloped roofs and vertical walls.
 
-    `walls` (w, 6): x and y of a wall's two ends, its lowest and its highest z.
+    `walls` (w, 6): x and y of a wall's two ends, its lowest and its highest z; or (w, 8): lowest at both ends, highest
+    at both ends.
     """
     if not len(x) or not cells:
         return ModelFit(len(x), *[np.nan] * 5, 0.0 if len(x) else np.nan)
@@ -68,7 +75,7 @@ def height_differences(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[
     for cell in sorted(cells, key=lambda cell: cell.height):
         shapely.prepare(cell.polygon)
         inside = shapely.intersects_xy(cell.polygon, x, y)
-        dz[inside] = z[inside] - cell.height
+        dz[inside] = z[inside] - cell.heights(x[inside], y[inside])
     return dz
 
 
@@ -78,21 +85,52 @@ def surface_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[R
     points = shapely.points(x, y)
     nearest = np.full(len(x), np.inf)
     for cell in cells:
-        nearest = np.minimum(nearest, np.hypot(shapely.distance(cell.polygon, points), z - cell.height))
+        nearest = np.minimum(nearest, _roof_distances(x, y, z, points, cell))
     for start in range(0, len(walls), 64):  # bounds the memory of points times walls
         nearest = np.minimum(nearest, _wall_distances(x, y, z, walls[start:start + 64]).min(axis=1))
     return nearest
 
 
+def _roof_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, points: np.ndarray, cell: RoofCell) -> np.ndarray:
+    """Distances (n,) of points to one roof, m."""
+    if cell.gradient == (0.0, 0.0):
+        return np.hypot(shapely.distance(cell.polygon, points), z - cell.height)
+    a, b = cell.gradient
+    above = (z - cell.heights(x, y)) / (1.0 + a * a + b * b)
+    foot = shapely.intersects_xy(cell.polygon, x + a * above, y + b * above)
+    distance = np.abs(above) * np.sqrt(1.0 + a * a + b * b)
+    beside = np.flatnonzero(~foot)
+    if len(beside):
+        distance[beside] = _edge_distances(np.column_stack([x, y, z])[beside], cell)
+    return distance
+
+
+def _edge_distances(points: np.ndarray, cell: RoofCell) -> np.ndarray:
+    """Distances (n,) of points (n, 3) to the edges of a roof, m."""
+    nearest = np.full(len(points), np.inf)
+    for ring in shapely.get_rings(cell.polygon):
+        x, y = shapely.get_coordinates(ring).T
+        corners = np.column_stack([x, y, cell.heights(x, y)])
+        for start, end in zip(corners[:-1], corners[1:]):
+            along = end - start
+            share = np.clip((points - start) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
+            nearest = np.minimum(nearest, np.linalg.norm(points - start - share[:, None] * along, axis=1))
+    return nearest
+
+
 def _wall_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarray) -> np.ndarray:
-    """Distances (n, w) of points to vertical rectangles, m."""
-    start, end, low, high = walls[:, 0:2], walls[:, 2:4], walls[:, 4], walls[:, 5]
+    """Distances (n, w) of points to vertical walls, m."""
+    if walls.shape[1] == 6:
+        walls = walls[:, [0, 1, 2, 3, 4, 4, 5, 5]]
+    start, end, low, high = walls[:, 0:2], walls[:, 2:4], walls[:, 4:6], walls[:, 6:8]
     along = end - start
     length2 = np.maximum((along**2).sum(axis=1), 1e-12)
     dx, dy = x[:, None] - start[:, 0], y[:, None] - start[:, 1]
     share = np.clip((dx * along[:, 0] + dy * along[:, 1]) / length2, 0.0, 1.0)
     plan = np.hypot(dx - share * along[:, 0], dy - share * along[:, 1])
-    over = np.maximum(np.maximum(z[:, None] - high, low - z[:, None]), 0.0)
+    bottom = low[:, 0] + share * (low[:, 1] - low[:, 0])
+    top = high[:, 0] + share * (high[:, 1] - high[:, 0])
+    over = np.maximum(np.maximum(z[:, None] - top, bottom - z[:, None]), 0.0)
     return np.hypot(plan, over)
 
 

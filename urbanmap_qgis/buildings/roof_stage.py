@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass
 
 import numpy as np
 import shapely
@@ -15,6 +15,8 @@ from ..io.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
+from .planes.plane_detection import PlaneParameters
+from .planes.plane_segmentation import segment_planes
 from .roofs.paper_roofs import PaperRoofs, paper_roofs
 from .roofs.roof_levels import PAPER, RoofParameters
 from .roofs.roof_segmentation import RoofSegmentation, segment_roofs
@@ -24,7 +26,8 @@ SEGMENT_BUILDINGS = "Segment buildings"
 
 @dataclass(frozen=True)
 class RoofRows:
-    """One row a roof, all arrays (k,); see `roof_segmentation.RoofTable` for the columns."""
+    """One row a roof, all arrays (k,); see `roof_segmentation.RoofTable` and `plane_segmentation.PlaneRow` for the
+    columns."""
 
     building_id: np.ndarray
     roof_id: np.ndarray
@@ -34,6 +37,8 @@ class RoofRows:
     area: np.ndarray
     density: np.ndarray
     rmse: np.ndarray
+    slope: np.ndarray
+    azimuth: np.ndarray
     status: np.ndarray
 
 
@@ -48,12 +53,13 @@ class RoofBlock:
     ground: np.ndarray
     density: float
     parameters: RoofParameters
+    planes: PlaneParameters | None
 
 
 def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str | os.PathLike,
                         parameters: RoofParameters | None = None, ground: np.ndarray | None = None,
                         density: float | None = None, executor: Executor | None = None,
-                        progress: Progress = SILENT) -> RoofRows:
+                        progress: Progress = SILENT, planes: PlaneParameters | None = None) -> RoofRows:
     """Write the buildings' points with their `roof_id`, and give the table of the roofs.
 
     Parameters
@@ -62,6 +68,8 @@ def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str |
     footprints : outlines at their right places (J: the primary outlines).
     ground : (n,) ground height of each building, m; the lowest of its points where NaN or not given.
     density : points/m2 on roofs (J: d); measured inside the outlines where not given.
+    planes : roofs are planes, level or sloped, found so; None: level roofs as in the paper. A building whose points
+        lie on no planes gets level roofs all the same, and so does the method of the paper.
     """
     require_dimension(cloud, "building_id", SEGMENT_BUILDINGS)
     layout = PointLayout(cloud, [("roof_id", "roof number in its building")])
@@ -69,14 +77,13 @@ def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str |
     grounds = np.full(len(footprints), np.nan) if ground is None else np.asarray(ground, float)
     found = density or measured_density(cloud, layout, footprints, progress.part(0.0, 0.2))
     blocks = (RoofBlock(layout, rows, records, footprints.polygons[rows], grounds[rows], found,
-                        parameters or RoofParameters())
+                        parameters or RoofParameters(), planes)
               for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.2, 0.4)))
     done = 0
     with cloud_writer(output, layout) as writer:
         for rows, records, roofs in in_order(_segment_block, blocks, executor, progress.check):
             for row, result in zip(rows, roofs):
-                if result is not None:
-                    rows_of_roofs.extend(_table_rows(int(footprints.ids[row]), result))
+                rows_of_roofs.extend((int(footprints.ids[row]), *values) for values in result)
             writer.write(records)
             done += len(rows)
             progress.part(0.4, 1.0).step(done / len(footprints))
@@ -99,24 +106,34 @@ def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footpri
     return float(np.median(positive)) if positive else 1.0
 
 
-def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[RoofSegmentation | PaperRoofs | None]]:
-    """Rows, records with `roof_id`, and the segmentation of each building of a block."""
-    results: list[RoofSegmentation | PaperRoofs | None] = []
+def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[list[tuple]]]:
+    """Rows, records with `roof_id`, and the rows of the roofs of each building of a block."""
+    results: list[list[tuple]] = []
     for polygon, records, ground in zip(block.polygons, block.records, block.ground):
         if polygon is None or not len(records):
-            results.append(None)
+            results.append([])
             continue
-        x, y, z = coordinates(block.layout, records)
-        if block.parameters.method == PAPER:
-            result = paper_roofs(x, y, z, polygon, block.density, block.parameters)
-        else:
-            several = np.asarray(block.layout.view(records).number_of_returns) > 1
-            result = segment_roofs(x, y, z, polygon, _known_ground(ground, z, block.parameters), block.density,
-                                   block.parameters, several)
-        records["roof_id"] = result.roof_of_point
-        results.append(result)
+        records["roof_id"], rows = _segment_building(block, polygon, records, ground)
+        results.append(rows)
     joined = np.concatenate(block.records) if block.records else np.zeros(0, block.layout.dtype)
     return block.rows, joined, results
+
+
+def _segment_building(block: RoofBlock, polygon: shapely.Geometry, records: np.ndarray,
+                      ground: float) -> tuple[np.ndarray, list[tuple]]:
+    """Roof of each point of one building, and the rows of its roofs without the building's number."""
+    x, y, z = coordinates(block.layout, records)
+    if block.parameters.method == PAPER:
+        result = paper_roofs(x, y, z, polygon, block.density, block.parameters)
+        return result.roof_of_point, list(_table_rows(result))
+    foot = _known_ground(ground, z, block.parameters)
+    if block.planes is not None:
+        found = segment_planes(x, y, z, polygon, foot, block.density, block.planes, block.parameters.min_height)
+        if found.rows:
+            return found.roof_of_point, [(*astuple(row), found.status) for row in found.rows]
+    several = np.asarray(block.layout.view(records).number_of_returns) > 1
+    result = segment_roofs(x, y, z, polygon, foot, block.density, block.parameters, several)
+    return result.roof_of_point, list(_table_rows(result))
 
 
 def _known_ground(ground: float, z: np.ndarray, parameters: RoofParameters) -> float:
@@ -124,14 +141,14 @@ def _known_ground(ground: float, z: np.ndarray, parameters: RoofParameters) -> f
     return float(ground) if np.isfinite(ground) else float(z.min()) - parameters.min_height
 
 
-def _table_rows(building_id: int, result: RoofSegmentation | PaperRoofs) -> Iterator[tuple]:
+def _table_rows(result: RoofSegmentation | PaperRoofs) -> Iterator[tuple]:
     table = result.roofs
     for values in zip(table.number, table.height, table.height_max, table.points, table.area, table.density,
                       table.rmse):
-        yield (building_id, *values, result.status)
+        yield (*values, 0.0, float("nan"), result.status)
 
 
 def _columns(rows: list[tuple]) -> RoofRows:
     """Rows of roofs as columns with their types."""
-    types = (np.int64, np.int64, float, float, np.int64, float, float, float, object)
+    types = (np.int64, np.int64, float, float, np.int64, float, float, float, float, float, object)
     return RoofRows(*(np.array([row[place] for row in rows], dtype=kind) for place, kind in enumerate(types)))

@@ -18,7 +18,7 @@ Face = tuple[tuple[int, ...], ...]
 
 @dataclass(frozen=True, eq=False)
 class Solid:
-    """A closed solid with horizontal roofs, vertical walls and a horizontal ground.
+    """A closed solid with level or sloped roofs, vertical walls and a horizontal ground.
 
     Attributes
     ----------
@@ -72,9 +72,11 @@ def multipolygon(solids: Sequence[Solid]) -> shapely.MultiPolygon:
 
 
 def volume(solid: Solid) -> float:
-    """Volume of a solid, m3: from its roofs, which lie over the ground like the lids of prisms."""
-    roofs = np.array([kind == ROOF for kind in solid.surface_type])
-    ground = solid.vertices[solid.faces[solid.surface_type.index(GROUND)][0][0], 2]
-    lids = surfaces(solid)[roofs]
-    height = np.array([solid.vertices[face[0][0], 2] for face, roof in zip(solid.faces, roofs) if roof])
-    return float(np.sum(shapely.area(lids) * (height - ground)))
+    """Volume of a closed solid, m3, by the divergence theorem over its faces."""
+    points = solid.vertices - solid.vertices.min(axis=0)
+    total = 0.0
+    for face in solid.faces:
+        for ring in face:
+            corners = points[list(ring)]
+            total += float(np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0) @ corners[0])
+    return total / 6.0

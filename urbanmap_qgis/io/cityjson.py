@@ -18,6 +18,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid
+from ..geometry.solid_faces import face_normal
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 
@@ -43,13 +44,15 @@ _REMEMBERED = 250_000
 class CityBuilding:
     """A building to write: its id, attributes (numbers, texts, None) and solids, none if it has no model.
 
-    `textures` has, for each solid, one entry a face: its texture or None; it may be left empty.
+    `textures` has, for each solid, one entry a face: its texture or None; it may be left empty. `lod` is its level of
+    detail, where it is not the file's.
     """
 
     id: str
     attributes: Mapping[str, Any] = field(default_factory=dict)
     solids: Sequence[Solid] = ()
     textures: Sequence[Sequence[FaceTexture | None]] = ()
+    lod: str = ""
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,7 +120,7 @@ def _city_object(building: CityBuilding, lod: str, vertices: _Vertices, appearan
         values = [[value] for _, value in shells]
         geometry.append({
             "type": "Solid" if one else "MultiSolid",
-            "lod": lod,
+            "lod": building.lod or lod,
             "boundaries": boundaries[0] if one else boundaries,
             "semantics": {"surfaces": surfaces, "values": values[0] if one else values},
         })
@@ -132,14 +135,23 @@ def _shell(solid: Solid, vertices: _Vertices, surfaces: list[dict]) -> tuple[lis
     number = vertices.numbers(solid.vertices)
     boundary = [[[number[vertex] for vertex in ring] for ring in face] for face in solid.faces]
     values = []
-    for surface_type, roof_id in zip(solid.surface_type, solid.roof_id):
+    for face, surface_type, roof_id in zip(solid.faces, solid.surface_type, solid.roof_id):
         surface = dict(_SEMANTICS[surface_type])
+        if surface_type == ROOF and np.ptp(solid.vertices[list(face[0]), 2]) > 0:
+            surface |= _inclination(face_normal(solid.vertices, face))
         if roof_id is not None:
             surface["roof_id"] = _plain(roof_id)
         if surface not in surfaces:
             surfaces.append(surface)
         values.append(surfaces.index(surface))
     return boundary, values
+
+
+def _inclination(normal: np.ndarray) -> dict[str, float]:
+    """Slope and azimuth (clockwise from north, where it falls to) of a sloped face, degrees."""
+    level = math.hypot(normal[0], normal[1])
+    return {"slope": round(math.degrees(math.atan2(level, normal[2])), 1),
+            "azimuth": round(math.degrees(math.atan2(normal[0], normal[1])) % 360.0, 1)}
 
 
 class _Appearance:

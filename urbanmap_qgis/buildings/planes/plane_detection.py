@@ -10,6 +10,9 @@ from .plane_merging import merge_planes, nearest_plane_labels
 from .plane_moments import moments, solve
 from .region_growing import grow_planes, surroundings
 
+PLANES, LEVELS = "planes", "levels"
+"""What roofs are: planes, level or sloped (LoD2.2), or level pieces (LoD1.3, as in J 5.3)."""
+
 FEWEST = 6
 
 
