@@ -117,7 +117,7 @@ class RegisterMms(UrbanMapAlgorithm):
 
     def _run(self, parameters, context, reference):
         """The core's settings."""
-        from ...urbanmap_qgis.mobile.registration.correction.estimate import CorrectionSettings
+        from ...urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
         from ...urbanmap_qgis.mobile.registration.records import RegistrationSettings
         from ...urbanmap_qgis.mobile.registration.stage import RegistrationRun
 
@@ -129,7 +129,7 @@ class RegisterMms(UrbanMapAlgorithm):
 
         sigma = number("REFERENCE_SIGMA")
         given = {"patch_length": number("PATCH_LENGTH"), "window_patches": whole("WINDOW_PATCHES"),
-                 "longest_window": max(200, whole("WINDOW_PATCHES")), "feature_grid": number("FEATURE_GRID"),
+                 "max_window_patches": max(200, whole("WINDOW_PATCHES")), "feature_grid": number("FEATURE_GRID"),
                  "feature_count": whole("FEATURE_COUNT"), "ndt_grid": number("NDT_GRID"),
                  "iterations": whole("ITERATIONS"), "subsampling": number("SUBSAMPLING"), "search": number("SEARCH"),
                  "reference_sigma": sigma}

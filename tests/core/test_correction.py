@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.mobile.registration.correction.drift_model import DriftModel, drift_clock
-from urbanmap_qgis.mobile.registration.correction.estimate import (
+from urbanmap_qgis.mobile.registration.correction.adjustment import (
     CorrectionSettings,
     adjust_correction,
     correct_trajectory,
 )
+from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, path_parameters_of
 from urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.matching.block_chain import solve_chain
 from urbanmap_qgis.mobile.registration.records import NO_MARKINGS
@@ -58,7 +58,7 @@ def test_chain_equals_the_dense_solution():
 
 def test_drift_is_the_integral_of_a_forgetting_rate():
     """Variance after a distance, from many short steps of an Euler scheme written here."""
-    model = DriftModel(np.full(6, 0.01), 20.0, np.full(6, 0.002), np.ones(6), 1.0, 0.1)
+    model = GaussMarkovDrift(np.full(6, 0.01), 20.0, np.full(6, 0.002), np.ones(6), 1.0, 0.1)
     transition, precision = model.steps(np.array([0.0, 30.0]), np.zeros(1), np.zeros(1), (0,))
     rng, step, count = np.random.default_rng(1), 0.05, 20000
     rate, error = np.zeros(count), np.zeros(count)
@@ -67,10 +67,10 @@ def test_drift_is_the_integral_of_a_forgetting_rate():
         rate += -rate / 20.0 * step + 0.01 * np.sqrt(2 * step / 20.0) * rng.standard_normal(count)
     assert np.allclose(np.linalg.inv(precision[0, 0]), np.cov(error, rate), rtol=0.06)
     assert transition[0, 0, 1] == pytest.approx(20.0 * (1 - np.exp(-1.5)))
-    waited = model.steps(np.array([0.0, 30.0]), np.array([25.0]), np.zeros(1), (0, 5))[1]
-    grown = np.linalg.inv(waited[0, 0]) - np.linalg.inv(precision[0, 0])
+    stopped = model.steps(np.array([0.0, 30.0]), np.array([25.0]), np.zeros(1), (0, 5))[1]
+    grown = np.linalg.inv(stopped[0, 0]) - np.linalg.inv(precision[0, 0])
     assert grown[0, 0] == pytest.approx(0.25, rel=1e-6)  # 0.1 m in the root of a second, 25 s
-    assert np.allclose(np.linalg.inv(waited[0, 1]), np.linalg.inv(precision[0, 0]))  # angles do not mind
+    assert np.allclose(np.linalg.inv(stopped[0, 1]), np.linalg.inv(precision[0, 0]))  # angles do not mind
 
 
 @pytest.mark.parametrize("seed", range(3))
@@ -104,7 +104,7 @@ def test_no_step_between_patches_and_only_what_was_estimated_changes():
 def test_gap_is_bridged_with_growing_sigma_and_told():
     drive = simulate(0, gaps=((200.0, 300.0),))
     made = adjust_correction(drive.windows, drive.reported)
-    middle, inside = np.argmin(np.abs(made.way - 250)), (made.way > 220) & (made.way < 280)
+    middle, inside = np.argmin(np.abs(made.chainage - 250)), (made.chainage > 220) & (made.chainage < 280)
     assert made.plan_sigma()[middle] > 1.5 * np.median(made.plan_sigma()[~inside])
     assert (made.status[inside] != REGISTERED).all()
     assert set(made.reason[inside]) & {"no markings registered around the patch"}
@@ -124,7 +124,7 @@ def test_gross_stretch_loses_its_weight():
     drive = simulate(0)
     honest = adjust_correction(drive.windows, drive.reported)
     made = adjust_correction(shifted(drive, 240.0, 260.0, (0.5, 0.3)).windows, drive.reported)
-    there = (made.way > 242) & (made.way < 258)
+    there = (made.chainage > 242) & (made.chainage < 258)
     assert plan_error(drive, made)[there].max() < plan_error(drive, honest)[there].max() + 0.05
     assert (made.status[there] == BRIDGED).mean() > 0.5
 
@@ -133,7 +133,7 @@ def test_gross_stretch_loses_its_weight():
 def test_slip_by_a_dash_is_not_followed(change, most):
     drive = simulate(1)
     made = adjust_correction(shifted(drive, 100.0, 160.0, (5.0, 0.0), **change).windows, drive.reported)
-    there = (made.way > 100) & (made.way < 160)
+    there = (made.chainage > 100) & (made.chainage < 160)
     assert plan_error(drive, made)[there].max() < most
     assert (made.status[there] != REGISTERED).mean() > 0.8
 
@@ -151,7 +151,7 @@ def test_sure_place_resolves_a_doubt():
 def test_rigid_windows_count_by_their_share():
     """Without evidence of single patches, windows that share points are not counted as if each were new."""
     drive = simulate(0)
-    nothing = {"information": np.zeros_like(drive.windows.information), "pull": np.zeros_like(drive.windows.pull)}
+    nothing = {"information": np.zeros_like(drive.windows.information), "gradient": np.zeros_like(drive.windows.gradient)}
     made = adjust_correction(replace(drive.windows, **nothing), drive.reported)
     assert plan_error(drive, made).mean() < 0.06
     assert within_two_sigma(drive, made) >= 0.9
@@ -172,10 +172,10 @@ def test_nothing_registered_is_refused():
 
 def test_waiting_counts_in_the_clock():
     drive = simulate(0, length=60.0, waits={30.0: 10.0})
-    clock = drift_clock(drive.reported, 2.0)
-    assert clock[-1] == pytest.approx(60.0 + 2.0 * drive.reported.duration, abs=0.5)
-    assert (np.diff(clock) > 0).all()
-    assert CorrectionSettings().model().standing > 0
+    path_parameter = path_parameters_of(drive.reported, 2.0)
+    assert path_parameter[-1] == pytest.approx(60.0 + 2.0 * drive.reported.duration, abs=0.5)
+    assert (np.diff(path_parameter) > 0).all()
+    assert CorrectionSettings().model().time_weight > 0
 
 
 def test_correction_at_the_limit_of_the_search_is_not_to_be_trusted():
@@ -197,5 +197,5 @@ def test_gap_and_jump_of_the_trajectory_are_not_to_be_trusted():
     inside = (made.time > 10.1) & (made.time < 12.9)
     assert (made.status[inside] == DISTRUSTED).all() and (made.status[made.time < 8.0] != DISTRUSTED).all()
     place = drive.reported.place + (since > 15.0)[:, None] * np.array([2.0, 0.0, 0.0])
-    torn = adjust_correction(drive.windows, type(drive.reported)(since, place, drive.reported.angles))
-    assert "the trajectory jumps here" in set(torn.reason[np.abs(torn.time - 15.0) < 1.0])
+    jump = adjust_correction(drive.windows, type(drive.reported)(since, place, drive.reported.angles))
+    assert "the trajectory jumps here" in set(jump.reason[np.abs(jump.time - 15.0) < 1.0])

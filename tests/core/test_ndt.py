@@ -6,11 +6,11 @@ import pytest
 from urbanmap_qgis.mobile.registration.matching.ndt_map import build_ndt
 from urbanmap_qgis.mobile.registration.matching.ndt_match import (
     Mixture,
-    Pose,
+    RigidMotion,
     match_points,
     ndt_terms,
     rigid_derivatives,
-    turn_matrix,
+    rotation_matrix,
 )
 
 
@@ -23,7 +23,7 @@ def blobs(dimensions, seed=3):
 @pytest.mark.parametrize("dimensions", [2, 3])
 def test_a_cell_holds_mean_and_covariance_of_its_points(dimensions):
     points = blobs(dimensions) + 1000.0
-    ndt = build_ndt(points, 2.0, flattest=1e-12)
+    ndt = build_ndt(points, 2.0, min_ratio=1e-12)
     cell = np.floor(points / 2.0)
     for number in range(len(ndt)):
         here = (cell == np.floor((ndt.mean[number] + ndt.origin) / 2.0)).all(axis=1)
@@ -97,7 +97,7 @@ def test_derivatives_of_a_movement_equal_differences(dimensions):
     points = blobs(dimensions)[::9] + 0.01
     centre = np.full(dimensions, 4.0)
     count = 3 if dimensions == 2 else 6
-    pose = Pose.at_rest(centre)
+    pose = RigidMotion.identity(centre)
 
     def at(step):
         moved = pose.after(step).moved(points)
@@ -119,17 +119,18 @@ def test_a_known_movement_is_found(dimensions):
     ndt, mixture = build_ndt(places, 1.0, 0.03), Mixture.of(0.35, 1.0, dimensions)
     centre = places.mean(axis=0)
     step = np.array([0.15, -0.1, 0.02]) if dimensions == 2 else np.array([0.1, -0.08, 0.05, 0.01, -0.008, 0.015])
-    moved = Pose.at_rest(centre).after(step).moved(places)
-    rest = match_points(places, Pose.at_rest(centre), ndt, mixture)  # cells draw points a little: where they rest
-    match = match_points(moved, Pose.at_rest(centre), ndt, mixture)
+    moved = RigidMotion.identity(centre).after(step).moved(places)
+    # Cells draw points a little: this is where they converge.
+    fixed = match_points(places, RigidMotion.identity(centre), ndt, mixture)
+    match = match_points(moved, RigidMotion.identity(centre), ndt, mixture)
     assert match.converged
-    assert np.abs(match.pose.moved(moved) - rest.pose.moved(places)).max() < 0.02
+    assert np.abs(match.pose.moved(moved) - fixed.pose.moved(places)).max() < 0.02
     assert np.abs(match.pose.moved(moved) - places).max() < 0.06
 
 
 def test_turns_are_rotations():
     turn = np.array([[0.3, -0.2, 0.5], [0.0, 0.0, 0.0], [0.0, 0.0, np.pi / 2]])
-    matrices = turn_matrix(turn)
+    matrices = rotation_matrix(turn)
     assert np.allclose(matrices @ np.swapaxes(matrices, 1, 2), np.eye(3))
     assert np.allclose(matrices[2] @ [1, 0, 0], [0, 1, 0])
     assert np.allclose(matrices[0] @ turn[0], turn[0])

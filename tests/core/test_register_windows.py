@@ -163,7 +163,7 @@ def test_corrections_are_the_errors_and_sigmas_cover_them(street, registered):
 
 
 def test_rows_follow_the_driven_way_not_time(street, registered):
-    assert np.allclose(np.diff(registered.way)[:-1], 0.5)
+    assert np.allclose(np.diff(registered.chainage)[:-1], 0.5)
     assert (np.diff(registered.time) > 0).all() and np.diff(registered.time).max() > 9.0  # the wait
     patch = np.arange(len(registered))
     assert (registered.window_first <= patch).all() and (registered.window_last >= patch).all()
@@ -244,7 +244,7 @@ def test_stretch_without_reference_is_said(street):
                                                                           np.cos(np.radians(HEADING))] < 10]
     near = [p for p in near if shapely.length(p) < 60]
     result = register_windows(markings, reported, Reference.from_polygons(near))
-    far = result.way > 100
+    far = result.chainage > 100
     assert not (result.status[far] == REGISTERED).any()
     lost = result.status == NO_MARKINGS
     assert np.isnan(result.correction[lost]).all() and np.isnan(result.covariance[lost]).all()
@@ -301,7 +301,7 @@ def test_an_executor_changes_nothing(street, registered, monkeypatch):
         other = register_windows(markings, reported, reference, executor=executor)
     for field in fields(WindowResults):
         assert np.allclose(getattr(registered, field.name), getattr(other, field.name), rtol=1e-6, equal_nan=True)
-    monkeypatch.setattr(register_module, "_STRETCH", 90)  # another cut
+    monkeypatch.setattr(register_module, "_SECTION_PATCHES", 90)  # another cut
     cut = register_windows(markings, reported, reference)
     assert np.abs(cut.correction[:, :2] - registered.correction[:, :2]).max() < 0.02
 
@@ -331,7 +331,7 @@ def test_to_the_letter_windows_are_rigid_and_on_their_own():
     assert not paper.information.any()
 
 
-@pytest.mark.parametrize("bad", [{"patch_length": 0.0}, {"outlier_share": 1.0}, {"longest_window": 10},
+@pytest.mark.parametrize("bad", [{"patch_length": 0.0}, {"outlier_share": 1.0}, {"max_window_patches": 10},
                                  {"iterations": 0}, {"search": float("nan")}])
 def test_settings_that_mean_nothing_are_refused(bad):
     with pytest.raises(InputError):

@@ -8,12 +8,12 @@ from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.mobile.registration.start.correlation_start import (
     CELL,
     ScoreImage,
-    best_way,
+    alternative_spread,
+    best_path,
     centred,
     peaks,
     score_image,
     shift_scores,
-    spreads,
 )
 from urbanmap_qgis.mobile.registration.start.reference import Coverage
 
@@ -53,7 +53,7 @@ def test_best_way_is_the_best_of_all_ways():
     rng = np.random.default_rng(8)
     scores = rng.uniform(0, 3, (4, 3, 3)).astype(np.float32)
     wander = np.array([0.02, 0.03, 0.02])  # two cells from block to block at most
-    way = best_way(scores, wander, 2.5)
+    chainage = best_path(scores, wander, 2.5)
     offsets = np.array(list(itertools.product((-1, 0, 1), (-1, 0, 1))))  # north, east
 
     def value(states):
@@ -67,18 +67,18 @@ def test_best_way_is_the_best_of_all_ways():
     ways = list(itertools.product(range(9), repeat=4))
     values = np.array([value(states) for states in ways])
     best = ways[int(values.argmax())]
-    assert [tuple(offsets[s]) for s in best] == [tuple(shift[::-1]) for shift in way.shift]
+    assert [tuple(offsets[s]) for s in best] == [tuple(shift[::-1]) for shift in chainage.shift]
     for block in range(4):
         for state in range(9):
             through = max(v for v, states in zip(values, ways) if states[block] == state)
-            beaten = way.beaten[block, offsets[state, 0] + 1, offsets[state, 1] + 1]
-            assert np.isclose(beaten, values.max() - through, atol=1e-3)
+            deficit = chainage.deficit[block, offsets[state, 0] + 1, offsets[state, 1] + 1]
+            assert np.isclose(deficit, values.max() - through, atol=1e-3)
 
 
 def test_a_long_wait_lets_the_error_jump():
     scores = np.zeros((2, 21, 21), dtype=np.float32)
     scores[0, 10, 10] = scores[1, 10, 16] = 30.0  # 1.2 m further east after the wait
-    stiff, free = best_way(scores, np.array([0.005]), 10.0), best_way(scores, np.array([0.4]), 10.0)
+    stiff, free = best_path(scores, np.array([0.005]), 10.0), best_path(scores, np.array([0.4]), 10.0)
     assert tuple(free.shift[1]) == (6, 0) and tuple(free.shift[0]) == (0, 0)
     assert abs(stiff.shift[1, 0] - stiff.shift[0, 0]) <= 1
 
@@ -88,7 +88,7 @@ def test_equal_places_widen_the_spread_and_one_place_does_not():
     one[0, 20, 20] = 40.0
     two = one.copy()
     two[0, 20, 30] = 40.0
-    alone, both = (spreads(best_way(s, np.zeros(0), 10.0), 0.5)[0] for s in (one, two))
+    alone, both = (alternative_spread(best_path(s, np.zeros(0), 10.0), 0.5)[0] for s in (one, two))
     assert alone.max() < 1e-6
     assert np.isclose(both[0, 0], 0.5 * 2.0 ** 2, rtol=0.05) and both[1, 1] < 1e-3
 

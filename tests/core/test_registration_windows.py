@@ -26,12 +26,12 @@ def test_a_wait_makes_no_patches_and_its_seconds_count_apart():
     plain, waiting = true_trajectory(80.0), true_trajectory(80.0, wait_at=40.0, wait=30.0)
     without, with_wait = cut_patches(plain, 0.5), cut_patches(waiting, 0.5)
     assert abs(len(without) - len(with_wait)) <= 1
-    assert without.standing[-1] == 0
-    assert with_wait.standing[-1] == pytest.approx(30.0, abs=1.5)
-    before = with_wait.way < 39.0
-    assert (with_wait.standing[before] == 0).all()
-    assert np.allclose(np.diff(with_wait.way)[:-1], 0.5)
-    assert np.allclose(with_wait.place[before, 0], with_wait.way[before] - 7000, atol=0.02)
+    assert without.stop_time[-1] == 0
+    assert with_wait.stop_time[-1] == pytest.approx(30.0, abs=1.5)
+    before = with_wait.chainage < 39.0
+    assert (with_wait.stop_time[before] == 0).all()
+    assert np.allclose(np.diff(with_wait.chainage)[:-1], 0.5)
+    assert np.allclose(with_wait.place[before, 0], with_wait.chainage[before] - 7000, atol=0.02)
 
 
 def test_a_vehicle_that_stands_is_told():
@@ -41,11 +41,11 @@ def test_a_vehicle_that_stands_is_told():
         cut_patches(still, 0.5)
 
 
-def brute_window(x, y, patch, patches, settings, number, to_the_end):
+def brute_window(x, y, patch, patches, settings, number, extend_at_end):
     """J's rule written plainly: add a patch at a time until enough cells are occupied."""
     half = settings.window_patches // 2
-    for more in range(settings.longest_window - settings.window_patches + 1):
-        first = number - half - (0 if to_the_end else more // 2)
+    for more in range(settings.max_window_patches - settings.window_patches + 1):
+        first = number - half - (0 if extend_at_end else more // 2)
         last = first + settings.window_patches + more - 1
         first, last = max(first, 0), min(last, patches - 1)
         here = (patch >= first) & (patch <= last)
@@ -57,17 +57,17 @@ def brute_window(x, y, patch, patches, settings, number, to_the_end):
     return first, last, features
 
 
-@pytest.mark.parametrize("to_the_end", [True, False])
-def test_windows_grow_as_the_paper_says(to_the_end):
+@pytest.mark.parametrize("extend_at_end", [True, False])
+def test_windows_grow_as_the_paper_says(extend_at_end):
     rng = np.random.default_rng(2)
     patches = 70
     patch = np.sort(rng.integers(0, patches, 2000) ** 2 // patches)  # sparse at the end
     x, y = 0.5 * patch + rng.uniform(0, 1, 2000), rng.uniform(0, 4, 2000)
-    settings = RegistrationSettings(window_patches=12, longest_window=60, feature_count=50)
-    windows = choose_windows(x, y, patch, patches, settings, to_the_end)
+    settings = RegistrationSettings(window_patches=12, max_window_patches=60, feature_count=50)
+    windows = choose_windows(x, y, patch, patches, settings, extend_at_end)
     for number in range(patches):
         assert (windows.first[number], windows.last[number], windows.features[number]) == brute_window(
-            x, y, patch, patches, settings, number, to_the_end)
+            x, y, patch, patches, settings, number, extend_at_end)
     size = windows.last - windows.first + 1
     assert size.max() <= 60 and len(np.unique(size)) > 3
 

@@ -8,8 +8,8 @@ from pyproj import CRS
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
-from urbanmap_qgis.mobile.registration.matching.course import Course, course_covariance, course_step
-from urbanmap_qgis.mobile.registration.matching.ndt_match import Pose
+from urbanmap_qgis.mobile.registration.matching.correction_curve import CorrectionCurve, curve_covariance, curve_step
+from urbanmap_qgis.mobile.registration.matching.ndt_match import RigidMotion
 from urbanmap_qgis.mobile.registration.matching.patch_sums import PLANE, SPACE, PatchSums, point_gradients, sum_points
 from urbanmap_qgis.mobile.registration.matching.subpixel import MarkingField, field_terms
 from urbanmap_qgis.mobile.registration.start.patch_points import PatchPoints
@@ -125,26 +125,26 @@ def test_sums_are_those_of_the_movement_about_any_centre():
 def test_course_step_and_covariance_equal_the_dense_solution(active):
     rng = np.random.default_rng(6)
     count = 12
-    course = Course(np.arange(count) * 0.5, np.r_[np.zeros(6), np.full(6, 8.0)], rng.normal(0, 0.1, (count, 3)),
+    curve = CorrectionCurve(np.arange(count) * 0.5, np.r_[np.zeros(6), np.full(6, 8.0)], rng.normal(0, 0.1, (count, 3)),
                     rng.normal(0, 1e-3, (count, 3)))
     half = rng.normal(size=(count, 6, 6)) * np.array([20, 20, 20, 500, 500, 500])[:, None]
     sums = PatchSums(rng.normal(0, 50, (count, 6)), half @ np.swapaxes(half, 1, 2))
-    step = course_step(course, sums, active)
-    covariance = course_covariance(course, sums.information, active)
+    step = curve_step(curve, sums, active)
+    covariance = curve_covariance(curve, sums.information, active)
     # The same system at once, from the random walk's definition.
-    from urbanmap_qgis.mobile.registration.matching import course as module
+    from urbanmap_qgis.mobile.registration.matching import correction_curve as module
 
     pick, size = list(active), len(active)
     dense = np.zeros((count * size, count * size))
     right = np.zeros((count, size))
-    state = np.concatenate([course.shift, course.turn], axis=1)[:, pick]
+    state = np.concatenate([curve.translation, curve.rotation], axis=1)[:, pick]
     for k in range(count):
         block = slice(k * size, (k + 1) * size)
-        hold = np.diag(1 / (module._LIKELY[pick] ** 2 * count))
+        hold = np.diag(1 / (module._PRIOR_SIGMA[pick] ** 2 * count))
         dense[block, block] += sums.information[k][np.ix_(pick, pick)] + hold
         right[k] += sums.gradient[k, pick] - np.diag(hold) * state[k]
     for k in range(count - 1):
-        wait = course.standing[k + 1] - course.standing[k]
+        wait = curve.stop_time[k + 1] - curve.stop_time[k]
         stiff = 1 / (module.DRIFT[pick] ** 2 * 0.5 + module.STANDING_DRIFT[pick] ** 2 * wait)
         for i, j, sign in ((k, k, 1), (k + 1, k + 1, 1), (k, k + 1, -1), (k + 1, k, -1)):
             dense[i * size:(i + 1) * size, j * size:(j + 1) * size] += sign * np.diag(stiff)
@@ -164,15 +164,15 @@ def test_a_course_moves_points_as_the_corrected_trajectory_does():
     angles = np.column_stack([np.full_like(time, 1.0), np.full_like(time, -2.0), 60 + time])
     reported = Trajectory(time, place, angles)
     turn, shift = rng.normal(0, 2e-3, (len(time), 3)), rng.normal(0, 0.8, (len(time), 3))
-    turned = [attitude_angles(Pose.at_rest(np.zeros(3)).after(np.r_[0, 0, 0, t]).turn[None] @ rotations(a[None]))[0]
+    turned = [attitude_angles(RigidMotion.identity(np.zeros(3)).after(np.r_[0, 0, 0, t]).rotation[None] @ rotations(a[None]))[0]
               for t, a in zip(turn, angles)]
     corrected = Trajectory(time, place + shift, np.array(turned))
     at = rng.uniform(0, 9.5, 300)
-    way = np.hypot(5.0, 2.0) * time
+    chainage = np.hypot(5.0, 2.0) * time
     body = np.column_stack([np.interp(at, time, place[:, k]) for k in range(3)])
     points = body + rng.uniform(-15, 15, (300, 3))
-    course = Course(way, np.zeros(len(way)), shift, turn)
+    curve = CorrectionCurve(chainage, np.zeros(len(chainage)), shift, turn)
     order = np.argsort(at)
-    moved = course.moved(PatchPoints(points[order], (points - body)[order], np.interp(at, time, way)[order],
+    moved = curve.moved(PatchPoints(points[order], (points - body)[order], np.interp(at, time, chainage)[order],
                                      np.zeros(300, int), np.ones(300)))
     assert np.abs(moved - move_points(points, at, reported, corrected)[order]).max() < 1e-3

@@ -17,7 +17,7 @@ STATUS_NAMES = ("registered", "weak", "ambiguous", "no markings", "not converged
 
 _PAINTED = 0.1  # of the ground near markings
 MODES = 3
-"""Places given for a window at most."""
+"""AlternativePositions given for a window at most."""
 
 
 @dataclass(frozen=True)
@@ -59,7 +59,7 @@ class RegistrationSettings:
     ----------
     patch_length : m of driven path (J: 0.5).
     window_patches : patches of the smallest window (J: 60).
-    longest_window : patches of the longest window; where even that has too few features it is used as it is.
+    max_window_patches : patches of the longest window; where even that has too few features it is used as it is.
     feature_grid : m, side of the cells that are counted (J: 1). feature_count : cells asked for (J: 400).
     feature_points : points that make a cell count (J: 5).
     ndt_grid : m, finest grid but for `multi_resolution` (J: 1). iterations : Newton steps at most (J: 30).
@@ -80,7 +80,7 @@ class RegistrationSettings:
 
     patch_length: float = 0.5
     window_patches: int = 60
-    longest_window: int = 200
+    max_window_patches: int = 200
     feature_grid: float = 1.0
     feature_count: int = 400
     feature_points: int = 5
@@ -100,12 +100,13 @@ class RegistrationSettings:
 
     def __post_init__(self) -> None:
         lengths = (self.patch_length, self.feature_grid, self.ndt_grid, self.subsampling, self.search)
-        counts = (self.window_patches, self.longest_window, self.feature_count, self.feature_points, self.iterations)
+        counts = (self.window_patches, self.max_window_patches, self.feature_count, self.feature_points,
+                  self.iterations)
         if not all(np.isfinite(lengths)) or min(lengths) <= 0 or min(counts) < 1:
             raise InputError("Lengths, grids and counts of the registration must be greater than 0.")
         if not 0 < self.outlier_share < 1:
             raise InputError("The expected share of outliers must lie between 0 and 1.")
-        if self.longest_window < self.window_patches:
+        if self.max_window_patches < self.window_patches:
             raise InputError("The longest window must not be shorter than the smallest one.")
 
     @property
@@ -130,14 +131,14 @@ class WindowResults:
     third to fifth are NaN.
 
     Neighbouring windows share most of their points: their errors are NOT independent. Whoever adjusts rows together
-    must give a row the weight 1 / (`window_last` - `window_first` + 1), or take `information` and `pull`, which are of
-    the patch's own points only and do add up: near `linearised` the log-likelihood of a correction c is
-    `pull` . (c - linearised) - (c - linearised)' `information` (c - linearised) / 2 (thinned to independent
+    must give a row the weight 1 / (`window_last` - `window_first` + 1), or take `information` and `gradient`, which
+    are of the patch's own points only and do add up: near `linearised` the log-likelihood of a correction c is
+    `gradient` . (c - linearised) - (c - linearised)' `information` (c - linearised) / 2 (thinned to independent
     evidence, without the floor of the reference).
 
     Attributes
     ----------
-    time : (n,) s, at the patch's middle. way : (n,) m driven to the patch's middle.
+    time : (n,) s, at the patch's middle. chainage : (n,) m driven to the patch's middle.
     place : (n, 3) m, angles : (n, 3) degrees, of the reported trajectory there.
     correction : (n, 6) dx, dy, dz (m), droll, dpitch, dheading (degrees). NaN where there is none.
     covariance : (n, 6, 6) of the correction, m and degrees. NaN where there is none. Includes the floor of the
@@ -152,12 +153,12 @@ class WindowResults:
     status : (n,) int8, see REGISTERED and its fellows.
     modes : (n, MODES, 2) dx, dy of the places that fit, the row's own first; NaN where there are fewer.
     mode_scores : (n, MODES) log-likelihood of each (independent evidence of this window), own first.
-    linearised : (n, 6), information : (n, 6, 6), pull : (n, 6), see above; zeros where the patch has no points.
+    linearised : (n, 6), information : (n, 6, 6), gradient : (n, 6), see above; zeros where the patch has no points.
     three_d : whether height, roll and pitch were estimated.
     """
 
     time: np.ndarray
-    way: np.ndarray
+    chainage: np.ndarray
     place: np.ndarray
     angles: np.ndarray
     correction: np.ndarray
@@ -176,7 +177,7 @@ class WindowResults:
     mode_scores: np.ndarray
     linearised: np.ndarray
     information: np.ndarray
-    pull: np.ndarray
+    gradient: np.ndarray
     three_d: bool
 
     def __len__(self) -> int:

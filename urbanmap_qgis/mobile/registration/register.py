@@ -17,12 +17,12 @@ from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory
-from .matching.rows import Start, assemble
+from .matching.path_section import PathSection, adjust_section
+from .matching.results import InitialShifts, assemble
 from .matching.single_windows import register_single
-from .matching.stretch import Stretch, adjust_stretch
 from .matching.windows import Windows, choose_windows
 from .records import MarkingPoints, RegistrationSettings, WindowResults
-from .start.correlation_start import CELL, EVIDENCE_AREA, best_way, centred, score_image, shift_scores
+from .start.correlation_start import CELL, OBSERVATION_AREA, best_path, centred, score_image, shift_scores
 from .start.patch_points import PatchPoints, thin_points
 from .start.patches import Patches, cut_patches
 from .start.reference import Reference
@@ -30,11 +30,11 @@ from .start.reference import Reference
 BLOCK = 5
 """Patches of a block, whose scores of shifts are found together."""
 
-_STRETCH = 400  # patches of a stretch's core
+_SECTION_PATCHES = 400  # patches of a stretch's core
 _AROUND = 10  # patches more than its windows need
 _DRIFT = 0.05  # m in the root of a metre, what the start lets the error wander by
 _STANDING_DRIFT = 0.15  # m in the root of a second that the vehicle stands
-_LIKELY = 2.5  # m
+_PRIOR_SIGMA = 2.5  # m
 
 
 def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
@@ -64,19 +64,19 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
                                     "of one survey.")
     markings = markings.take(usable)
     windows = choose_windows(markings.x, markings.y, patches.number_at(markings.time), len(patches), settings,
-                             to_the_end=not settings.shared_windows)
+                             extend_at_end=not settings.shared_windows)
     points = thin_points(markings, trajectory, patches, settings.subsampling)
     progress.step(0.1)
     start = _start(points, patches, reference, settings, progress.part(0.1, 0.4), executor)
     progress.step(0.4)
     if not settings.shared_windows:
         return register_single(points, patches, windows, start, reference, settings, progress.part(0.4, 1.0))
-    stretches = list(_stretches(points, patches, windows, start))
-    work = partial(adjust_stretch, reference=reference, settings=settings)
+    sections = list(_sections(points, patches, windows, start))
+    work = partial(adjust_section, reference=reference, settings=settings)
     adjusted = []
-    for result in in_order(work, stretches, executor, progress.check):
+    for result in in_order(work, sections, executor, progress.check):
         adjusted.append(result)
-        progress.step(0.4 + 0.6 * len(adjusted) / len(stretches))
+        progress.step(0.4 + 0.6 * len(adjusted) / len(sections))
     return assemble(patches, windows, start, adjusted, settings)
 
 
@@ -90,10 +90,10 @@ class _Blocks:
 
 
 def _start(points: PatchPoints, patches: Patches, reference: Reference, settings: RegistrationSettings,
-           progress: Progress, executor: Executor | None) -> Start:
+           progress: Progress, executor: Executor | None) -> InitialShifts:
     """Shifts of all blocks by correlation (or none, with what fits there all the same)."""
     blocks = -(-len(patches) // BLOCK)
-    step = max(_STRETCH // BLOCK, 1)
+    step = max(_SECTION_PATCHES // BLOCK, 1)
     pieces = [_Blocks(first, min(step, blocks - first), points.of_patches(first * BLOCK, (first + step) * BLOCK - 1))
               for first in range(0, blocks, step)]
     scores, markings = [], 0
@@ -106,21 +106,21 @@ def _start(points: PatchPoints, patches: Patches, reference: Reference, settings
         raise InsufficientDataError("There is no reference marking near the survey: check the CRS of both and that the "
                                     "reference covers the drive.")
     scores = np.concatenate(scores)
-    way = best_way(scores, _wander(patches), _LIKELY)
-    shift = way.shift if settings.start else np.zeros_like(way.shift)
-    return Start(BLOCK, shift * CELL, centred(scores, way.shift), way.beaten, way.shift)
+    path = best_path(scores, _step_variances(patches), _PRIOR_SIGMA)
+    shift = path.shift if settings.start else np.zeros_like(path.shift)
+    return InitialShifts(BLOCK, shift * CELL, centred(scores, path.shift), path.deficit, path.shift)
 
 
-def _wander(patches: Patches) -> np.ndarray:
+def _step_variances(patches: Patches) -> np.ndarray:
     """(b - 1,) m2, variance of the error's change from each block to the next."""
     middle = np.minimum(np.arange(0, len(patches), BLOCK) + BLOCK // 2, len(patches) - 1)
-    return _DRIFT ** 2 * np.diff(patches.way[middle]) + _STANDING_DRIFT ** 2 * np.diff(patches.standing[middle])
+    return _DRIFT ** 2 * np.diff(patches.chainage[middle]) + _STANDING_DRIFT ** 2 * np.diff(patches.stop_time[middle])
 
 
 def _block_scores(piece: _Blocks, reference: Reference, settings: RegistrationSettings) -> tuple[np.ndarray, int]:
     """Scores of all shifts of each block (b, s, s), and how many reference cells are markings."""
-    reach = int(np.ceil(settings.search / CELL))
-    size = 2 * reach + 1
+    max_shift = int(np.ceil(settings.search / CELL))
+    size = 2 * max_shift + 1
     scores = np.zeros((piece.count, size, size), dtype=np.float32)
     if not len(piece.points):
         return scores, 0
@@ -128,24 +128,24 @@ def _block_scores(piece: _Blocks, reference: Reference, settings: RegistrationSe
     around = settings.search + 2.0
     coverage = reference.coverage(x.min() - around, y.min() - around, x.max() + around, y.max() + around)
     image = score_image(coverage, settings.background)
-    evidence = piece.points.weight * settings.subsampling ** 2 / EVIDENCE_AREA
+    point_weight = piece.points.weight * settings.subsampling ** 2 / OBSERVATION_AREA
     start = np.searchsorted(piece.points.patch // BLOCK, piece.first + np.arange(piece.count + 1))
     for number in range(piece.count):
         part = slice(start[number], start[number + 1])
         if part.stop > part.start:
-            scores[number] = shift_scores(x[part], y[part], evidence[part], image, reach)
+            scores[number] = shift_scores(x[part], y[part], point_weight[part], image, max_shift)
     return scores, int((coverage.share > 0).sum())
 
 
-def _stretches(points: PatchPoints, patches: Patches, windows: Windows, start: Start):
+def _sections(points: PatchPoints, patches: Patches, windows: Windows, start: InitialShifts):
     """Pieces of the path with the points of all windows in them."""
-    for core_first in range(0, len(patches), _STRETCH):
-        core_last = min(core_first + _STRETCH, len(patches)) - 1
+    for core_first in range(0, len(patches), _SECTION_PATCHES):
+        core_last = min(core_first + _SECTION_PATCHES, len(patches)) - 1
         core = slice(core_first, core_last + 1)
         first = max(int(windows.first[core].min()) - _AROUND, 0)
         last = min(int(windows.last[core].max()) + _AROUND, len(patches) - 1)
         here = np.arange(first, last + 1)
-        yield Stretch(first, core_first - first, core_last - first, patches.way[here], patches.standing[here],
+        yield PathSection(first, core_first - first, core_last - first, patches.chainage[here], patches.stop_time[here],
                       patches.place[here],
                       start.shift_at(here), windows.first[core] - first, windows.last[core] - first,
                       points.of_patches(first, last))

@@ -16,7 +16,7 @@ from ...io.svg_profile import COLOURS, Series, profile
 from ...io.svg_profile import ShadedInterval as Shade
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
-from .stage import RegisteredSurvey, stretches
+from .stage import RegisteredSurvey, unregistered_sections
 from .start.reference import Reference
 
 _SIDE = 24.0  # m of road that a picture shows
@@ -47,20 +47,20 @@ def write_registration_report(path: str | os.PathLike, made: RegisteredSurvey, r
 def _summary(report: Report, made: RegisteredSurvey) -> None:
     correction = made.correction
     plan, sigma = np.hypot(correction.value[:, 0], correction.value[:, 1]), correction.plan_sigma()
-    facts = {"Way driven (m)": float(correction.way[-1]), "Patches": len(correction),
+    facts = {"Path length (m)": float(correction.chainage[-1]), "Patches": len(correction),
              "Marking points": len(made.markings),
-             "Registered (% of the way)": 100 * made.share(REGISTERED), "Bridged (%)": 100 * made.share(BRIDGED),
+             "Registered (% of the path)": 100 * made.share(REGISTERED), "Bridged (%)": 100 * made.share(BRIDGED),
              "Not to be trusted (%)": 100 * made.share(DISTRUSTED),
-             "Correction in plan, mean and largest (m)": f"{plan.mean():.3f}, {plan.max():.3f}",
-             "Standard deviation in plan, median and largest (m)": f"{np.median(sigma):.3f}, {sigma.max():.3f}"}
+             "Correction in plan, mean and maximum (m)": f"{plan.mean():.3f}, {plan.max():.3f}",
+             "Standard deviation in plan, median and maximum (m)": f"{np.median(sigma):.3f}, {sigma.max():.3f}"}
     if correction.three_d:
         up, sigma_up = correction.value[:, 2], correction.sigma()[:, 2]
-        facts["Correction in height, mean and largest (m)"] = (f"{up.mean():.3f}, "
+        facts["Correction in height, mean and maximum (m)"] = (f"{up.mean():.3f}, "
                                                                f"{up[np.argmax(np.abs(up))]:.3f}")
-        facts["Standard deviation in height, median and largest (m)"] = (f"{np.median(sigma_up):.3f}, "
+        facts["Standard deviation in height, median and maximum (m)"] = (f"{np.median(sigma_up):.3f}, "
                                                                          f"{sigma_up.max():.3f}")
     facts["Drift, times the expected one"] = correction.drift_factor
-    facts["Variance of the evidence, times the stated one"] = correction.noise_factor
+    facts["Variance of the observations, times the stated one"] = correction.noise_factor
     report.facts(facts)
     report.paragraph("Registered: found from markings around. Bridged: between or beyond registered parts, by how "
                      "trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard "
@@ -70,34 +70,38 @@ def _summary(report: Report, made: RegisteredSurvey) -> None:
 
 def _profiles(report: Report, made: RegisteredSurvey) -> None:
     correction, windows = made.correction, made.windows
-    shades = [Shade(item.start, item.end, _SHADES[item.status], item.status) for item in stretches(made)]
-    way, sigma = correction.way, correction.sigma()
-    report.section("Correction over the driven way")
+    shades = [Shade(item.start, item.end, _SHADES[item.status], item.status) for item in unregistered_sections(made)]
+    chainage, sigma = correction.chainage, correction.sigma()
+    report.section("Correction along the path")
     names = ("east", "north", "up") if correction.three_d else ("east", "north")
     series = [Series(name, correction.value[:, k], colour) for k, (name, colour) in enumerate(zip(names, COLOURS))]
-    report.figure(profile(way, series, "way (m)", "m", intervals=shades), "What the reported places lack")
+    report.figure(profile(chainage, series, "chainage (m)", "m", stretches=shades),
+                  "Correction of the reported positions")
     angles = ("roll", "pitch", "heading") if correction.three_d else ("heading",)
     numbers = (3, 4, 5) if correction.three_d else (5,)
     series = [Series(name, correction.value[:, k], colour) for name, k, colour in zip(angles, numbers, COLOURS)]
-    report.figure(profile(way, series, "way (m)", "degrees", intervals=shades), "What the reported angles lack")
+    report.figure(profile(chainage, series, "chainage (m)", "degrees", stretches=shades),
+                  "Correction of the reported angles")
     series = [Series("plan", correction.plan_sigma(), COLOURS[0])]
     if correction.three_d:
         series.append(Series("height", sigma[:, 2], COLOURS[2]))
-    report.figure(profile(way, series, "way (m)", "m", intervals=shades), "Standard deviation of the correction")
+    report.figure(profile(chainage, series, "chainage (m)", "m", stretches=shades),
+                  "Standard deviation of the correction")
     off = np.hypot(correction.residual[:, 0], correction.residual[:, 1])
     if np.isfinite(off).any():
-        report.figure(profile(way, [Series("windows", off, COLOURS[3], dots=True)], "way (m)", "m", intervals=shades),
+        report.figure(profile(chainage, [Series("windows", off, COLOURS[3], dots=True)], "chainage (m)", "m",
+                              stretches=shades),
                       "How far each window alone lies from the smooth correction, in plan")
     report.section("Windows")
-    report.figure(profile(way, [Series("window length", windows.window_length, COLOURS[0])], "way (m)", "m"),
+    report.figure(profile(chainage, [Series("window length", windows.window_length, COLOURS[0])], "chainage (m)", "m"),
                   "Length of the window of each patch: as long as it needs for enough markings")
-    report.figure(profile(way, [Series("overlap", windows.overlap, COLOURS[0])], "way (m)", "share"),
+    report.figure(profile(chainage, [Series("overlap", windows.overlap, COLOURS[0])], "chainage (m)", "share"),
                   "Share of a window's marking points that lie on reference markings")
 
 
 def _distrust(report: Report, made: RegisteredSurvey) -> None:
     report.section("What to distrust")
-    found = stretches(made)
+    found = unregistered_sections(made)
     if not found:
         report.paragraph("Nothing: the whole way is registered.")
         return
@@ -120,7 +124,8 @@ def _before_and_after(report: Report, made: RegisteredSurvey, reference: Referen
             picture = _picture(made, patch, moved, reference, image)
             file = Path(folder) / f"{number}.png"
             file.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
-            report.picture(file, f"{made.correction.way[patch]:.0f} m: {STATUS_NAMES[made.correction.status[patch]]}")
+            status = STATUS_NAMES[made.correction.status[patch]]
+            report.picture(file, f"{made.correction.chainage[patch]:.0f} m: {status}")
 
 
 def _places(made: RegisteredSurvey) -> np.ndarray:

@@ -16,10 +16,10 @@ from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
 from ..trajectory import Trajectory
-from .correction.drift_model import drift_clock
-from .correction.estimate import Correction, CorrectionSettings, adjust_correction, correct_trajectory
+from .correction.adjustment import Correction, CorrectionSettings, adjust_correction, correct_trajectory
+from .correction.gauss_markov import path_parameters_of
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
-from .correction.point_evidence import PointEvidence
+from .correction.point_observations import PointObservations
 from .records import MarkingPoints, RegistrationSettings, WindowResults
 from .register import register_windows
 from .start.reference import Reference
@@ -64,7 +64,7 @@ class RegisteredSurvey:
 
 
 @dataclass(frozen=True)
-class Stretch:
+class UnregisteredSection:
     """A part of the path that is not registered throughout.
 
     Attributes
@@ -110,10 +110,11 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     run = run or RegistrationRun()
     progress.message(f"Registering {len(markings):,} marking points.")
     windows = register_windows(markings, trajectory, reference, run.windows, progress.part(0.0, 0.8), executor)
-    clock = drift_clock(trajectory, run.correction.standing)
+    path_parameter = path_parameters_of(trajectory, run.correction.time_weight)
     points = None
     if run.windows.shared_windows and run.windows.refinement:
-        points = PointEvidence.of(markings, trajectory, clock, run.correction.node_length, reference, run.windows).about
+        points = PointObservations.of(markings, trajectory, path_parameter, run.correction.node_length, reference,
+                                      run.windows).about
     settings = replace(run.correction, search=run.windows.search) if run.windows.start else run.correction
     correction = adjust_correction(windows, trajectory, settings, points, progress.part(0.8, 1.0))
     made = RegisteredSurvey(correct_trajectory(trajectory, correction), trajectory, markings, windows, correction)
@@ -155,27 +156,27 @@ def _tell(made: RegisteredSurvey, progress: Progress) -> None:
     progress.message(f"{100 * made.share(REGISTERED):.0f} % of the way is registered, "
                      f"{100 * made.share(BRIDGED):.0f} % bridged; standard deviation {sigma:.1f} cm (median).")
     if made.share(DISTRUSTED) > 0:
-        spans = [item for item in stretches(made) if item.status == STATUS_NAMES[DISTRUSTED]]
+        spans = [item for item in unregistered_sections(made) if item.status == STATUS_NAMES[DISTRUSTED]]
         longest = max(spans, key=lambda item: item.end - item.start)
         progress.warn(f"{100 * made.share(DISTRUSTED):.0f} % of the way is not to be trusted, the longest stretch from "
                       f"{longest.start:.0f} to {longest.end:.0f} m ({longest.reason}): see the patches' layer.")
 
 
-def stretches(made: RegisteredSurvey) -> list[Stretch]:
+def unregistered_sections(made: RegisteredSurvey) -> list[UnregisteredSection]:
     """Parts of the path that are not registered, in the order driven."""
     correction, sigma = made.correction, made.correction.plan_sigma()
-    half = 0.5 * float(np.median(np.diff(correction.way))) if len(correction) > 1 else 0.0
+    half = 0.5 * float(np.median(np.diff(correction.chainage))) if len(correction) > 1 else 0.0
     label = np.where(correction.status == REGISTERED, -1, correction.status)
     code = np.array([f"{number}{reason}" if number >= 0 else "" for number, reason in zip(label, correction.reason)])
     starts = np.flatnonzero(np.r_[True, code[1:] != code[:-1]])
     found = []
     for first, end in zip(starts, np.r_[starts[1:], len(code)]):
         part = slice(first, end)
-        if code[first] and correction.way[end - 1] - correction.way[first] + 2 * half >= _SHORTEST:
-            found.append(Stretch(float(correction.way[first] - half), float(correction.way[end - 1] + half),
-                                 float(correction.time[first]), float(correction.time[end - 1]),
-                                 STATUS_NAMES[correction.status[first]], str(correction.reason[first]),
-                                 float(sigma[part].max())))
+        if code[first] and correction.chainage[end - 1] - correction.chainage[first] + 2 * half >= _SHORTEST:
+            found.append(UnregisteredSection(
+                float(correction.chainage[first] - half), float(correction.chainage[end - 1] + half),
+                float(correction.time[first]), float(correction.time[end - 1]),
+                STATUS_NAMES[correction.status[first]], str(correction.reason[first]), float(sigma[part].max())))
     return found
 
 
@@ -187,7 +188,7 @@ def patch_table(made: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]:
     value = np.where(estimated, correction.value, np.nan)
     names = ("east", "north", "up", "roll", "pitch", "heading")
     columns: dict[str, object] = {
-        "patch": np.arange(len(correction)), "way": correction.way, "time": correction.time,
+        "patch": np.arange(len(correction)), "way": correction.chainage, "time": correction.time,
         "status": [STATUS_NAMES[number] for number in correction.status], "reason": list(correction.reason),
         "sigma": correction.plan_sigma(), "correction": np.hypot(value[:, 0], value[:, 1])}
     columns.update({name: value[:, k] for k, name in enumerate(names)})

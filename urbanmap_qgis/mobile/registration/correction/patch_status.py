@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .evidence import Evidence
+from .normal_equations import NormalEquations
 
 REGISTERED, BRIDGED, DISTRUSTED = range(3)
 STATUS_NAMES = ("registered", "bridged", "not to be trusted")
@@ -14,7 +14,7 @@ drift. not to be trusted: too far from them, or contradictory or ambiguous marki
 _REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 
 
-def judge(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray, registered: float,
+def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray, registered: float,
           trusted: float) -> tuple[np.ndarray, np.ndarray]:
     """Status (n,) and its reason (n,) of each patch.
 
@@ -40,14 +40,14 @@ def judge(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.n
     return status, reason
 
 
-def own_sigma(evidence: Evidence, weight: np.ndarray, clock: np.ndarray, reach: float) -> np.ndarray:
-    """(n,) m: standard deviation in the worst direction in plan by the evidence within `reach` of clock readings (n,).
+def own_sigma(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray, extent: float) -> np.ndarray:
+    """(n,) m: standard deviation in the worst direction in plan by the evidence within `extent` of clock readings (n,).
 
     Infinite where there is none.
     """
     running = np.concatenate([np.zeros((1, 2, 2)),
-                              np.cumsum(evidence.information[:, :2, :2] * weight[:, None, None], axis=0)])
-    low, high = np.searchsorted(evidence.clock, clock - reach), np.searchsorted(evidence.clock, clock + reach)
+                              np.cumsum(normals.information[:, :2, :2] * weight[:, None, None], axis=0)])
+    low, high = (np.searchsorted(normals.path_parameter, path_parameter + side) for side in (-extent, extent))
     least = np.linalg.eigvalsh(running[high] - running[low])[:, 0]
     return np.where(least > 1e-3, 1.0 / np.sqrt(np.maximum(least, 1e-3)), np.inf)
 

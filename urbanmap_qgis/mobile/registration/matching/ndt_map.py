@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-_FLATTEST = 1e-3  # least ratio of a covariance's variances, so that lines and planes can be inverted (Magnusson 2009)
-_FEWEST = 3
+_MIN_RATIO = 1e-3  # least ratio of a covariance's variances, so that lines and planes can be inverted (Magnusson 2009)
+_MIN_POINTS = 3
 
 
 @dataclass(frozen=True)
@@ -60,15 +60,15 @@ class NdtMap:
         return np.array(steps, dtype=np.int64)
 
 
-def build_ndt(points: np.ndarray, cell: float, spread: float = 0.0, fewest: int = _FEWEST,
-              flattest: float = _FLATTEST) -> NdtMap:
+def build_ndt(points: np.ndarray, cell: float, spread: float = 0.0, min_points: int = _MIN_POINTS,
+              min_ratio: float = _MIN_RATIO) -> NdtMap:
     """Distributions of the points in each cell.
 
     Parameters
     ----------
     points : (n, d) m, d = 2 or 3. cell : m, side of a cell.
     spread : m, standard deviation of each point's own place, such as its pixel's extent: added to the covariances.
-    fewest : points that make a distribution. flattest : least ratio of the variances to the largest one.
+    min_points : points that make a distribution. min_ratio : least ratio of the variances to the largest one.
     """
     points = np.asarray(points, dtype=np.float64)
     dimensions = points.shape[1]
@@ -87,11 +87,11 @@ def build_ndt(points: np.ndarray, cell: float, spread: float = 0.0, fewest: int 
     for a, b in itertools.combinations_with_replacement(range(dimensions), 2):
         covariance[:, a, b] = covariance[:, b, a] = (np.bincount(index, off[:, a] * off[:, b])
                                                      / np.maximum(count - 1, 1))
-    usable = count >= fewest
+    usable = count >= min_points
     covariance = covariance[usable] + spread ** 2 * np.eye(dimensions)
     values, vectors = np.linalg.eigh(covariance)
     largest = np.maximum(values[:, -1:], 1e-12 * cell ** 2)
-    values = np.maximum(values, flattest * largest)
+    values = np.maximum(values, min_ratio * largest)
     inverse = np.einsum("nij,nj,nkj->nik", vectors, 1.0 / values, vectors)
     number = np.full(math.prod(shape), -1, dtype=np.int32)
     number[filled[usable]] = np.arange(int(usable.sum()), dtype=np.int32)

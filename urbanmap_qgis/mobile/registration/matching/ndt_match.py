@@ -72,15 +72,15 @@ def ndt_terms(ndt: NdtMap, points: np.ndarray, mixture: Mixture, neighbours: boo
         number = number[here]
         off = [local[here, a] - ndt.mean[number, a] for a in range(d)]
         inverse = {pair: ndt.inverse[number, pair[0], pair[1]] for pair in pairs}
-        pull = [sum(inverse[min(a, b), max(a, b)] * off[b] for b in range(d)) for a in range(d)]
-        distance = sum(off[a] * pull[a] for a in range(d))
+        weighted = [sum(inverse[min(a, b), max(a, b)] * off[b] for b in range(d)) for a in range(d)]
+        distance = sum(off[a] * weighted[a] for a in range(d))
         weight = mixture.height * np.exp(-0.5 * sharp * distance)
         value[here] += weight
         weight *= sharp
         for a in range(d):
-            gradient[a, here] -= weight * pull[a]
+            gradient[a, here] -= weight * weighted[a]
         for a, b in pairs:
-            hessian[a, b][here] += weight * ((0.0 if bound else sharp * pull[a] * pull[b]) - inverse[a, b])
+            hessian[a, b][here] += weight * ((0.0 if bound else sharp * weighted[a] * weighted[b]) - inverse[a, b])
     return _terms(value, gradient, hessian)
 
 
@@ -112,23 +112,23 @@ def rigid_derivatives(points: np.ndarray, centre: np.ndarray, terms: PointTerms)
     r = points - centre
     g, h = terms.gradient, terms.hessian
     if points.shape[1] == 2:
-        turn = np.stack([-r[:, 1], r[:, 0]], axis=1)
-        bent = np.einsum("nij,nj->ni", h, turn)
-        gradient = np.concatenate([g.sum(axis=0), [np.einsum("ni,ni->", g, turn)]])
+        rotation = np.stack([-r[:, 1], r[:, 0]], axis=1)
+        bent = np.einsum("nij,nj->ni", h, rotation)
+        gradient = np.concatenate([g.sum(axis=0), [np.einsum("ni,ni->", g, rotation)]])
         hessian = np.zeros((3, 3))
         hessian[:2, :2] = h.sum(axis=0)
         hessian[:2, 2] = hessian[2, :2] = bent.sum(axis=0)
-        hessian[2, 2] = np.einsum("ni,ni->", bent, turn) - np.einsum("ni,ni->", g, r)
+        hessian[2, 2] = np.einsum("ni,ni->", bent, rotation) - np.einsum("ni,ni->", g, r)
         return Derivatives(float(terms.value.sum()), gradient, hessian)
-    turn = cross_matrices(r)
-    bent = np.einsum("nij,njk->nik", h, turn)
-    gradient = np.concatenate([g.sum(axis=0), np.einsum("ni,nij->j", g, turn)])
+    rotation = cross_matrices(r)
+    bent = np.einsum("nij,njk->nik", h, rotation)
+    gradient = np.concatenate([g.sum(axis=0), np.einsum("ni,nij->j", g, rotation)])
     hessian = np.zeros((6, 6))
     hessian[:3, :3] = h.sum(axis=0)
     hessian[:3, 3:] = bent.sum(axis=0)
     hessian[3:, :3] = hessian[:3, 3:].T
     outer = np.einsum("na,nb->ab", g, r)
-    hessian[3:, 3:] = (np.einsum("nji,njk->ik", turn, bent) + (outer + outer.T) / 2
+    hessian[3:, 3:] = (np.einsum("nji,njk->ik", rotation, bent) + (outer + outer.T) / 2
                        - np.trace(outer) * np.eye(3))
     return Derivatives(float(terms.value.sum()), gradient, hessian)
 
@@ -141,44 +141,45 @@ def cross_matrices(r: np.ndarray) -> np.ndarray:
                      np.stack([y, -x, zero], axis=1)], axis=1)
 
 
-def turn_matrix(turn: np.ndarray) -> np.ndarray:
+def rotation_matrix(rotation: np.ndarray) -> np.ndarray:
     """(..., 3, 3) rotation by a vector (..., 3), radians (Rodrigues)."""
-    turn = np.asarray(turn, dtype=np.float64)
-    angle = np.linalg.norm(turn, axis=-1)[..., None, None]
-    x, y, z = np.moveaxis(turn, -1, 0)
+    rotation = np.asarray(rotation, dtype=np.float64)
+    angle = np.linalg.norm(rotation, axis=-1)[..., None, None]
+    x, y, z = np.moveaxis(rotation, -1, 0)
     zero = np.zeros_like(x)
     cross = np.stack([np.stack([zero, -z, y], -1), np.stack([z, zero, -x], -1), np.stack([-y, x, zero], -1)], -2)
     return np.eye(3) + np.sinc(angle / np.pi) * cross + 0.5 * np.sinc(angle / (2 * np.pi)) ** 2 * (cross @ cross)
 
 
 @dataclass(frozen=True)
-class Pose:
+class RigidMotion:
     """A rigid movement of points about a centre: centre + shift + turn (p - centre).
 
     Attributes
     ----------
-    centre : (d,) m. shift : (d,) m. turn : (d, d) rotation.
+    centre : (d,) m. translation : (d,) m. rotation : (d, d) rotation.
     """
 
     centre: np.ndarray
-    shift: np.ndarray
-    turn: np.ndarray
+    translation: np.ndarray
+    rotation: np.ndarray
 
     @classmethod
-    def at_rest(cls, centre: np.ndarray, shift: np.ndarray | None = None) -> Pose:
+    def identity(cls, centre: np.ndarray, translation: np.ndarray | None = None) -> RigidMotion:
         """No turn; by default no shift either."""
         centre = np.asarray(centre, dtype=np.float64)
-        return cls(centre, np.zeros(len(centre)) if shift is None else np.asarray(shift, float), np.eye(len(centre)))
+        zero = np.zeros(len(centre))
+        return cls(centre, zero if translation is None else np.asarray(translation, float), np.eye(len(centre)))
 
     def moved(self, points: np.ndarray) -> np.ndarray:
         """Points (m, d) after the movement."""
-        return (points - self.centre) @ self.turn.T + (self.centre + self.shift)
+        return (points - self.centre) @ self.rotation.T + (self.centre + self.translation)
 
-    def after(self, step: np.ndarray) -> Pose:
+    def after(self, step: np.ndarray) -> RigidMotion:
         """This movement, then a small one (3 or 6 parameters) about the moved centre."""
         d = len(self.centre)
-        turn = turn_matrix(np.array([0.0, 0.0, step[2]]))[:2, :2] if d == 2 else turn_matrix(step[3:])
-        return Pose(self.centre, self.shift + step[:d], turn @ self.turn)
+        rotation = rotation_matrix(np.array([0.0, 0.0, step[2]]))[:2, :2] if d == 2 else rotation_matrix(step[3:])
+        return RigidMotion(self.centre, self.translation + step[:d], rotation @ self.rotation)
 
 
 @dataclass(frozen=True)
@@ -190,33 +191,33 @@ class Match:
     pose : the movement. derivatives : at it. steps : taken. converged : whether it came to rest.
     """
 
-    pose: Pose
+    pose: RigidMotion
     derivatives: Derivatives
     steps: int
     converged: bool
 
 
-_REST = np.array([5e-4, 5e-4, 5e-4, 2e-5, 2e-5, 2e-5])  # m and radians
-_LONGEST = 0.5  # of a cell
+_TOLERANCE = np.array([5e-4, 5e-4, 5e-4, 2e-5, 2e-5, 2e-5])  # m and radians
+_STEP_LIMIT = 0.5  # of a cell
 
 
-def match_points(points: np.ndarray, start: Pose, ndt: NdtMap, mixture: Mixture, iterations: int = 30,
+def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: Mixture, iterations: int = 30,
                  neighbours: bool = True) -> Match:
     """Move points (m, d) so that their score in the map is largest: Newton's method with line search (J eq. 12)."""
     pose = start
     count = 3 if ndt.dimensions == 2 else 6
-    rest = _REST[[0, 1, 3]] if count == 3 else _REST
-    reach = max(float(np.sqrt(((points - start.centre) ** 2).sum(axis=1).mean())), 1.0) if len(points) else 1.0
+    tolerance = _TOLERANCE[[0, 1, 3]] if count == 3 else _TOLERANCE
+    extent = max(float(np.sqrt(((points - start.centre) ** 2).sum(axis=1).mean())), 1.0) if len(points) else 1.0
 
-    def at(pose: Pose) -> Derivatives:
+    def at(pose: RigidMotion) -> Derivatives:
         moved = pose.moved(points)
-        return rigid_derivatives(moved, pose.centre + pose.shift, ndt_terms(ndt, moved, mixture, neighbours))
+        return rigid_derivatives(moved, pose.centre + pose.translation, ndt_terms(ndt, moved, mixture, neighbours))
 
     now = at(pose)
     for done in range(iterations):
-        step = uphill_step(now.gradient, now.hessian, reach)
-        longest = np.abs(step[:-1] if count == 3 else step[:3]).max()
-        step *= min(1.0, _LONGEST * ndt.cell / max(longest, 1e-12))
+        step = uphill_step(now.gradient, now.hessian, extent)
+        largest = np.abs(step[:-1] if count == 3 else step[:3]).max()
+        step *= min(1.0, _STEP_LIMIT * ndt.cell / max(largest, 1e-12))
         for _ in range(6):
             trial = pose.after(step)
             there = at(trial)
@@ -224,20 +225,20 @@ def match_points(points: np.ndarray, start: Pose, ndt: NdtMap, mixture: Mixture,
                 break
             step = step / 2
         else:
-            return Match(pose, now, done, bool((np.abs(step) < 64 * rest).all()))
+            return Match(pose, now, done, bool((np.abs(step) < 64 * tolerance).all()))
         pose, now = trial, there
-        if (np.abs(step) < rest).all():
+        if (np.abs(step) < tolerance).all():
             return Match(pose, now, done + 1, True)
     return Match(pose, now, iterations, False)
 
 
-def uphill_step(gradient: np.ndarray, hessian: np.ndarray, reach: float = 1.0) -> np.ndarray:
+def uphill_step(gradient: np.ndarray, hessian: np.ndarray, extent: float = 1.0) -> np.ndarray:
     """Newton's step towards a maximum; where the score is not curved downwards, curvatures are turned about.
 
-    `reach` : m, size of the point set, which makes turns and shifts comparable.
+    `extent` : m, size of the point set, which makes turns and shifts comparable.
     """
     d = 2 if len(gradient) == 3 else 3
-    scale = np.concatenate([np.ones(d), np.full(len(gradient) - d, 1.0 / reach)])
+    scale = np.concatenate([np.ones(d), np.full(len(gradient) - d, 1.0 / extent)])
     values, vectors = np.linalg.eigh(-(hessian * scale * scale[:, None]))
     least = 1e-4 * max(np.abs(values).max(), 1e-12)
     inverse = 1.0 / np.maximum(np.abs(values), least)

@@ -37,11 +37,11 @@ class PatchSums:
         """The sums of a score that counts `factor` times."""
         return PatchSums(self.gradient * factor, self.information * factor)
 
-    def about(self, arms: np.ndarray) -> PatchSums:
-        """The same about other centres, which lie `arms` (n, 3) from the origin."""
-        carry = carries(-arms)
-        return PatchSums(np.einsum("nji,nj->ni", carry, self.gradient),
-                         np.swapaxes(carry, 1, 2) @ self.information @ carry)
+    def about(self, lever_arms: np.ndarray) -> PatchSums:
+        """The same about other centres, which lie `lever_arms` (n, 3) from the origin."""
+        transfer = centre_transfers(-lever_arms)
+        return PatchSums(np.einsum("nji,nj->ni", transfer, self.gradient),
+                         np.swapaxes(transfer, 1, 2) @ self.information @ transfer)
 
     def windows(self, first: np.ndarray, last: np.ndarray) -> PatchSums:
         """Sums over the patches `first` to `last`, both included, of each window (k,)."""
@@ -54,11 +54,11 @@ def window_sums(values: np.ndarray, first: np.ndarray, last: np.ndarray) -> np.n
     return running[last + 1] - running[first]
 
 
-def carries(arms: np.ndarray) -> np.ndarray:
-    """(n, 6, 6): movement about a centre to the same movement about the place `arms` (n, 3) away from it."""
-    carry = np.broadcast_to(np.eye(6), (len(arms), 6, 6)).copy()
-    carry[:, :3, 3:] = cross_matrices(arms)
-    return carry
+def centre_transfers(lever_arms: np.ndarray) -> np.ndarray:
+    """(n, 6, 6): movement about a centre to the same movement about the place `lever_arms` (n, 3) away from it."""
+    transfer = np.broadcast_to(np.eye(6), (len(lever_arms), 6, 6)).copy()
+    transfer[:, :3, 3:] = cross_matrices(lever_arms)
+    return transfer
 
 
 def by_patch(values: np.ndarray, patch: np.ndarray, patches: int) -> np.ndarray:

@@ -10,9 +10,9 @@ from ..start.patch_points import PatchPoints
 from ..start.patches import Patches
 from ..start.reference import Reference
 from .ndt_map import NdtMap, build_ndt
-from .ndt_match import Match, Mixture, Pose, match_points
-from .rows import Start, assemble
-from .stretch import EVIDENCE_AREA, AdjustedStretch
+from .ndt_match import Match, Mixture, RigidMotion, match_points
+from .path_section import OBSERVATION_AREA, AdjustedSection
+from .results import InitialShifts, assemble
 from .windows import Windows
 
 _LEVELS = (2.0, 1.0, 0.5)  # of the NDT grid
@@ -21,11 +21,11 @@ _AROUND = 3.0  # m
 _ON_MARKING = 0.5
 
 
-def register_single(points: PatchPoints, patches: Patches, windows: Windows, start: Start, reference: Reference,
+def register_single(points: PatchPoints, patches: Patches, windows: Windows, start: InitialShifts, reference: Reference,
                     settings: RegistrationSettings, progress: Progress) -> WindowResults:
     """Rows of all patches: each window starts from where the one before came to lie, the first from the start."""
     parts = []
-    pose: Pose | None = None
+    pose: RigidMotion | None = None
     for first in range(0, len(patches), _TILE):
         last = min(first + _TILE, len(patches)) - 1
         part, pose = _tile(first, last, points, patches, windows, start, reference, settings, pose,
@@ -34,14 +34,14 @@ def register_single(points: PatchPoints, patches: Patches, windows: Windows, sta
     return assemble(patches, windows, start, parts, settings)
 
 
-def _tile(first: int, last: int, points: PatchPoints, patches: Patches, windows: Windows, start: Start,
-          reference: Reference, settings: RegistrationSettings, pose: Pose | None, progress: Progress
-          ) -> tuple[AdjustedStretch, Pose | None]:
+def _tile(first: int, last: int, points: PatchPoints, patches: Patches, windows: Windows, start: InitialShifts,
+          reference: Reference, settings: RegistrationSettings, pose: RigidMotion | None, progress: Progress
+          ) -> tuple[AdjustedSection, RigidMotion | None]:
     part = points.of_patches(int(windows.first[first:last + 1].min()), int(windows.last[first:last + 1].max()))
     dimensions = 3 if settings.three_d else 2
     maps, coverage = _maps(part, reference, settings, dimensions)
     count = last - first + 1
-    shift, turn = np.zeros((count, 3)), np.zeros((count, 3))
+    translation, rotation = np.zeros((count, 3)), np.zeros((count, 3))
     covariance = np.full((count, 6, 6), np.nan)
     score, overlap = np.full(count, np.nan), np.full(count, np.nan)
     size, converged = np.zeros(count, dtype=np.int64), np.zeros(count, dtype=bool)
@@ -60,18 +60,18 @@ def _tile(first: int, last: int, points: PatchPoints, patches: Patches, windows:
             score[row] = match.derivatives.value / (len(window) * maps[-1][1].height)
             covariance[row] = _covariance(match, settings)
             begin = match.pose
-        shift[row, :dimensions] = begin.shift
-        turn[row] = _vector(begin.turn)
-    course = np.concatenate([shift, turn], axis=1)
-    return AdjustedStretch(shift, turn, covariance, course, np.zeros((count, 6, 6)), np.zeros((count, 6)), score,
+        translation[row, :dimensions] = begin.translation
+        rotation[row] = _vector(begin.rotation)
+    curve = np.concatenate([translation, rotation], axis=1)
+    return AdjustedSection(translation, rotation, covariance, curve, np.zeros((count, 6, 6)), np.zeros((count, 6)), score,
                            overlap, size, converged), pose
 
 
-def _begin(pose: Pose | None, centre: np.ndarray, shift: np.ndarray) -> Pose:
+def _begin(pose: RigidMotion | None, centre: np.ndarray, shift: np.ndarray) -> RigidMotion:
     """The movement of the window before, about another centre."""
     if pose is None:
-        return Pose.at_rest(centre, np.r_[shift, np.zeros(len(centre) - 2)])
-    return Pose(centre, pose.moved(centre[None])[0] - centre, pose.turn)
+        return RigidMotion.identity(centre, np.r_[shift, np.zeros(len(centre) - 2)])
+    return RigidMotion(centre, pose.moved(centre[None])[0] - centre, pose.rotation)
 
 
 def _maps(points: PatchPoints, reference: Reference, settings: RegistrationSettings, dimensions: int):
@@ -97,7 +97,7 @@ def _maps(points: PatchPoints, reference: Reference, settings: RegistrationSetti
         on_markings
 
 
-def _match(points: np.ndarray, begin: Pose, maps: list[tuple[NdtMap, Mixture]], settings: RegistrationSettings
+def _match(points: np.ndarray, begin: RigidMotion, maps: list[tuple[NdtMap, Mixture]], settings: RegistrationSettings
            ) -> Match:
     for ndt, mixture in maps:
         match = match_points(points, begin, ndt, mixture, settings.iterations, settings.neighbours)
@@ -109,7 +109,7 @@ def _covariance(match: Match, settings: RegistrationSettings) -> np.ndarray:
     """(6, 6) of independent evidence; 0 in what was not estimated, all NaN where it is not determined."""
     full = np.zeros((6, 6))
     active = [0, 1, 5] if len(match.derivatives.gradient) == 3 else list(range(6))
-    information = -match.derivatives.hessian * settings.subsampling ** 2 / EVIDENCE_AREA
+    information = -match.derivatives.hessian * settings.subsampling ** 2 / OBSERVATION_AREA
     values, vectors = np.linalg.eigh(information)
     if values[0] > 0:
         full[np.ix_(active, active)] = vectors @ np.diag(1 / values) @ vectors.T
@@ -117,10 +117,11 @@ def _covariance(match: Match, settings: RegistrationSettings) -> np.ndarray:
     return np.full((6, 6), np.nan)
 
 
-def _vector(turn: np.ndarray) -> np.ndarray:
+def _vector(rotation: np.ndarray) -> np.ndarray:
     """Rotation vector of a rotation (2, 2) or (3, 3)."""
-    if len(turn) == 2:
-        return np.array([0.0, 0.0, np.arctan2(turn[1, 0], turn[0, 0])])
-    axis = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / 2
-    angle = np.arccos(np.clip((np.trace(turn) - 1) / 2, -1, 1))
+    if len(rotation) == 2:
+        return np.array([0.0, 0.0, np.arctan2(rotation[1, 0], rotation[0, 0])])
+    skew = rotation - rotation.T
+    axis = np.array([skew[2, 1], skew[0, 2], skew[1, 0]]) / 2
+    angle = np.arccos(np.clip((np.trace(rotation) - 1) / 2, -1, 1))
     return axis / np.sinc(angle / np.pi)

@@ -60,17 +60,17 @@ class _Occupied:
 
 
 def choose_windows(x: np.ndarray, y: np.ndarray, patch: np.ndarray, patches: int, settings: RegistrationSettings,
-                   to_the_end: bool = False) -> Windows:
+                   extend_at_end: bool = False) -> Windows:
     """The window of each patch.
 
     Parameters
     ----------
     x, y : (m,) marking points, m. patch : (m,) their patches.
-    to_the_end : add patches at the end of the window only (J); otherwise at both ends in turn, so that the patch
+    extend_at_end : add patches at the end of the window only (J); otherwise at both ends in turn, so that the patch
         stays in its middle.
 
     A window starts with `window_patches` round its patch and grows until `feature_count` cells of `feature_grid` hold
-    `feature_points` points or more, or it is `longest_window` long.
+    `feature_points` points or more, or it is `max_window_patches` long.
     """
     column = np.floor((x - (x.min() if len(x) else 0.0)) / settings.feature_grid).astype(np.int64)
     row = np.floor((y - (y.min() if len(y) else 0.0)) / settings.feature_grid).astype(np.int64)
@@ -82,12 +82,12 @@ def choose_windows(x: np.ndarray, y: np.ndarray, patch: np.ndarray, patches: int
     for number in range(patches):
         more = max(more - 2, 0)  # the next window holds this one less two patches, so it cannot be shorter
         while True:
-            size = min(settings.window_patches + more, settings.longest_window)
-            before = settings.window_patches // 2 + (0 if to_the_end else more // 2)
+            size = min(settings.window_patches + more, settings.max_window_patches)
+            before = settings.window_patches // 2 + (0 if extend_at_end else more // 2)
             start = number - min(before, size - 1)
             occupied.move(max(start, 0), min(start + size, patches) - 1)
             whole = occupied.first == 0 and occupied.last == patches - 1
-            if occupied.features >= settings.feature_count or size == settings.longest_window or whole:
+            if occupied.features >= settings.feature_count or size == settings.max_window_patches or whole:
                 break
             more += 1
         first[number], last[number], features[number] = occupied.first, occupied.last, occupied.features

@@ -19,7 +19,7 @@ from .reference import Coverage
 CELL = 0.2
 """m, step of the shifts."""
 
-EVIDENCE_AREA = 0.15
+OBSERVATION_AREA = 0.15
 """m2 of paint (1 m of a lane line) that count as one independent observation."""
 
 _BLUR = 0.2
@@ -56,18 +56,18 @@ def score_image(coverage: Coverage, background: float) -> ScoreImage:
     return ScoreImage(left, top, np.log1p(np.maximum(share, 0) / background).astype(np.float32))
 
 
-def shift_scores(x: np.ndarray, y: np.ndarray, weight: np.ndarray, image: ScoreImage, reach: int) -> np.ndarray:
+def shift_scores(x: np.ndarray, y: np.ndarray, weight: np.ndarray, image: ScoreImage, max_shift: int) -> np.ndarray:
     """Score of all shifts of a point set, (2 reach + 1, 2 reach + 1) float32: rows north, columns east.
 
     Parameters
     ----------
-    x, y : (m,) m. weight : (m,) evidence of each point. reach : largest shift, cells.
+    x, y : (m,) m. weight : (m,) evidence of each point. max_shift : largest shift, cells.
     """
     column = np.floor(x / CELL).astype(np.int64) - image.left
     row = np.floor(-y / CELL).astype(np.int64) - image.top
-    size = 2 * reach + 1
+    size = 2 * max_shift + 1
     rows, columns = image.score.shape
-    inside = (column >= -reach) & (column < columns + reach) & (row >= -reach) & (row < rows + reach)
+    inside = (column >= -max_shift) & (column < columns + max_shift) & (row >= -max_shift) & (row < rows + max_shift)
     if not inside.any():
         return np.zeros((size, size), dtype=np.float32)
     column, row, weight = column[inside], row[inside], weight[inside]
@@ -75,8 +75,8 @@ def shift_scores(x: np.ndarray, y: np.ndarray, weight: np.ndarray, image: ScoreI
     width, height = column.max() - left + 1, row.max() - top + 1
     template = np.bincount((row - top) * width + column - left, weight, width * height).astype(np.float32)
     if template.size > 20 * len(column):  # sparse: sum over its filled cells
-        return _sparse_scores(template, width, left, top, image, reach)[::-1]
-    part = _part(image.score, top - reach, left - reach, height + 2 * reach, width + 2 * reach)
+        return _sparse_scores(template, width, left, top, image, max_shift)[::-1]
+    part = _part(image.score, top - max_shift, left - max_shift, height + 2 * max_shift, width + 2 * max_shift)
     return cv2.matchTemplate(part, template.reshape(height, width), cv2.TM_CCORR)[::-1]
 
 
@@ -90,71 +90,73 @@ def _part(score: np.ndarray, top: int, left: int, rows: int, columns: int) -> np
     return part
 
 
-def _sparse_scores(template: np.ndarray, width: int, left: int, top: int, image: ScoreImage, reach: int) -> np.ndarray:
+def _sparse_scores(template: np.ndarray, width: int, left: int, top: int, image: ScoreImage,
+                   max_shift: int) -> np.ndarray:
     filled = np.flatnonzero(template)
-    size = 2 * reach + 1
-    part = _part(image.score, top - reach, left - reach, len(template) // width + 2 * reach, width + 2 * reach)
+    size = 2 * max_shift + 1
+    part = _part(image.score, top - max_shift, left - max_shift, len(template) // width + 2 * max_shift,
+                 width + 2 * max_shift)
     views = np.lib.stride_tricks.sliding_window_view(part, (size, size))
     return np.einsum("n,nij->ij", template[filled], views[filled // width, filled % width]).astype(np.float32)
 
 
 @dataclass(frozen=True)
-class BestWay:
+class BestPath:
     """The best sequence of shifts.
 
     Attributes
     ----------
-    shift : (b, 2) whole steps of `CELL`, east and north. beaten : (b, s, s) float32: by how much each shift at each
+    shift : (b, 2) whole steps of `CELL`, east and north. deficit : (b, s, s) float32: by how much each shift at each
     block (rows north, columns east) makes the whole sequence worse; 0 at the best.
     """
 
     shift: np.ndarray
-    beaten: np.ndarray
+    deficit: np.ndarray
 
 
-def best_way(scores: np.ndarray, wander: np.ndarray, likely: float) -> BestWay:
+def best_path(scores: np.ndarray, step_variance: np.ndarray, prior_sigma: float) -> BestPath:
     """Best sequence of shifts through blocks (b, s, s) of scores.
 
     Parameters
     ----------
-    wander : (b - 1,) m2, variance of the error's change from each block to the next.
-    likely : m, standard deviation of the whole error, which decides between places that fit alike.
+    step_variance : (b - 1,) m2, variance of the error's change from each block to the next.
+    prior_sigma : m, standard deviation of the whole error, which decides between places that fit alike.
     """
     count, size = len(scores), scores.shape[1]
     offset = (np.arange(size) - size // 2) * CELL
     total = np.empty_like(scores)
-    ahead = -(offset[:, None] ** 2 + offset ** 2).astype(np.float32) / (2 * likely ** 2)
+    ahead = -(offset[:, None] ** 2 + offset ** 2).astype(np.float32) / (2 * prior_sigma ** 2)
     for block in range(count):
         total[block] = ahead
         if block < count - 1:
-            ahead = _spread(ahead + scores[block], wander[block])
+            ahead = _propagated(ahead + scores[block], step_variance[block])
             ahead -= ahead.max()
     back = np.zeros((size, size), dtype=np.float32)
     for block in reversed(range(count)):
         total[block] += scores[block] + back
         if block:
-            back = _spread(back + scores[block], wander[block - 1])
+            back = _propagated(back + scores[block], step_variance[block - 1])
             back -= back.max()
     best = total.reshape(count, -1).argmax(axis=1)
-    beaten = total.reshape(count, -1).max(axis=1)[:, None, None] - total
-    return BestWay(np.stack([best % size, best // size], axis=1) - size // 2, beaten)
+    deficit = total.reshape(count, -1).max(axis=1)[:, None, None] - total
+    return BestPath(np.stack([best % size, best // size], axis=1) - size // 2, deficit)
 
 
-def spreads(way: BestWay, apart: float) -> np.ndarray:
+def alternative_spread(path: BestPath, apart: float) -> np.ndarray:
     """(b, 2, 2) m2: how far the best way may be off because others, more than `apart` m away, fit nearly as well."""
-    offset = np.arange(way.beaten.shape[1]) - way.beaten.shape[1] // 2
-    spread = np.zeros((len(way.beaten), 2, 2))
-    for block, (east, north) in enumerate(way.shift):
-        likely = np.exp(-way.beaten[block].astype(np.float64))
-        likely /= likely.sum()
+    offset = np.arange(path.deficit.shape[1]) - path.deficit.shape[1] // 2
+    spread = np.zeros((len(path.deficit), 2, 2))
+    for block, (east, north) in enumerate(path.shift):
+        probability = np.exp(-path.deficit[block].astype(np.float64))
+        probability /= probability.sum()
         to_east, to_north = np.meshgrid((offset - east) * CELL, (offset - north) * CELL)
-        likely[np.maximum(np.abs(to_east), np.abs(to_north)) < apart] = 0.0  # that is the place itself
-        cross = (likely * to_east * to_north).sum()
-        spread[block] = [[(likely * to_east ** 2).sum(), cross], [cross, (likely * to_north ** 2).sum()]]
+        probability[np.maximum(np.abs(to_east), np.abs(to_north)) < apart] = 0.0  # that is the place itself
+        cross = (probability * to_east * to_north).sum()
+        spread[block] = [[(probability * to_east ** 2).sum(), cross], [cross, (probability * to_north ** 2).sum()]]
     return spread
 
 
-def _spread(score: np.ndarray, variance: float) -> np.ndarray:
+def _propagated(score: np.ndarray, variance: float) -> np.ndarray:
     """Best score that can be reached at each shift from the others, a change d costing d2 / (2 variance)."""
     furthest = int(np.clip(math.ceil(_SIGMAS * math.sqrt(variance) / CELL), 1, len(score) - 1))
     cost = CELL ** 2 / (2 * max(variance, 1e-6)) * np.arange(furthest + 1, dtype=np.float32) ** 2

@@ -19,18 +19,18 @@ class PatchPoints:
 
     Attributes
     ----------
-    place : (m, 3) m, reported. arm : (m, 3) m, from the body's reported place at the time of measuring.
-    clock : (m,) of the patches, when measured. patch : (m,) number, not falling. weight : (m,).
+    place : (m, 3) m, reported. lever_arm : (m, 3) m, from the body's reported place at the time of measuring.
+    path_parameter : (m,) of the patches, when measured. patch : (m,) number, not falling. weight : (m,).
     """
 
     place: np.ndarray
-    arm: np.ndarray
-    clock: np.ndarray
+    lever_arm: np.ndarray
+    path_parameter: np.ndarray
     patch: np.ndarray
     weight: np.ndarray
 
     def __len__(self) -> int:
-        return len(self.clock)
+        return len(self.path_parameter)
 
     def of_patches(self, first: int, last: int) -> PatchPoints:
         """Points of the patches `first` to `last`."""
@@ -55,12 +55,12 @@ def thin_points(markings: MarkingPoints, trajectory: Trajectory, patches: Patche
         total = np.add.reduceat((values - base)[order], start, axis=0)
         return base + total / (count if values.ndim == 1 else count[:, None])
 
-    clock = mean(patches.clock_at(markings.time))
-    place, arm, weight = mean(reported), mean(reported - body), mean(np.asarray(markings.weight, float))
-    way = np.interp(clock, patches.epoch_way + patches.epoch_standing, patches.epoch_way)
-    patch = np.clip((way / patches.length).astype(np.int64), 0, len(patches) - 1)
+    path_parameter = mean(patches.path_parameter_at(markings.time))
+    place, lever_arm, weight = mean(reported), mean(reported - body), mean(np.asarray(markings.weight, float))
+    chainage = np.interp(path_parameter, patches.epoch_chainage + patches.epoch_stop_time, patches.epoch_chainage)
+    patch = np.clip((chainage / patches.length).astype(np.int64), 0, len(patches) - 1)
     order = np.argsort(patch, kind="stable")
-    return PatchPoints(place[order], arm[order], clock[order], patch[order], weight[order])
+    return PatchPoints(place[order], lever_arm[order], path_parameter[order], patch[order], weight[order])
 
 
 def _cells(markings: MarkingPoints, group: np.ndarray, cell: float) -> np.ndarray:

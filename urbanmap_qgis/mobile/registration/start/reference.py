@@ -36,9 +36,9 @@ class Coverage:
     grid: Grid
     share: np.ndarray
 
-    def points(self, least: float = 0.5) -> np.ndarray:
-        """(n, 2) m, middles of the cells that are marking to `least` or more."""
-        row, column = np.nonzero(self.share >= least)
+    def points(self, min_share: float = 0.5) -> np.ndarray:
+        """(n, 2) m, middles of the cells that are marking to `min_share` or more."""
+        row, column = np.nonzero(self.share >= min_share)
         x, y = self.grid.centres()
         return np.stack([x[column], y[row]], axis=1)
 

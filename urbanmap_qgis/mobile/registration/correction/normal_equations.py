@@ -13,32 +13,32 @@ PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)
 
 
 @dataclass(frozen=True)
-class Evidence:
+class NormalEquations:
     """Log-likelihood of corrections c of n pieces of path, off = c - place: pull . off - off' information off / 2.
 
     Attributes
     ----------
     active : numbers of the d parameters (dx, dy, dz, droll, dpitch, dheading) that are estimated.
-    clock : (n,) m, the drift's clock at the pieces.  place : (n, d), pull : (n, d), information : (n, d, d).
+    path_parameter : (n,) m, of the pieces.  place : (n, d), gradient : (n, d), information : (n, d, d).
     present : (n,) bool, whether the piece says anything.  three_d : whether height, roll and pitch are estimated.
     """
 
     active: tuple[int, ...]
-    clock: np.ndarray
+    path_parameter: np.ndarray
     place: np.ndarray
-    pull: np.ndarray
+    gradient: np.ndarray
     information: np.ndarray
     present: np.ndarray
     three_d: bool
 
     @property
-    def absolute_pull(self) -> np.ndarray:
+    def normal_vector(self) -> np.ndarray:
         """(n, d) pull at no correction at all."""
-        return self.pull + np.einsum("nij,nj->ni", self.information, self.place)
+        return self.gradient + np.einsum("nij,nj->ni", self.information, self.place)
 
-    def pull_at(self, value: np.ndarray) -> np.ndarray:
+    def gradient_at(self, value: np.ndarray) -> np.ndarray:
         """(n, d) pull at corrections (n, d)."""
-        return self.pull - np.einsum("nij,nj->ni", self.information, value - self.place)
+        return self.gradient - np.einsum("nij,nj->ni", self.information, value - self.place)
 
 
     def in_plan(self) -> list[int]:
@@ -50,12 +50,12 @@ class Evidence:
         plan = self.in_plan()
         sizes, axes = np.linalg.eigh(self.information[:, plan][:, :, plan])
         there = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
-        along = np.einsum("nji,nj->ni", axes, self.pull_at(value)[:, plan])
+        along = np.einsum("nji,nj->ni", axes, self.gradient_at(value)[:, plan])
         pulls = np.where(there, along**2, 0.0) / np.where(there, sizes, 1.0)
         return pulls.sum(axis=1) / np.maximum(there.sum(axis=1), 1)
 
 
-def evidence_of(windows: WindowResults, clock: np.ndarray) -> Evidence:
+def normal_equations_of(windows: WindowResults, path_parameter: np.ndarray) -> NormalEquations:
     """The evidence of windows' results at clock readings (n,): that of the patches' own points where it is given.
 
     Otherwise windows are rigid and share their points; each counts for its own patch, with its share of the points.
@@ -64,13 +64,14 @@ def evidence_of(windows: WindowResults, clock: np.ndarray) -> Evidence:
     pick = list(active)
     usable = windows.usable
     information = np.nan_to_num(windows.information[:, pick][:, :, pick])
-    place, pull = np.nan_to_num(windows.linearised[:, pick]), np.nan_to_num(windows.pull[:, pick])
+    place, gradient = np.nan_to_num(windows.linearised[:, pick]), np.nan_to_num(windows.gradient[:, pick])
     if not information[usable].any():
-        place, pull = np.nan_to_num(windows.correction[:, pick]), np.zeros((len(windows), len(pick)))
+        place, gradient = np.nan_to_num(windows.correction[:, pick]), np.zeros((len(windows), len(pick)))
         information = _shared(windows, pick, usable)
-    information, pull = _without_bends(information, pull)
-    information[~usable], pull[~usable] = 0.0, 0.0
-    return Evidence(active, clock, place, pull, information, usable & information.any(axis=(1, 2)), windows.three_d)
+    information, gradient = _without_bends(information, gradient)
+    information[~usable], gradient[~usable] = 0.0, 0.0
+    present = usable & information.any(axis=(1, 2))
+    return NormalEquations(active, path_parameter, place, gradient, information, present, windows.three_d)
 
 
 def _shared(windows: WindowResults, pick: list[int], usable: np.ndarray) -> np.ndarray:
@@ -85,10 +86,10 @@ def _shared(windows: WindowResults, pick: list[int], usable: np.ndarray) -> np.n
     return information
 
 
-def _without_bends(information: np.ndarray, pull: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _without_bends(information: np.ndarray, gradient: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Directions in which a patch's score is not curved downwards say nothing: they are taken out."""
     values, vectors = np.linalg.eigh(0.5 * (information + np.swapaxes(information, 1, 2)))
     good = values > 0
     information = np.einsum("nij,nj,nkj->nik", vectors, np.where(good, values, 0.0), vectors)
-    along = np.einsum("nji,nj->ni", vectors, pull) * good
+    along = np.einsum("nji,nj->ni", vectors, gradient) * good
     return information, np.einsum("nij,nj->ni", vectors, along)

@@ -18,28 +18,29 @@ from ....progress import SILENT, Progress
 from ...trajectory import Trajectory, gaps, jumps
 from ..matching.block_chain import solve_chain
 from ..records import WindowResults
-from .drift_model import DriftModel, drift_clock, torn_steps, waited_steps
-from .evidence import Evidence, evidence_of
-from .patch_status import DISTRUSTED, judge, own_sigma, plan_sigma
+from .gauss_markov import GaussMarkovDrift, jump_steps, path_parameters_of, stop_steps
+from .normal_equations import NormalEquations, normal_equations_of
+from .patch_status import DISTRUSTED, own_sigma, patch_statuses, plan_sigma
 
-Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], Evidence]
-"""Evidence about a course (corrections (m, 6) at clock readings (m,)), the reference softened by so many metres."""
+Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
+"""Normal equations about a correction curve (corrections (m, 6) at path parameters (m,)), the reference blurred by so
+many metres."""
 
 _PASSES = 6
 _SEARCHED = (1,)  # rounds on the points in which the size of the drift is looked for again
-_AT_REST = 0.002  # m
-_HELD = 0.25  # of their usual size that angles may be off by until gross markings have lost their weight
+_CONVERGED = 0.002  # m
+_ANGLE_PRIOR = 0.25  # of their usual size that angles may be off by until gross markings have lost their weight
 _FACTORS = (1.0, 2.0, 4.0, 8.0)
 _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
-_SETTLED = 0.02
+_WEIGHT_TOLERANCE = 0.02
 _REGION = 5  # pieces to either side that are a piece's region
-_LEAST_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
-_LEAST_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
-_LEAST_TOLD = 0.6  # the same for the standard deviations: how quiet a short survey looks is partly luck
+_MIN_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
+_MIN_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
+_MIN_REPORTED = 0.6  # the same for the standard deviations: how quiet a short survey looks is partly luck
 _SEARCH_MARGIN, _SEARCH_SHARE = 0.4, 0.02  # m from the largest error looked for; share of patches that may be there
-_FEWEST_BLOCKS = 5  # from which the variance of the evidence can be told
+_MIN_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
-_UNSAID = 0.02  # weight that stands for evidence that is not believed at all
+_NO_WEIGHT = 0.02  # weight that stands for evidence that is not believed at all
 
 
 @dataclass(frozen=True)
@@ -49,14 +50,15 @@ class CorrectionSettings:
     Attributes
     ----------
     node_length : m of the drift's clock between the nodes of the correction.
-    rate, rate_length, wander, initial, standing, waiting : see `DriftModel`; the survey itself scales rate and wander.
+    rate_sigma, rate_correlation_length, random_walk, initial_sigma, time_weight, stop_walk : see `GaussMarkovDrift`;
+        the survey itself scales the rate and the random walk.
     block_length : m of path whose evidence is tested, and loses its weight, as one.
     single : how many times as hard as usual a single piece may pull.
     region : how many times as much as usual the pieces around may pull in the mean.
     gross : standard deviations from which a block's contradiction is gross.
-    least_margin : log-likelihood by which a place must beat all others.
+    min_margin : log-likelihood by which a place must beat all others.
     search : m, largest error east or north that the windows looked for: a correction as large is no find.
-    around : m of path to either side whose markings must fix the place of a registered patch.
+    support_length : m of path to either side whose markings must fix the place of a registered patch.
     registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
     trusted_sigma : m in plan, a patch that is to be trusted has at most.
     blurs : m, by which the reference is softened in the rounds on the points.
@@ -64,29 +66,29 @@ class CorrectionSettings:
     """
 
     node_length: float = 2.0
-    rate: tuple[float, ...] = (2e-3, 2e-3, 1.5e-3, 1.2e-3, 1.2e-3, 1.2e-3)
-    rate_length: float = 40.0
-    wander: tuple[float, ...] = (1.5e-3, 1.5e-3, 1.0e-3, 1e-3, 1e-3, 1e-3)
-    initial: tuple[float, ...] = (3.0, 3.0, 5.0, 0.15, 0.15, 0.2)
-    standing: float = 1.0
-    waiting: float = 0.1
+    rate_sigma: tuple[float, ...] = (2e-3, 2e-3, 1.5e-3, 1.2e-3, 1.2e-3, 1.2e-3)
+    rate_correlation_length: float = 40.0
+    random_walk: tuple[float, ...] = (1.5e-3, 1.5e-3, 1.0e-3, 1e-3, 1e-3, 1e-3)
+    initial_sigma: tuple[float, ...] = (3.0, 3.0, 5.0, 0.15, 0.15, 0.2)
+    time_weight: float = 1.0
+    stop_walk: float = 0.1
     block_length: float = 10.0
     single: float = 4.0
     region: float = 3.0
     gross: float = 5.0
-    least_margin: float = 3.0
+    min_margin: float = 3.0
     search: float = np.inf
-    around: float = 15.0
+    support_length: float = 15.0
     registered_sigma: float = 0.10
     trusted_sigma: float = 0.30
     blurs: tuple[float, ...] = (0.15, 0.05, 0.0, 0.0, 0.0)
     reference_sigma: float = 0.01
     reference_sigma_z: float = 0.015
 
-    def model(self) -> DriftModel:
+    def model(self) -> GaussMarkovDrift:
         """The drift as these settings expect it."""
-        return DriftModel(np.array(self.rate), self.rate_length, np.array(self.wander), np.array(self.initial),
-                          self.standing, self.waiting)
+        return GaussMarkovDrift(np.array(self.rate_sigma), self.rate_correlation_length, np.array(self.random_walk),
+                                np.array(self.initial_sigma), self.time_weight, self.stop_walk)
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ class Correction:
 
     Attributes
     ----------
-    time : (n,) s, way : (n,) m, of the patches.
+    time : (n,) s, chainage : (n,) m, of the patches.
     value : (n, 6) dx, dy, dz, droll, dpitch, dheading; 0 for what was not estimated.
     covariance : (n, 6, 6), the reference's own error included; NaN for what was not estimated.
     status : (n,) int8, REGISTERED, BRIDGED or DISTRUSTED.  reason : (n,) why it is not simply registered, or "".
@@ -106,7 +108,7 @@ class Correction:
     """
 
     time: np.ndarray
-    way: np.ndarray
+    chainage: np.ndarray
     value: np.ndarray
     covariance: np.ndarray
     status: np.ndarray
@@ -116,10 +118,10 @@ class Correction:
     three_d: bool
     drift_factor: float
     noise_factor: float
-    _node_clock: np.ndarray = field(repr=False)
+    _node_parameter: np.ndarray = field(repr=False)
     _node_state: np.ndarray = field(repr=False)
     _active: tuple[int, ...] = field(repr=False)
-    _standing: float = field(repr=False)
+    _time_weight: float = field(repr=False)
 
     def __len__(self) -> int:
         return len(self.time)
@@ -135,9 +137,9 @@ class Correction:
 
 def correct_trajectory(trajectory: Trajectory, correction: Correction) -> Trajectory:
     """The trajectory with the correction at all its epochs; before the first and after the last node it is rigid."""
-    clock = drift_clock(trajectory, correction._standing)
-    change = np.zeros((len(clock), 6))
-    change[:, correction._active] = _smooth_between(correction._node_clock, correction._node_state, clock)
+    path_parameter = path_parameters_of(trajectory, correction._time_weight)
+    change = np.zeros((len(path_parameter), 6))
+    change[:, correction._active] = _smooth_between(correction._node_parameter, correction._node_state, path_parameter)
     return Trajectory(trajectory.time, trajectory.place + change[:, :3], trajectory.angles + change[:, 3:])
 
 
@@ -148,27 +150,27 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
 
     Parameters
     ----------
-    points : gives the evidence of the points themselves about any course (see `PointEvidence.about`); with it the
+    points : gives the evidence of the points themselves about any course (see `PointObservations.about`); with it the
         correction goes on from the windows' to where the points put it.
 
     Raises
     ------
     InsufficientDataError : no window was registered.
     """
-    clock = drift_clock(trajectory, settings.standing)
-    evidence = evidence_of(windows, np.interp(windows.time, trajectory.time, clock))
-    if not evidence.present.any():
+    path_parameter = path_parameters_of(trajectory, settings.time_weight)
+    normals = normal_equations_of(windows, np.interp(windows.time, trajectory.time, path_parameter))
+    if not normals.present.any():
         raise InsufficientDataError(
             "No stretch of the survey could be registered to the reference markings: check that both show the same "
             "streets in the same coordinate system, and that the survey has intensities that show paint.")
-    model, at_patches = settings.model(), evidence.clock
-    chain = _Chain(evidence, _nodes(clock, settings.node_length), trajectory, clock)
-    sure = windows.margin >= settings.least_margin
-    allowed = np.where(sure, 1.0, 0.0) if (sure & evidence.present).any() else np.ones(len(windows))
+    model, at_patches = settings.model(), normals.path_parameter
+    chain = _Chain(normals, _nodes(path_parameter, settings.node_length), trajectory, path_parameter)
+    sure = windows.margin >= settings.min_margin
+    allowed = np.where(sure, 1.0, 0.0) if (sure & normals.present).any() else np.ones(len(windows))
     if points is not None:
-        model = model.with_angles(_HELD)
+        model = model.with_angles(_ANGLE_PRIOR)
     fit = _robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.5))
-    doubtful = evidence.present & ~sure
+    doubtful = normals.present & ~sure
     if doubtful.any() and (allowed == 0).any():
         agreeing = doubtful & _only_own_mode_fits(windows, *chain.at(fit.state, fit.covariance, at_patches), settings)
         if agreeing.any():
@@ -178,43 +180,43 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         at_nodes = np.interp(chain.nodes, at_patches, allowed)
         chain, fit = _onto_points(points, chain, fit, settings.model(), at_nodes, settings, progress.part(0.5, 1.0))
     model = settings.model().scaled(fit.drift_factor)
-    told = chain.solve(model, fit.weight / max(fit.noise_factor, _LEAST_TOLD))[1]
-    made = _result(windows, chain, replace(fit, covariance=told), at_patches, doubtful, settings)
+    reported = chain.solve(model, fit.weight / max(fit.noise_factor, _MIN_REPORTED))[1]
+    made = _result(windows, chain, replace(fit, covariance=reported), at_patches, doubtful, settings)
     return _distrusted(made, trajectory, settings)
 
 
-def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: DriftModel, allowed: np.ndarray,
+def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: GaussMarkovDrift, allowed: np.ndarray,
                  settings: CorrectionSettings, progress: Progress) -> tuple[_Chain, _Fit]:
     """Gauss and Newton's method on the points' own evidence, from the windows' correction."""
-    held = free.with_angles(_HELD)
+    held = free.with_angles(_ANGLE_PRIOR)
     for number, blur in enumerate(settings.blurs):
         progress.step(number / len(settings.blurs))
         model = held if blur > 0 else free
-        last, evidence = fit.state, points(_Course(chain, fit.state), blur)
-        chain = chain.with_evidence(evidence)
-        here = np.interp(evidence.clock, chain.nodes, allowed) > 0.5
-        if not (here & evidence.present).any():
+        last, normals = fit.state, points(_Curve(chain, fit.state), blur)
+        chain = chain.with_normals(normals)
+        here = np.interp(normals.path_parameter, chain.nodes, allowed) > 0.5
+        if not (here & normals.present).any():
             here = np.ones(len(here), bool)
         if number in _SEARCHED:
             fit = _robust_fit(chain, model, here.astype(float), settings, SILENT)
         else:
             fit = replace(_reweighted_fit(chain, model.scaled(fit.drift_factor), here.astype(float), settings)[0],
                           drift_factor=fit.drift_factor)
-        if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < _AT_REST:
+        if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < _CONVERGED:
             break
     return chain, fit
 
 
 @dataclass(frozen=True)
-class _Course:
+class _Curve:
     """The correction (m, 6) at clock readings (m,)."""
 
     chain: _Chain
     state: np.ndarray
 
-    def __call__(self, clock: np.ndarray) -> np.ndarray:
-        correction = np.zeros((len(clock), 6))
-        correction[:, self.chain.evidence.active] = _smooth_between(self.chain.nodes, self.state, clock)
+    def __call__(self, path_parameter: np.ndarray) -> np.ndarray:
+        correction = np.zeros((len(path_parameter), 6))
+        correction[:, self.chain.normals.active] = _smooth_between(self.chain.nodes, self.state, path_parameter)
         return correction
 
 
@@ -232,48 +234,48 @@ class _Fit:
 class _Chain:
     """The normal equations: nodes along the clock, the evidence on the node next to each piece."""
 
-    def __init__(self, evidence: Evidence, nodes: np.ndarray, trajectory: Trajectory, clock: np.ndarray):
+    def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray):
         self.nodes = nodes
-        rising = np.concatenate([[True], np.diff(clock) > 0])
-        time = np.interp(nodes, clock[rising], trajectory.time[rising])
-        self.waited, self.torn = waited_steps(trajectory, time), torn_steps(trajectory, time)
-        self._take(evidence)
+        rising = np.concatenate([[True], np.diff(path_parameter) > 0])
+        time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
+        self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
+        self._take(normals)
 
-    def _take(self, evidence: Evidence) -> None:
-        self.evidence, self.size = evidence, len(evidence.active)
-        self.node, self.ahead = self._next_node(evidence.clock)
+    def _take(self, normals: NormalEquations) -> None:
+        self.normals, self.size = normals, len(normals.active)
+        self.node, self.ahead = self._next_node(normals.path_parameter)
 
-    def with_evidence(self, evidence: Evidence) -> _Chain:
+    def with_normals(self, normals: NormalEquations) -> _Chain:
         """The same nodes with other evidence."""
         other = copy(self)
-        other._take(evidence)
+        other._take(normals)
         return other
 
-    def _next_node(self, clock: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def _next_node(self, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Number of the nearest node of each reading, and how far ahead of it the reading is, m."""
-        node = np.searchsorted(0.5 * (self.nodes[1:] + self.nodes[:-1]), clock)
-        return node, clock - self.nodes[node]
+        node = np.searchsorted(0.5 * (self.nodes[1:] + self.nodes[:-1]), path_parameter)
+        return node, path_parameter - self.nodes[node]
 
-    def solve(self, model: DriftModel, weight: np.ndarray):
+    def solve(self, model: GaussMarkovDrift, weight: np.ndarray):
         """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
         k, d = len(self.nodes), self.size
         diagonal, ahead, right = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2)), np.zeros((k, d, 2))
-        transition, precision = model.steps(self.nodes, self.waited, self.torn, self.evidence.active)
+        transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active)
         own = np.arange(d)
         carried = np.einsum("kji,kdjl->kdil", transition, precision)  # F' P
         diagonal[1:, own, :, own, :] += np.moveaxis(precision, 1, 0)
         diagonal[:-1, own, :, own, :] += np.moveaxis(np.einsum("kdil,klm->kdim", carried, transition), 1, 0)
         ahead[:, own, :, own, :] -= np.moveaxis(carried, 1, 0)
-        start = np.stack([model.initial, model.rate], axis=1)[list(self.evidence.active)] ** -2.0
+        start = np.stack([model.initial_sigma, model.rate_sigma], axis=1)[list(self.normals.active)] ** -2.0
         diagonal[0, own, 0, own, 0] += start[:, 0]
         diagonal[0, own, 1, own, 1] += start[:, 1]
-        weighted = self.evidence.information * weight[:, None, None]
-        pull = self.evidence.absolute_pull * weight[:, None]
-        arms = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
+        weighted = self.normals.information * weight[:, None, None]
+        gradient = self.normals.normal_vector * weight[:, None]
+        steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
         for a in range(2):
-            np.add.at(right[:, :, a], self.node, pull * arms[:, a, None])
+            np.add.at(right[:, :, a], self.node, gradient * steps[:, a, None])
             for b in range(2):
-                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (arms[:, a] * arms[:, b])[:, None, None])
+                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (steps[:, a] * steps[:, b])[:, None, None])
         solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), ahead.reshape(k - 1, 2 * d, 2 * d),
                                right.reshape(k, 2 * d))
         determinants = np.linalg.det(precision)
@@ -281,43 +283,44 @@ class _Chain:
         likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior - solution.log_determinant)
         return solution.state.reshape(k, d, 2), solution.covariance, likelihood
 
-    def alone(self, weight: np.ndarray, allowed: np.ndarray) -> float:
+    def unconstrained_likelihood(self, weight: np.ndarray, allowed: np.ndarray) -> float:
         """Log-likelihood that the nodes would reach each on its own, with the densities that their weights stand for.
 
         With it likelihoods can be compared between models that weight the `allowed` (n,) evidence differently.
         """
-        k, told_by = len(self.nodes), self.evidence.present & (allowed > 0)
-        information, pull = np.zeros((k, self.size, self.size)), np.zeros((k, self.size))
-        np.add.at(information, self.node, self.evidence.information * weight[:, None, None])
-        np.add.at(pull, self.node, self.evidence.absolute_pull * weight[:, None])
+        k, allowed = len(self.nodes), self.normals.present & (allowed > 0)
+        information, gradient = np.zeros((k, self.size, self.size)), np.zeros((k, self.size))
+        np.add.at(information, self.node, self.normals.information * weight[:, None, None])
+        np.add.at(gradient, self.node, self.normals.normal_vector * weight[:, None])
         values, vectors = np.linalg.eigh(information)
         there = values > _SINGULAR * np.maximum(values[:, -1:], 1e-12)
-        along = np.einsum("kji,kj->ki", vectors, pull)
+        along = np.einsum("kji,kj->ki", vectors, gradient)
         best = 0.5 * (np.where(there, along**2, 0.0) / np.where(there, values, 1.0)).sum()
-        count = np.bincount(self.node, told_by, k)
-        mean = np.bincount(self.node, told_by * weight, k) / np.maximum(count, 1)
-        values_told = np.where(mean > 0, there.sum(axis=1), self.size) * (count > 0)
-        return float(best) - 0.5 * float((values_told * np.log(np.maximum(mean, _UNSAID))).sum())
+        count = np.bincount(self.node, allowed, k)
+        mean = np.bincount(self.node, allowed * weight, k) / np.maximum(count, 1)
+        rank = np.where(mean > 0, there.sum(axis=1), self.size) * (count > 0)
+        return float(best) - 0.5 * float((rank * np.log(np.maximum(mean, _NO_WEIGHT))).sum())
 
-    def at(self, state: np.ndarray, covariance: np.ndarray, clock: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def at(self, state: np.ndarray, covariance: np.ndarray,
+           path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Values (n, d) and covariances (n, d, d) at clock readings (n,)."""
-        node, ahead = self._next_node(clock)
-        value = _smooth_between(self.nodes, state, clock)
+        node, ahead = self._next_node(path_parameter)
+        value = _smooth_between(self.nodes, state, path_parameter)
         d = self.size
         blocks = covariance[node].reshape(-1, d, 2, d, 2)
-        arm = ahead[:, None, None]
-        spread = (blocks[:, :, 0, :, 0] + arm * (blocks[:, :, 0, :, 1] + blocks[:, :, 1, :, 0])
-                  + arm**2 * blocks[:, :, 1, :, 1])
+        lever_arm = ahead[:, None, None]
+        spread = (blocks[:, :, 0, :, 0] + lever_arm * (blocks[:, :, 0, :, 1] + blocks[:, :, 1, :, 0])
+                  + lever_arm**2 * blocks[:, :, 1, :, 1])
         return value, spread
 
 
-def _nodes(clock: np.ndarray, length: float) -> np.ndarray:
+def _nodes(path_parameter: np.ndarray, length: float) -> np.ndarray:
     """Readings of the clock at which the correction has nodes, at most `length` apart, at least two."""
-    count = max(int(np.ceil((clock[-1] - clock[0]) / length)), 1)
-    return np.linspace(clock[0], clock[-1], count + 1)
+    count = max(int(np.ceil((path_parameter[-1] - path_parameter[0]) / length)), 1)
+    return np.linspace(path_parameter[0], path_parameter[-1], count + 1)
 
 
-def _robust_fit(chain: _Chain, model: DriftModel, allowed: np.ndarray, settings: CorrectionSettings,
+def _robust_fit(chain: _Chain, model: GaussMarkovDrift, allowed: np.ndarray, settings: CorrectionSettings,
                 progress: Progress) -> _Fit:
     """The adjustment with the size of drift that makes the survey likeliest, its gross blocks counted against it."""
     tried = []
@@ -329,25 +332,25 @@ def _robust_fit(chain: _Chain, model: DriftModel, allowed: np.ndarray, settings:
     return replace(fit, drift_factor=factor)
 
 
-def _reweighted_fit(chain: _Chain, model: DriftModel, allowed: np.ndarray,
+def _reweighted_fit(chain: _Chain, model: GaussMarkovDrift, allowed: np.ndarray,
                     settings: CorrectionSettings) -> tuple[_Fit, float]:
     """Adjustment in which blocks that contradict the rest lose their weight, and the log-likelihood of the model."""
-    evidence = chain.evidence
-    block = ((evidence.clock - evidence.clock[0]) / settings.block_length).astype(int)
+    normals = chain.normals
+    block = ((normals.path_parameter - normals.path_parameter[0]) / settings.block_length).astype(int)
     single, share, noise = allowed.copy(), np.ones(block.max() + 1), 1.0
     weight = single
     for _ in range(_PASSES):
         scaled = weight / noise
         state, spread, likelihood = chain.solve(model, scaled)
-        value, covariance = chain.at(state, spread, evidence.clock)
-        test = _block_tests(evidence, value, covariance, block, single, share, noise)
-        single = _single_weights(evidence.misfit(value), allowed, settings)
+        value, covariance = chain.at(state, spread, normals.path_parameter)
+        test = _block_tests(normals, value, covariance, block, single, share, noise)
+        single = _single_weights(normals.misfit(value), allowed, settings)
         share, noise_found = _block_shares(test, noise, settings)
         last, weight = weight, single * share[block]
-        if np.abs(weight - last).max() < _SETTLED and abs(noise_found / noise - 1.0) < _SETTLED:
+        if np.abs(weight - last).max() < _WEIGHT_TOLERANCE and abs(noise_found / noise - 1.0) < _WEIGHT_TOLERANCE:
             break
         noise = noise_found
-    likelihood -= chain.alone(scaled, allowed)
+    likelihood -= chain.unconstrained_likelihood(scaled, allowed)
     return _Fit(state, spread, weight, 1.0, noise), likelihood
 
 
@@ -359,25 +362,26 @@ def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: Correctio
     counted = (allowed > 0) & (misfit > 0)
     if not counted.any():
         return allowed
-    usual = max(float(np.median(misfit[counted])), _LEAST_USUAL)
+    usual = max(float(np.median(misfit[counted])), _MIN_USUAL)
     running = np.concatenate([np.zeros((1, 2)), np.cumsum(np.column_stack([misfit * counted, counted]), axis=0)])
     number = np.arange(len(misfit))
     total = (running[np.minimum(number + _REGION + 1, len(misfit))] - running[np.maximum(number - _REGION, 0)])
     around = total[:, 0] / np.maximum(total[:, 1], 1.0)
-    return allowed / (1.0 + misfit / (settings.single**2 * usual)) / np.maximum(around / (settings.region * usual), 1.0)
+    regional = np.maximum(around / (settings.region * usual), 1.0)
+    return allowed / (1.0 + misfit / (settings.single**2 * usual)) / regional
 
 
-def _block_tests(evidence: Evidence, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
+def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
                  single: np.ndarray, share: np.ndarray, noise: float) -> np.ndarray:
     """For each block (b,): how far its own evidence in plan lies from what all others say, as a reduced chi square.
 
     `single` (n,) and `share` (b,) are the weights of pieces and blocks with which the values were found; NaN is given
     for a block without evidence.
     """
-    plan, count = evidence.in_plan(), len(share)
+    plan, count = normals.in_plan(), len(share)
     lean, information = np.zeros((count, len(plan))), np.zeros((count, len(plan), len(plan)))
-    np.add.at(lean, block, evidence.pull_at(value)[:, plan] * (single / noise)[:, None])
-    np.add.at(information, block, evidence.information[:, plan][:, :, plan] * (single / noise)[:, None, None])
+    np.add.at(lean, block, normals.gradient_at(value)[:, plan] * (single / noise)[:, None])
+    np.add.at(information, block, normals.information[:, plan][:, :, plan] * (single / noise)[:, None, None])
     covariance = covariance[:, plan][:, :, plan]
     ends = np.searchsorted(block, np.arange(count + 1))
     middle = np.minimum((ends[:-1] + ends[1:]) // 2, len(block) - 1)
@@ -398,8 +402,8 @@ def _block_tests(evidence: Evidence, value: np.ndarray, covariance: np.ndarray, 
 def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
     """Weights (b,) of blocks by their reduced chi square, and the factor of the evidence's variance."""
     fair = test[np.isfinite(test)]
-    if len(fair) >= _FEWEST_BLOCKS:  # the median, so that gross blocks do not raise it
-        noise = max(_LEAST_NOISE, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
+    if len(fair) >= _MIN_BLOCKS:  # the median, so that gross blocks do not raise it
+        noise = max(_MIN_NOISE, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
     test = np.nan_to_num(test, nan=0.0)
     share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, 1e-9))
     return np.where(test > settings.gross**2 / 2.0, 0.0, share), noise
@@ -417,38 +421,38 @@ def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: n
     others = [away(windows.modes[:, k]) for k in range(1, windows.modes.shape[1])]
     nearest = np.min([np.where(np.isfinite(item), item, np.inf) for item in others], axis=0)
     own = away(windows.correction[:, :2])
-    return (own < 9.0) & (nearest - own > 2 * 3.0 * settings.least_margin)
+    return (own < 9.0) & (nearest - own > 2 * 3.0 * settings.min_margin)
 
 
 def _result(windows: WindowResults, chain: _Chain, fit: _Fit, at_patches: np.ndarray, doubtful: np.ndarray,
             settings: CorrectionSettings) -> Correction:
     """The correction at the patches with its quality."""
-    evidence, n = chain.evidence, len(windows)
-    active = list(evidence.active)
+    normals, n = chain.normals, len(windows)
+    active = list(normals.active)
     value, covariance = np.zeros((n, 6)), np.full((n, 6, 6), np.nan)
     value[:, active], spread = chain.at(fit.state, fit.covariance, at_patches)
     floor = np.zeros(6)
     floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
     covariance[np.ix_(range(n), active, active)] = spread + np.diag(floor[active])
-    piece = np.searchsorted(0.5 * (evidence.clock[1:] + evidence.clock[:-1]), at_patches)
-    weight = np.where(evidence.present, fit.weight, np.nan)[piece]
+    piece = np.searchsorted(0.5 * (normals.path_parameter[1:] + normals.path_parameter[:-1]), at_patches)
+    weight = np.where(normals.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
-    own = own_sigma(evidence, fit.weight / fit.noise_factor, at_patches, settings.around)
-    status, reason = judge(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
+    own = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, settings.support_length)
+    status, reason = patch_statuses(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
                            settings.trusted_sigma)
-    return Correction(windows.time, windows.way, value, covariance, status, reason, weight, residual,
-                      evidence.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
-                      evidence.active, settings.standing)
+    return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
+                      normals.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
+                      normals.active, settings.time_weight)
 
 
 def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSettings) -> Correction:
     """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
     status, reason = made.status.copy(), made.reason.copy()
-    for spans, reach, why in ((gaps(trajectory), 2 * settings.node_length, "the trajectory has a gap here"),
-                              (jumps(trajectory), settings.around, "the trajectory jumps here")):
+    for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, "the trajectory has a gap here"),
+                              (jumps(trajectory), settings.support_length, "the trajectory jumps here")):
         for start, end in spans:
-            ends = np.interp([start, end], made.time, made.way) + np.array([-reach, reach])
-            broken = (made.way >= ends[0]) & (made.way <= ends[1])
+            ends = np.interp([start, end], made.time, made.chainage) + np.array([-extent, extent])
+            broken = (made.chainage >= ends[0]) & (made.chainage <= ends[1])
             status[broken], reason[broken] = DISTRUSTED, why
     reached = (np.abs(made.value[:, :2]) > settings.search - _SEARCH_MARGIN).any(axis=1)
     if reached.mean() > _SEARCH_SHARE:
@@ -456,11 +460,11 @@ def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSe
     return replace(made, status=status, reason=reason)
 
 
-def _smooth_between(nodes: np.ndarray, state: np.ndarray, clock: np.ndarray) -> np.ndarray:
+def _smooth_between(nodes: np.ndarray, state: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
     """Values (m, d) at clock readings (m,): cubics that meet the nodes' values and rates."""
-    step = np.clip(np.searchsorted(nodes, clock, side="right") - 1, 0, len(nodes) - 2)
+    step = np.clip(np.searchsorted(nodes, path_parameter, side="right") - 1, 0, len(nodes) - 2)
     length = (nodes[step + 1] - nodes[step])[:, None]
-    t = np.clip((clock - nodes[step])[:, None] / length, 0.0, 1.0)
+    t = np.clip((path_parameter - nodes[step])[:, None] / length, 0.0, 1.0)
     before, after = state[step], state[step + 1]
     return (before[:, :, 0] * (1 + 2 * t) * (1 - t) ** 2 + after[:, :, 0] * t**2 * (3 - 2 * t)
             + length * t * (1 - t) * (before[:, :, 1] * (1 - t) - after[:, :, 1] * t))

@@ -1,4 +1,4 @@
-"""Evidence of the marking points themselves about any course of the correction, however it changes along the path.
+"""Normal equations of the marking points themselves about any correction curve, however it changes along the path.
 
 Windows take their points for one rigid body. Here each point is moved by the correction at its own time, so that drift
 within a window, and a jump while the vehicle waits, do not bend the result; what the points of each short piece then
@@ -17,103 +17,104 @@ from ..matching.patch_sums import PatchSums, by_patch, sum_points
 from ..matching.rows import angle_rates
 from ..matching.subpixel import MarkingField, field_terms
 from ..records import MarkingPoints, RegistrationSettings
-from ..start.correlation_start import EVIDENCE_AREA
+from ..start.correlation_start import OBSERVATION_AREA
 from ..start.patch_points import PatchPoints, thin_points
 from ..start.patches import Patches
 from ..start.reference import Reference
-from .evidence import PLANE, SPACE, Evidence
+from .point_weight import PLANE, SPACE, NormalEquations
 
 _FINE = 4  # parts of a piece in which points are thinned
-_STRETCH = 100  # pieces whose reference is held in memory
+_SECTION_PATCHES = 100  # pieces whose reference is held in memory
 _AROUND = 2.0  # m
 _HEIGHT_SIGMA, _HEIGHT_ROBUST = 0.05, 0.15  # m, of a point's height against the ground
 _CHANCE, _SURE = 0.03, 0.15
 """Share of a stretch's points on reference markings: what chance alone gives, and what is surely more than chance."""
 _AVERAGED = 2  # pieces to either side over which curvatures are averaged
-_OVERLAP_REACH = 3  # pieces to either side over which the share is taken
+_OVERLAP_PIECES = 3  # pieces to either side over which the share is taken
 
 
 @dataclass(frozen=True)
-class PointEvidence:
+class PointObservations:
     """Thinned marking points of a survey, by pieces of the drift's clock, and the reference they are laid on.
 
     Attributes
     ----------
-    points : thinned; their `clock` is that of the drift, their `patch` counts it in parts of a piece.
-    clock : (n,) m, middles of the pieces.  back : (n, 6, 6) of roll, pitch, heading (degrees) to turns (radians).
+    points : thinned; their `path_parameter` is that of the drift, their `patch` counts it in parts of a piece.
+    path_parameter : (n,) m, middles of the pieces.
+    back : (n, 6, 6) of roll, pitch, heading (degrees) to rotation vectors (radians).
     """
 
     points: PatchPoints
-    clock: np.ndarray
+    path_parameter: np.ndarray
     back: np.ndarray
     reference: Reference
     settings: RegistrationSettings
 
     @classmethod
-    def of(cls, markings: MarkingPoints, trajectory: Trajectory, clock: np.ndarray, length: float,
-           reference: Reference, settings: RegistrationSettings) -> PointEvidence:
-        """Pieces of `length` m of the clock, whose readings at the trajectory's epochs are `clock` (e,)."""
+    def of(cls, markings: MarkingPoints, trajectory: Trajectory, path_parameter: np.ndarray, length: float,
+           reference: Reference, settings: RegistrationSettings) -> PointObservations:
+        """Pieces of `length` m of the clock, whose readings at the trajectory's epochs are `path_parameter` (e,)."""
         usable = trajectory.within(markings.time) & np.isfinite(markings.x + markings.y + markings.z)
-        count = max(int(np.ceil((clock[-1] - clock[0]) / length)), 1)
-        middle = np.minimum((np.arange(count) + 0.5) * length, clock[-1])
-        time = np.interp(middle, clock, trajectory.time)
+        count = max(int(np.ceil((path_parameter[-1] - path_parameter[0]) / length)), 1)
+        middle = np.minimum((np.arange(count) + 0.5) * length, path_parameter[-1])
+        time = np.interp(middle, path_parameter, trajectory.time)
         pose = interpolate(trajectory, time)
         times, places = [np.repeat(time, _FINE), np.repeat(middle, _FINE)], [pose.place, pose.angles]
-        none = np.zeros(len(clock))  # the clock counts the waits already
+        none = np.zeros(len(path_parameter))  # the clock counts the waits already
         fine = Patches(length / _FINE, *times, *(np.repeat(values, _FINE, axis=0) for values in places),
-                       np.zeros(_FINE * count), trajectory.time, clock, none)
+                       np.zeros(_FINE * count), trajectory.time, path_parameter, none)
         points = thin_points(markings.take(usable), trajectory, fine, settings.subsampling)
         return cls(points, middle, np.linalg.inv(angle_rates(pose.angles)), reference, settings)
 
-    def about(self, course: Callable[[np.ndarray], np.ndarray], blur: float) -> Evidence:
+    def about(self, curve: Callable[[np.ndarray], np.ndarray], blur: float) -> NormalEquations:
         """What the points say about a course, which gives corrections (m, 6) at clock readings (m,).
 
         Parameters
         ----------
         blur : m, by which the reference is softened: how far off the course may be.
         """
-        count = len(self.clock)
+        count = len(self.path_parameter)
         sums, share = PatchSums(np.zeros((count, 6)), np.zeros((count, 6, 6))), np.zeros((count, 2))
-        for first in range(0, count, _STRETCH):
-            part = self.points.of_patches(first * _FINE, (first + _STRETCH) * _FINE - 1)
+        for first in range(0, count, _SECTION_PATCHES):
+            part = self.points.of_patches(first * _FINE, (first + _SECTION_PATCHES) * _FINE - 1)
             if len(part):
-                more, counted = self._stretch(part, course(part.clock), blur)
+                more, counted = self._section(part, curve(part.path_parameter), blur)
                 sums, share = sums + more, share + counted
         active = list(SPACE if self.settings.three_d else PLANE)
         information = np.swapaxes(self.back, 1, 2) @ sums.information @ self.back
-        pull = np.einsum("nji,nj->ni", self.back, sums.gradient)
+        gradient = np.einsum("nji,nj->ni", self.back, sums.gradient)
         believed = _belief(share)
         information = _averaged(information[:, active][:, :, active])
-        place = course(self.clock)[:, active]
-        return Evidence(tuple(active), self.clock, place, pull[:, active] * believed[:, None],
+        place = curve(self.path_parameter)[:, active]
+        return NormalEquations(tuple(active), self.path_parameter, place, gradient[:, active] * believed[:, None],
                         information * believed[:, None, None], (share[:, 0] > 0) & (believed > 0),
                         self.settings.three_d)
 
-    def _stretch(self, points: PatchPoints, correction: np.ndarray, blur: float) -> tuple[PatchSums, np.ndarray]:
+    def _section(self, points: PatchPoints, correction: np.ndarray, blur: float) -> tuple[PatchSums, np.ndarray]:
         """Sums of some points by piece, and how many there are and lie on reference markings (n, 2)."""
-        count, piece = len(self.clock), points.patch // _FINE
-        turn = np.einsum("nij,nj->ni", self.back[piece][:, 3:, 3:], correction[:, 3:])
-        side = np.cross(turn, points.arm)
-        arm = points.arm + side + 0.5 * np.cross(turn, side)
-        moved = points.place + correction[:, :3] + (arm - points.arm)
+        count, piece = len(self.path_parameter), points.patch // _FINE
+        rotation = np.einsum("nij,nj->ni", self.back[piece][:, 3:, 3:], correction[:, 3:])
+        side = np.cross(rotation, points.lever_arm)
+        lever_arm = points.lever_arm + side + 0.5 * np.cross(rotation, side)
+        moved = points.place + correction[:, :3] + (lever_arm - points.lever_arm)
         low, high = moved[:, :2].min(axis=0) - _AROUND - 3 * blur, moved[:, :2].max(axis=0) + _AROUND + 3 * blur
         field = MarkingField.of(self.reference.coverage(*low, *high), blur, self.settings.background)
         terms = field_terms(field, moved[:, 0], moved[:, 1])
-        evidence = points.weight * self.settings.subsampling ** 2 / EVIDENCE_AREA
-        gradient = [terms.gx * evidence, terms.gy * evidence, None]
-        hessian = {(0, 0): terms.hxx * evidence, (0, 1): terms.hxy * evidence, (1, 1): terms.hyy * evidence}
+        point_weight = points.weight * self.settings.subsampling ** 2 / OBSERVATION_AREA
+        gradient = [terms.gx * point_weight, terms.gy * point_weight, None]
+        hessian = {(0, 0): terms.hxx * point_weight, (0, 1): terms.hxy * point_weight, (1, 1): terms.hyy * point_weight}
         if self.settings.three_d:
             ground = self.reference.ground_part(*low, *high).at(moved[:, 0], moved[:, 1])
-            gradient[2], hessian[2, 2] = _height_terms(ground - moved[:, 2], evidence)
+            gradient[2], hessian[2, 2] = _height_terms(ground - moved[:, 2], point_weight)
         counted = by_patch(np.column_stack([np.ones(len(points)), terms.share > 0.5]), piece, count)
-        return sum_points(arm, tuple(gradient), hessian, piece, count), counted
+        return sum_points(lever_arm, tuple(gradient), hessian, piece, count), counted
 
 
-def _height_terms(off: np.ndarray, evidence: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _height_terms(off: np.ndarray, point_weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """First and second derivative of the score by height, robust (Geman and McClure); 0 where no ground is known."""
     known = np.isfinite(off)
     off = np.where(known, off, 0.0)
-    weight = known * evidence / (_HEIGHT_SIGMA * (1 + (off / _HEIGHT_ROBUST) ** 2)) ** 2
+    weight = known * point_weight / (_HEIGHT_SIGMA * (1 + (off / _HEIGHT_ROBUST) ** 2)) ** 2
     return weight * off, -weight
 
 
@@ -129,8 +130,8 @@ def _belief(share: np.ndarray) -> np.ndarray:
     """(n,) 0 to 1: how far the pieces' points meet more reference markings than chance lets them."""
     running = np.concatenate([np.zeros((1, 2)), np.cumsum(share, axis=0)])
     number = np.arange(len(share))
-    low = np.maximum(number - _OVERLAP_REACH, 0)
-    high = np.minimum(number + _OVERLAP_REACH + 1, len(share))
+    low = np.maximum(number - _OVERLAP_PIECES, 0)
+    high = np.minimum(number + _OVERLAP_PIECES + 1, len(share))
     total = running[high] - running[low]
     met = total[:, 1] / np.maximum(total[:, 0], 1.0)
     return np.clip((met - _CHANCE) / (_SURE - _CHANCE), 0.0, 1.0)

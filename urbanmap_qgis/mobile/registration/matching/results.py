@@ -18,13 +18,13 @@ from ..records import (
     RegistrationSettings,
     WindowResults,
 )
-from ..start.correlation_start import CELL, BestWay, peaks, spreads
+from ..start.correlation_start import CELL, BestPath, alternative_spread, peaks
 from ..start.patches import Patches
-from .ndt_match import turn_matrix
+from .ndt_match import rotation_matrix
 from .windows import Windows
 
-_FEWEST_POINTS = 30
-_LEAST_OVERLAP = 0.45  # below, most of the points contradict the place
+_MIN_POINTS = 30
+_MIN_OVERLAP = 0.45  # below, most of the points contradict the place
 _CHANCE_OVERLAP = 0.25  # below, it may be chance
 _CHANCE_SIGMA = 1.0  # m
 _LARGEST_SIGMA = 0.10  # m in plan
@@ -34,20 +34,20 @@ _OTHER = 4  # cells: a way this far off is another place
 
 
 @dataclass(frozen=True)
-class Start:
+class InitialShifts:
     """The start along the path.
 
     Attributes
     ----------
     block : patches of a block. shift : (b, 2) m, east and north, where each block starts from.
-    scores : (b, s, s) of all shifts about the best way's shift. beaten : (b, s, s) see `BestWay`.
+    scores : (b, s, s) of all shifts about the best way's shift. deficit : (b, s, s) see `BestPath`.
     best : (b, 2) cells, shift of the best way.
     """
 
     block: int
     shift: np.ndarray
     scores: np.ndarray
-    beaten: np.ndarray
+    deficit: np.ndarray
     best: np.ndarray
 
     def shift_at(self, patch: np.ndarray) -> np.ndarray:
@@ -57,7 +57,7 @@ class Start:
 
 
 @dataclass(frozen=True)
-class Places:
+class AlternativePositions:
     """Other places than the row's own. alias_ratio, margin : (n,). offsets : (n, MODES - 1, 2) m. scores likewise."""
 
     alias_ratio: np.ndarray
@@ -67,7 +67,7 @@ class Places:
     own: np.ndarray
 
 
-def other_places(start: Start, windows: Windows, patches: int) -> Places:
+def alternative_positions(start: InitialShifts, windows: Windows, patches: int) -> AlternativePositions:
     """Second and third best places of each window by its own points, and how surely the survey excludes any other."""
     running = np.concatenate([np.zeros((1, *start.scores.shape[1:])),
                               np.cumsum(start.scores, axis=0, dtype=np.float64)])
@@ -85,93 +85,94 @@ def other_places(start: Start, windows: Windows, patches: int) -> Places:
         seen[span] = patch
         surface = (running[span[1] + 1] - running[span[0]]).astype(np.float32)
         own[patch] = surface[middle - 1:middle + 2, middle - 1:middle + 2].max()
-        places, heights = peaks(surface, _APART, MODES - 1)
-        offsets[patch, :len(places)], scores[patch, :len(places)] = places * CELL, heights
+        alternatives, heights = peaks(surface, _APART, MODES - 1)
+        offsets[patch, :len(alternatives)], scores[patch, :len(alternatives)] = alternatives * CELL, heights
         if len(heights) and own[patch] > 0:
             ratio[patch] = heights[0] / own[patch]
     margin = _margins(start)[np.arange(patches) // start.block]
-    return Places(ratio, margin, offsets, scores, own)
+    return AlternativePositions(ratio, margin, offsets, scores, own)
 
 
-def _margins(start: Start) -> np.ndarray:
+def _margins(start: InitialShifts) -> np.ndarray:
     """(b,) by how much the best way beats the best one that takes another place at the block."""
-    size = start.beaten.shape[1]
+    size = start.deficit.shape[1]
     offset = np.arange(size) - size // 2
-    margin = np.full(len(start.beaten), np.inf)
+    margin = np.full(len(start.deficit), np.inf)
     for block, (east, north) in enumerate(start.best):
-        gain = start.beaten[block].max() - start.beaten[block]
+        gain = start.deficit[block].max() - start.deficit[block]
         far = np.maximum(np.abs(offset - north)[:, None], np.abs(offset - east)) >= _OTHER
-        places, heights = peaks(np.pad(gain, 1), 0, 12)
-        row, column = places[:, 1] + (size + 2) // 2 - 1, places[:, 0] + (size + 2) // 2 - 1
+        alternatives, heights = peaks(np.pad(gain, 1), 0, 12)
+        row, column = alternatives[:, 1] + (size + 2) // 2 - 1, alternatives[:, 0] + (size + 2) // 2 - 1
         other = far[row, column]
         if other.any():
-            margin[block] = start.beaten[block].max() - heights[other].max()
+            margin[block] = start.deficit[block].max() - heights[other].max()
     return margin
 
 
-def assemble(patches: Patches, windows: Windows, start: Start, parts: Sequence, settings: RegistrationSettings
+def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Sequence, settings: RegistrationSettings
              ) -> WindowResults:
-    """Rows of all patches from the stretches' results (see `AdjustedStretch`)."""
+    """Rows of all patches from the stretches' results (see `AdjustedSection`)."""
     def column(name: str) -> np.ndarray:
         return np.concatenate([getattr(part, name) for part in parts])
 
-    shift, turn, course = column("shift"), column("turn"), column("course")
+    translation, rotation, curve = column("translation"), column("rotation"), column("curve")
     to_angles = angle_rates(patches.angles)
-    correction = np.column_stack([shift, turned_angles(patches.angles, turn)])
+    correction = np.column_stack([translation, angle_changes(patches.angles, rotation)])
     covariance = to_angles @ column("covariance") @ np.swapaxes(to_angles, 1, 2)
     floor = np.array([settings.reference_sigma, settings.reference_sigma, settings.reference_sigma_z])
     covariance[:, [0, 1, 2], [0, 1, 2]] += floor ** 2
     back = np.linalg.inv(to_angles)
     information = np.swapaxes(back, 1, 2) @ column("information") @ back
-    pull = np.einsum("nji,nj->ni", back, column("pull"))
-    linearised = np.column_stack([course[:, :3], turned_angles(patches.angles, course[:, 3:])])
+    gradient = np.einsum("nji,nj->ni", back, column("gradient"))
+    linearised = np.column_stack([curve[:, :3], angle_changes(patches.angles, curve[:, 3:])])
     points, overlap = column("points"), column("overlap")
     covariance[:, [0, 1], [0, 1]] += _chance_variance(overlap)[:, None]
-    places = other_places(start, windows, len(patches))
-    covariance[:, :2, :2] += spreads(BestWay(start.best, start.beaten), (_APART - 0.5) * CELL)[
+    alternatives = alternative_positions(start, windows, len(patches))
+    covariance[:, :2, :2] += alternative_spread(BestPath(start.best, start.deficit), (_APART - 0.5) * CELL)[
         np.arange(len(patches)) // start.block]
-    status = _statuses(points, overlap, covariance, places, column("converged"))
+    status = _statuses(points, overlap, covariance, alternatives, column("converged"))
     if not settings.three_d:
         correction[:, 2:5] = covariance[:, 2:5] = covariance[:, :, 2:5] = np.nan
     lost = np.isin(status, (NO_MARKINGS, NOT_CONVERGED))
     correction[status == NO_MARKINGS] = np.nan
     covariance[lost] = np.nan
     return WindowResults(
-        patches.time, patches.way, patches.place, patches.angles, correction, covariance, column("score"), overlap,
+        patches.time, patches.chainage, patches.place, patches.angles, correction, covariance, column("score"), overlap,
         windows.first, windows.last, (windows.last - windows.first + 1) * patches.length, windows.features, points,
-        places.alias_ratio, places.margin, status, *_modes(correction, places, status), linearised, information, pull,
-        settings.three_d)
+        alternatives.alias_ratio, alternatives.margin, status, *_modes(correction, alternatives, status), linearised,
+        information, gradient, settings.three_d)
 
 
 def _chance_variance(overlap: np.ndarray) -> np.ndarray:
     """(n,) m2, because a place that few points share, as of dashes that were all painted anew, may be chance."""
-    lack = (_LEAST_OVERLAP - np.nan_to_num(overlap)) / (_LEAST_OVERLAP - _CHANCE_OVERLAP)
+    lack = (_MIN_OVERLAP - np.nan_to_num(overlap)) / (_MIN_OVERLAP - _CHANCE_OVERLAP)
     return (_CHANCE_SIGMA * np.clip(lack, 0.0, 1.0)) ** 2
 
 
-def _modes(correction: np.ndarray, places: Places, status: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _modes(correction: np.ndarray, alternatives: AlternativePositions,
+           status: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     own = correction[:, None, :2]
-    modes = np.concatenate([own, own + places.offsets], axis=1)
-    scores = np.column_stack([places.own, places.scores])
+    modes = np.concatenate([own, own + alternatives.offsets], axis=1)
+    scores = np.column_stack([alternatives.own, alternatives.scores])
     scores[status == NO_MARKINGS] = np.nan
     return modes, scores
 
 
-def _statuses(points: np.ndarray, overlap: np.ndarray, covariance: np.ndarray, places: Places, converged: np.ndarray
-              ) -> np.ndarray:
+def _statuses(points: np.ndarray, overlap: np.ndarray, covariance: np.ndarray, alternatives: AlternativePositions,
+              converged: np.ndarray) -> np.ndarray:
     status = np.full(len(points), REGISTERED, dtype=np.int8)
     with np.errstate(invalid="ignore"):
         largest = np.sqrt(np.linalg.eigvalsh(np.nan_to_num(covariance[:, :2, :2], nan=1e6))[:, -1])
-        status[(largest > _LARGEST_SIGMA) | (overlap < _LEAST_OVERLAP)] = WEAK
-        status[places.margin < _PROOF] = AMBIGUOUS
+        status[(largest > _LARGEST_SIGMA) | (overlap < _MIN_OVERLAP)] = WEAK
+        status[alternatives.margin < _PROOF] = AMBIGUOUS
         status[~converged] = NOT_CONVERGED
-        status[(points < _FEWEST_POINTS) | ~(overlap > 0)] = NO_MARKINGS
+        status[(points < _MIN_POINTS) | ~(overlap > 0)] = NO_MARKINGS
     return status
 
 
-def turned_angles(angles: np.ndarray, turn: np.ndarray) -> np.ndarray:
+def angle_changes(angles: np.ndarray, rotation: np.ndarray) -> np.ndarray:
     """(n, 3) degrees that turns (n, 3) (rotation vectors in the map's axes, radians) add to roll, pitch, heading."""
-    change = attitude_angles(turn_matrix(turn) @ rotations(angles)) - angles
+    change = attitude_angles(rotation_matrix(rotation) @ rotations(angles)) - angles
     return (change + 180.0) % 360.0 - 180.0
 
 
@@ -180,7 +181,7 @@ def angle_rates(angles: np.ndarray) -> np.ndarray:
     step = 1e-6
     rates = np.broadcast_to(np.eye(6), (len(angles), 6, 6)).copy()
     for axis in range(3):
-        turn = np.zeros((len(angles), 3))
-        turn[:, axis] = step
-        rates[:, 3:, 3 + axis] = (turned_angles(angles, turn) - turned_angles(angles, -turn)) / (2 * step)
+        rotation = np.zeros((len(angles), 3))
+        rotation[:, axis] = step
+        rates[:, 3:, 3 + axis] = (angle_changes(angles, rotation) - angle_changes(angles, -rotation)) / (2 * step)
     return rates
