@@ -110,10 +110,10 @@ def peer_rows(survey: Survey) -> list[tuple]:
     middles = np.arange(WINDOW, way[-1] - WINDOW, EVERY)
     moment = np.interp(middles, way, survey.reported.time)
     wanted = interpolate(survey.true, moment).place - interpolate(survey.reported, moment).place
-    own = np.array([windows.correction[np.argmin(np.abs(windows.way - middle)), :2] for middle in middles])
+    own = np.array([windows.correction[np.argmin(np.abs(windows.chainage - middle)), :2] for middle in middles])
     _, seconds = timed(lambda: register_windows(survey.markings, survey.reported, survey.reference,
                                                 RegistrationSettings(three_d=True)))
-    rows = [("this program", 1000 * seconds / len(windows.way), *errors(own - wanted[:, :2]))]
+    rows = [("this program", 1000 * seconds / len(windows.chainage), *errors(own - wanted[:, :2]))]
     pairs = [window_points(survey, way, middle, place) for middle, place in
              zip(middles, interpolate(survey.reported, moment).place)]
     for name, package, align in (("small_gicp, GICP", "small_gicp", small_gicp_shift),

@@ -146,7 +146,7 @@ class RegisterMms(UrbanMapAlgorithm):
 
         length = np.hypot(made.correction.value[:, 0], made.correction.value[:, 1])
         sigma = made.correction.plan_sigma()
-        return {"WAY": float(made.correction.way[-1]), "MEAN_CORRECTION": float(length.mean()),
+        return {"WAY": float(made.correction.chainage[-1]), "MEAN_CORRECTION": float(length.mean()),
                 "MAX_CORRECTION": float(length.max()), "REGISTERED_SHARE": made.share(REGISTERED),
                 "BRIDGED_SHARE": made.share(BRIDGED), "DISTRUSTED_SHARE": made.share(DISTRUSTED),
                 "MEDIAN_SIGMA": float(np.median(sigma)), "MAX_SIGMA": float(sigma.max())}

@@ -151,7 +151,8 @@ def test_sure_place_resolves_a_doubt():
 def test_rigid_windows_count_by_their_share():
     """Without evidence of single patches, windows that share points are not counted as if each were new."""
     drive = simulate(0)
-    nothing = {"information": np.zeros_like(drive.windows.information), "gradient": np.zeros_like(drive.windows.gradient)}
+    windows = drive.windows
+    nothing = {"information": np.zeros_like(windows.information), "gradient": np.zeros_like(windows.gradient)}
     made = adjust_correction(replace(drive.windows, **nothing), drive.reported)
     assert plan_error(drive, made).mean() < 0.06
     assert within_two_sigma(drive, made) >= 0.9

@@ -164,7 +164,8 @@ def test_a_course_moves_points_as_the_corrected_trajectory_does():
     angles = np.column_stack([np.full_like(time, 1.0), np.full_like(time, -2.0), 60 + time])
     reported = Trajectory(time, place, angles)
     turn, shift = rng.normal(0, 2e-3, (len(time), 3)), rng.normal(0, 0.8, (len(time), 3))
-    turned = [attitude_angles(RigidMotion.identity(np.zeros(3)).after(np.r_[0, 0, 0, t]).rotation[None] @ rotations(a[None]))[0]
+    still = RigidMotion.identity(np.zeros(3))
+    turned = [attitude_angles(still.after(np.r_[0, 0, 0, t]).rotation[None] @ rotations(a[None]))[0]
               for t, a in zip(turn, angles)]
     corrected = Trajectory(time, place + shift, np.array(turned))
     at = rng.uniform(0, 9.5, 300)

@@ -12,8 +12,7 @@ import numpy as np
 
 from ...io.raster import RasterSampler
 from ...io.report import Report
-from ...io.svg_profile import COLOURS, Series, profile
-from ...io.svg_profile import ShadedInterval as Shade
+from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .stage import RegisteredSurvey, unregistered_sections
@@ -70,27 +69,28 @@ def _summary(report: Report, made: RegisteredSurvey) -> None:
 
 def _profiles(report: Report, made: RegisteredSurvey) -> None:
     correction, windows = made.correction, made.windows
-    shades = [Shade(item.start, item.end, _SHADES[item.status], item.status) for item in unregistered_sections(made)]
+    shades = [ShadedInterval(item.start, item.end, _SHADES[item.status], item.status)
+              for item in unregistered_sections(made)]
     chainage, sigma = correction.chainage, correction.sigma()
     report.section("Correction along the path")
     names = ("east", "north", "up") if correction.three_d else ("east", "north")
     series = [Series(name, correction.value[:, k], colour) for k, (name, colour) in enumerate(zip(names, COLOURS))]
-    report.figure(profile(chainage, series, "chainage (m)", "m", stretches=shades),
+    report.figure(profile(chainage, series, "chainage (m)", "m", intervals=shades),
                   "Correction of the reported positions")
     angles = ("roll", "pitch", "heading") if correction.three_d else ("heading",)
     numbers = (3, 4, 5) if correction.three_d else (5,)
     series = [Series(name, correction.value[:, k], colour) for name, k, colour in zip(angles, numbers, COLOURS)]
-    report.figure(profile(chainage, series, "chainage (m)", "degrees", stretches=shades),
+    report.figure(profile(chainage, series, "chainage (m)", "degrees", intervals=shades),
                   "Correction of the reported angles")
     series = [Series("plan", correction.plan_sigma(), COLOURS[0])]
     if correction.three_d:
         series.append(Series("height", sigma[:, 2], COLOURS[2]))
-    report.figure(profile(chainage, series, "chainage (m)", "m", stretches=shades),
+    report.figure(profile(chainage, series, "chainage (m)", "m", intervals=shades),
                   "Standard deviation of the correction")
     off = np.hypot(correction.residual[:, 0], correction.residual[:, 1])
     if np.isfinite(off).any():
         report.figure(profile(chainage, [Series("windows", off, COLOURS[3], dots=True)], "chainage (m)", "m",
-                              stretches=shades),
+                              intervals=shades),
                       "How far each window alone lies from the smooth correction, in plan")
     report.section("Windows")
     report.figure(profile(chainage, [Series("window length", windows.window_length, COLOURS[0])], "chainage (m)", "m"),

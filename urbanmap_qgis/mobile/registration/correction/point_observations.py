@@ -14,14 +14,14 @@ import numpy as np
 
 from ...trajectory import Trajectory, interpolate
 from ..matching.patch_sums import PatchSums, by_patch, sum_points
-from ..matching.rows import angle_rates
+from ..matching.results import angle_rates
 from ..matching.subpixel import MarkingField, field_terms
 from ..records import MarkingPoints, RegistrationSettings
 from ..start.correlation_start import OBSERVATION_AREA
 from ..start.patch_points import PatchPoints, thin_points
 from ..start.patches import Patches
 from ..start.reference import Reference
-from .point_weight import PLANE, SPACE, NormalEquations
+from .normal_equations import PLANE, SPACE, NormalEquations
 
 _FINE = 4  # parts of a piece in which points are thinned
 _SECTION_PATCHES = 100  # pieces whose reference is held in memory

@@ -47,7 +47,7 @@ class PathSection:
     Attributes
     ----------
     first : number of the first patch in the survey. core_first, core_last : of the core, counted from `first`.
-    chainage, stop_time : (n,) m driven and s waited. place : (n, 3) m, reported. start_shift : (n, 2) m, where to start.
+    chainage : (n,) m. stop_time : (n,) s stood up to there. place : (n, 3) m, reported. start_shift : (n, 2) m.
     window_first, window_last : (k,) of the core's windows, counted from `first`.
     points : thinned marking points of these patches.
     """

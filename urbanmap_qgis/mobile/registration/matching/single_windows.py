@@ -63,8 +63,8 @@ def _tile(first: int, last: int, points: PatchPoints, patches: Patches, windows:
         translation[row, :dimensions] = begin.translation
         rotation[row] = _vector(begin.rotation)
     curve = np.concatenate([translation, rotation], axis=1)
-    return AdjustedSection(translation, rotation, covariance, curve, np.zeros((count, 6, 6)), np.zeros((count, 6)), score,
-                           overlap, size, converged), pose
+    return AdjustedSection(translation, rotation, covariance, curve, np.zeros((count, 6, 6)), np.zeros((count, 6)),
+                           score, overlap, size, converged), pose
 
 
 def _begin(pose: RigidMotion | None, centre: np.ndarray, shift: np.ndarray) -> RigidMotion:
