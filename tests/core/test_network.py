@@ -16,9 +16,9 @@ from urbanmap_qgis.mobile.adjustment.network import (
     NetworkSettings,
     adjust_network,
 )
-from urbanmap_qgis.mobile.registration.correction.drift_model import DriftModel
+from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift
 
-MODEL = DriftModel(np.full(6, 2e-3), 40.0, np.full(6, 1.5e-3), np.full(6, 3.0), 1.0, 0.1)
+MODEL = GaussMarkovDrift(np.full(6, 2e-3), 40.0, np.full(6, 1.5e-3), np.full(6, 3.0), 1.0, 0.1)
 SETTINGS = NetworkSettings(MODEL)
 
 
@@ -109,8 +109,8 @@ def test_against_dense_normal_equations():
         step = np.zeros((2, 6))
         step[:, 2 * i:2 * i + 2], step[:, 2 * i + 2:2 * i + 4] = -transition[i], np.eye(2)
         dense += step.T @ precision[i, 0] @ step
-    dense[0, 0] += model.initial[0] ** -2
-    dense[1, 1] += model.rate[0] ** -2
+    dense[0, 0] += model.initial_sigma[0] ** -2
+    dense[1, 1] += model.rate_sigma[0] ** -2
     dense[2, 2] += 100.0 * made.weight[0] / made.noise_factor
     right = np.zeros(6)
     right[2] = 100.0 * made.weight[0] / made.noise_factor

@@ -1,6 +1,6 @@
 """Least-squares network of several drives: drifting corrections tied to each other, to control and to a reference.
 
-The correction of each drive is a Gauss-Markov process along its path (see `drift_model`). Ties state the difference of
+The correction of each drive is a Gauss-Markov process along its path (see `gauss_markov`). Ties state the difference of
 two corrections, control points and reference markings the correction itself. One sparse normal matrix holds them all;
 gross observations lose their weight (Cauchy). Place and heading are adjusted; roll and pitch stay as reported: they are
 better known from the inertial unit than from markings.
@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import coo_matrix, csc_matrix
 from scipy.sparse.linalg import splu
 
-from ..registration.correction.drift_model import DriftModel
+from ..registration.correction.gauss_markov import GaussMarkovDrift
 
 TIE, CONTROL, REFERENCE = range(3)
 KINDS = ("tie", "control point", "reference marking")
@@ -100,13 +100,13 @@ class NetworkSettings:
 
     Attributes
     ----------
-    model : drift of the reported trajectories (see `DriftModel`); its size is looked for, its shape is not.
+    model : drift of the reported trajectories (see `GaussMarkovDrift`); its size is looked for, its shape is not.
     gross : standard deviations from which an observation loses its weight.
     least_noise : of the stated variance of the observations, however small their residuals: neighbouring ties share
         markings.
     """
 
-    model: DriftModel
+    model: GaussMarkovDrift
     gross: float = 3.0
     least_noise: float = 1.0
 
@@ -136,7 +136,7 @@ def adjust_network(drives: Sequence[DriveNodes], observations: NetworkObservatio
     """Adjust all drives at once; the size of their drift is the most likely one of a few.
 
     Without any observation of a drive alone (control, reference) the drives' mean error is not observed: the
-    covariance then holds what `settings.model.initial` says of it.
+    covariance then holds what `settings.model.initial_sigma` says of it.
     """
     design = _design(drives, observations)
     fits = [_robust_fit(drives, design, observations, settings, factor) for factor in _FACTORS]
@@ -184,7 +184,7 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
     return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))), shape=size).tocsc()
 
 
-def _prior(drives: Sequence[DriveNodes], model: DriftModel) -> tuple[csc_matrix, float]:
+def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_matrix, float]:
     """Normal matrix (8 k, 8 k) of the drift of all drives, and the logarithm of its determinant."""
     rows, columns, values, determinant, first = [], [], [], 0.0, 0
     axes, active = np.arange(_DIMENSIONS), list(_ACTIVE)
@@ -201,7 +201,7 @@ def _prior(drives: Sequence[DriveNodes], model: DriftModel) -> tuple[csc_matrix,
             rows.append(np.broadcast_to(row[..., :, None], block.shape).ravel())
             columns.append(np.broadcast_to(column[..., None, :], block.shape).ravel())
             values.append(block.ravel())
-        start = np.stack([model.initial[active], model.rate[active]], axis=1) ** -2.0
+        start = np.stack([model.initial_sigma[active], model.rate_sigma[active]], axis=1) ** -2.0
         rows.append(index[0].ravel())
         columns.append(index[0].ravel())
         values.append(start.ravel())

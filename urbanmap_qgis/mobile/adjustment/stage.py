@@ -14,7 +14,7 @@ from ...progress import SILENT, Progress
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..control import ControlPoints
-from ..registration.correction.drift_model import drift_clock, torn_steps, waited_steps
+from ..registration.correction.gauss_markov import jump_steps, path_parameters_of, stop_steps
 from ..registration.stage import RegistrationRun, survey_markings
 from ..registration.start.reference import Reference
 from ..trajectory import Trajectory, interpolate
@@ -230,7 +230,7 @@ def _away(trajectory: Trajectory, control: ControlPoints) -> np.ndarray:
 
 
 def _clock(trajectory: Trajectory, run: AdjustmentRun) -> np.ndarray:
-    return drift_clock(trajectory, run.registration.correction.standing)
+    return path_parameters_of(trajectory, run.registration.correction.time_weight)
 
 
 def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun,
@@ -258,7 +258,7 @@ def _nodes(trajectory: Trajectory, clock: np.ndarray) -> tuple[DriveNodes, np.nd
     at = np.linspace(clock[0], clock[-1], count + 1)
     rising = np.concatenate([[True], np.diff(clock) > 0])
     time = np.interp(at, clock[rising], trajectory.time[rising])
-    return DriveNodes(at, waited_steps(trajectory, time), torn_steps(trajectory, time)), time
+    return DriveNodes(at, stop_steps(trajectory, time), jump_steps(trajectory, time)), time
 
 
 def _networks(count: int, observations: NetworkObservations, kept: np.ndarray) -> list[bool | None]:

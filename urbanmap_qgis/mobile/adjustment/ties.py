@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
 from ..passes import BlockPositions
-from ..registration.correction.drift_model import drift_clock
+from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.correction.patch_status import REGISTERED
 from ..registration.records import MarkingPoints
 from ..registration.stage import RegisteredSurvey, RegistrationRun, register_markings
@@ -97,7 +97,7 @@ def reference_observations(drives: Sequence[Drive], reference: Reference, run: R
             continue
         patches = _chosen(made)
         found.append(_observations(made, patches, number, drive, NONE, np.zeros(len(patches)),
-                                   np.zeros((len(patches), 2)), REFERENCE, run.correction.standing))
+                                   np.zeros((len(patches), 2)), REFERENCE, run.correction.time_weight))
     return NetworkObservations.joined(found)
 
 
@@ -123,10 +123,10 @@ def _tie(drives: Sequence[Drive], first: DrivePass, second: DrivePass, run: Regi
     time = _times_of_passing(first.markings, place)
     patches, place, time = (values[np.isfinite(time)] for values in (patches, place, time))
     other = drives[first.drive]
-    clock = np.interp(time, other.trajectory.time, drift_clock(other.trajectory, run.correction.standing))
+    clock = np.interp(time, other.trajectory.time, path_parameters_of(other.trajectory, run.correction.time_weight))
     arm = place[:, :2] - interpolate(other.trajectory, time).place[:, :2]
     return _observations(made, patches, second.drive, drive, first.drive, clock, arm, TIE,
-                         run.correction.standing)
+                         run.correction.time_weight)
 
 
 def _registered(markings: MarkingPoints, trajectory: Trajectory, reference, run: RegistrationRun,
@@ -153,7 +153,7 @@ def _cut(trajectory: Trajectory, markings: MarkingPoints) -> Trajectory:
 def _chosen(made: RegisteredSurvey) -> np.ndarray:
     """Numbers of registered patches, one in each `SPACING` of the path."""
     registered = np.flatnonzero(made.correction.status == REGISTERED)
-    piece = np.floor(made.correction.way[registered] / SPACING).astype(int)
+    piece = np.floor(made.correction.chainage[registered] / SPACING).astype(int)
     _, first, count = np.unique(piece, return_index=True, return_counts=True)
     return registered[first + count // 2]
 
@@ -166,7 +166,7 @@ def _observations(made: RegisteredSurvey, patches: np.ndarray, number: int, driv
     covariance = correction.covariance[patches][:, _ACTIVE][:, :, _ACTIVE] * (_WINDOW / SPACING)
     if not correction.three_d:
         value[:, 2] = np.nan
-    clock = drift_clock(drive.trajectory, standing)
+    clock = path_parameters_of(drive.trajectory, standing)
     return NetworkObservations(np.full(n, number), np.interp(correction.time[patches], drive.trajectory.time, clock),
                         np.zeros((n, 2)), np.full(n, other), other_clock, other_arm, value, covariance,
                         np.full(n, kind))
