@@ -18,7 +18,7 @@ def city():
 
 @pytest.fixture(scope="module")
 def scanned(city):
-    return als.scan(city, np.random.SeedSequence(9))
+    return als.simulate_strips(city, np.random.SeedSequence(9))
 
 
 def test_true_points_lie_on_the_true_surfaces(city, scanned):
@@ -76,7 +76,7 @@ def test_points_lie_on_the_line_of_their_pulse(city, scanned):
 
 
 def test_elevated_road_has_its_class():
-    points, _ = als.scan(make_scene(60, "elevated road", 3), np.random.SeedSequence(9))
+    points, _ = als.simulate_strips(make_scene(60, "elevated road", 3), np.random.SeedSequence(9))
     assert np.count_nonzero(points.classification == 17) > 0.05 * len(points)
 
 
@@ -95,4 +95,4 @@ def test_files_hold_the_points_and_the_same_seed_gives_the_same_bytes(city, scan
 
 def test_cancel_stops_the_scan(city):
     with pytest.raises(Cancelled):
-        als.scan(city, np.random.SeedSequence(9), Progress(cancelled=lambda: True))
+        als.simulate_strips(city, np.random.SeedSequence(9), Progress(cancelled=lambda: True))

@@ -16,12 +16,17 @@ import shapely
 
 from urbanmap_qgis.errors import Cancelled
 from urbanmap_qgis.progress import SILENT, Progress
-from urbanmap_qgis.samplecity.gnss.atmosphere import klobuchar, saastamoinen
+from urbanmap_qgis.samplecity.gnss.atmosphere import klobuchar_delay, saastamoinen_delay
 from urbanmap_qgis.samplecity.gnss.displaced_walls import deliver
-from urbanmap_qgis.samplecity.gnss.earth_fixed import GEOID_SEPARATION, Frame
-from urbanmap_qgis.samplecity.gnss.orbits import Orbits, eccentric_anomaly, make_constellation, satellite_states
+from urbanmap_qgis.samplecity.gnss.earth_fixed import GEOID_SEPARATION, CityFrame
+from urbanmap_qgis.samplecity.gnss.orbits import (
+    Orbits,
+    eccentric_anomaly,
+    make_constellation,
+    simulated_satellite_states,
+)
 from urbanmap_qgis.samplecity.gnss.passes import DAY_START, WEEK
-from urbanmap_qgis.samplecity.gnss.rays import WAVE_LENGTH, edge_excess, edge_loss, way_through_crowns
+from urbanmap_qgis.samplecity.gnss.rays import WAVE_LENGTH, edge_excess, edge_loss, path_through_crowns
 from urbanmap_qgis.samplecity.gnss.rinex_write import calendar
 from urbanmap_qgis.samplecity.gnss.stage import write_gnss
 from urbanmap_qgis.samplecity.scene.model import GROUND, Crowns, FaceKind
@@ -191,7 +196,7 @@ def test_two_body_motion_by_numerical_integration():
     rate, gm = orbits.constant(TURN), orbits.constant(SYSTEM_GM)
 
     def inertial(time):
-        place, _ = satellite_states(orbits, np.full(len(orbits), time))
+        place, _ = simulated_satellite_states(orbits, np.full(len(orbits), time))
         angle = rate * (time - orbits.toe)
         return np.column_stack([np.cos(angle) * place[:, 0] - np.sin(angle) * place[:, 1],
                                 np.sin(angle) * place[:, 0] + np.cos(angle) * place[:, 1], place[:, 2]])
@@ -226,7 +231,7 @@ def test_constellation_is_plausible():
     period = 2 * np.pi * orbits.sqrt_a**3 / np.sqrt(orbits.constant(SYSTEM_GM)) / 3600
     expected = np.array([{"G": 11.97, "E": 14.08, "J": 23.934, "C": 12.89}[name[0]] for name in names])
     assert np.abs(period - expected).max() < 0.02
-    places, _ = satellite_states(orbits, np.arange(0, 86400, 600.0)[:, None] + DAY_START)
+    places, _ = simulated_satellite_states(orbits, np.arange(0, 86400, 600.0)[:, None] + DAY_START)
     zenith = np.array([-0.6191, 0.5247, 0.5842])
     quasi = places[:, [names.index(name) for name in ("J02", "J03", "J04")]]
     towards = quasi - 6371e3 * zenith
@@ -241,14 +246,15 @@ def test_records_of_other_times_describe_the_same_orbits():
     base = make_constellation(DAY_START, np.random.default_rng(4))
     one, two = base.moved_to(DAY_START + 7200), base.moved_to(DAY_START + 14400)
     time = np.full(len(base), DAY_START + 10000.0)
-    (place_1, clock_1), (place_2, clock_2) = satellite_states(one, time), satellite_states(two, time)
+    (place_1, clock_1), (place_2, clock_2) = simulated_satellite_states(one, time), simulated_satellite_states(two,
+                                                                                                               time)
     assert np.abs(place_1 - place_2).max() < 1e-3
     assert np.abs(clock_1 - clock_2).max() * C < 1e-3
 
 
 def test_frame_agrees_with_proj():
     xyz = np.array([[-6950.0, -34100.0, 12.0], [-6800.0, -34250.0, 60.0], [-7100.0, -33900.0, 3.0]])
-    frame = Frame.at(CRS, *xyz[0])
+    frame = CityFrame.at(CRS, *xyz[0])
     assert np.abs(frame.earth_fixed(xyz) - earth_fixed(xyz)).max() < 1e-4
     assert np.abs(frame.grid @ frame.grid.T - np.eye(3)).max() < 1e-6
     true = np.degrees(frame.true_azimuth(frame.grid[1]))
@@ -343,7 +349,7 @@ def atmosphere(row: dict, antenna: np.ndarray, time: float) -> float:
     el = np.radians(float(row["elevation"]))
     az = np.radians(float(row["azimuth"])) + (lon - np.radians(139 + 50 / 60)) * np.sin(lat)
     scale = (1575.42 / 1561.098) ** 2 if row["satellite"][0] == "C" else 1.0
-    return saastamoinen(lat, 12.0, el) + scale * klobuchar(lat, lon, az, el, np.array(time))
+    return saastamoinen_delay(lat, 12.0, el) + scale * klobuchar_delay(lat, lon, az, el, np.array(time))
 
 
 def test_against_rtklib(city, signals, navigation):
@@ -366,7 +372,7 @@ def test_against_rtklib(city, signals, navigation):
         own = min(navigation[name], key=lambda item: abs(item["toe"] - time))
         expected, offset = state(name, own, time)
         orbits = make_record(name, own)
-        simulated, simulated_clock = satellite_states(orbits, np.array([time]))
+        simulated, simulated_clock = simulated_satellite_states(orbits, np.array([time]))
         theirs = np.array([place[k] for k in range(3)])
         assert np.abs(theirs - simulated[0]).max() < 0.002 and np.abs(expected - simulated[0]).max() < 0.002
         assert abs(clock[0] - simulated_clock[0]) < 1e-11 and abs(offset - simulated_clock[0]) < 1e-11
@@ -402,8 +408,8 @@ def make_record(name: str, record: dict) -> Orbits:
 
 
 def test_zenith_delays():
-    assert saastamoinen(np.radians(35.7), 0.0, np.array(np.pi / 2)) == pytest.approx(2.40, abs=0.08)
-    night = klobuchar(np.radians(35.7), np.radians(139.8), np.array(0.0), np.array(np.pi / 2), np.array(57600.0))
+    assert saastamoinen_delay(np.radians(35.7), 0.0, np.array(np.pi / 2)) == pytest.approx(2.40, abs=0.08)
+    night = klobuchar_delay(np.radians(35.7), np.radians(139.8), np.array(0.0), np.array(np.pi / 2), np.array(57600.0))
     assert night == pytest.approx(C * 5e-9, rel=1e-2)
 
 
@@ -473,12 +479,12 @@ def hit_distance(triangles: np.ndarray, start: np.ndarray, direction: np.ndarray
     return float(t[hit].min(initial=np.inf))
 
 
-def test_way_through_crowns():
+def test_path_through_crowns():
     """Through the middle of a crown, beside it, from within it, and with the crown behind."""
     crowns = Crowns(np.array([[10.0, 0.0, 5.0]]), np.array([[2.0, 2.0, 3.0]]), np.array([1.6]))
     start = np.array([[0.0, 0, 5], [0.0, 2.1, 5], [10.0, 0, 5], [20.0, 0, 5], [0.0, 1.2, 5]])
     ahead = np.tile([1.0, 0, 0], (5, 1))
-    assert way_through_crowns(crowns, start, ahead) == pytest.approx([4.0, 0.0, 2.0, 0.0, 3.2])
+    assert path_through_crowns(crowns, start, ahead) == pytest.approx([4.0, 0.0, 2.0, 0.0, 3.2])
 
 
 def test_edges_bend_signals():

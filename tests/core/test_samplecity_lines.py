@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity.drive import lines
 from urbanmap_qgis.samplecity.drive.motion import drive
-from urbanmap_qgis.samplecity.drive.trajectory import Trajectory
+from urbanmap_qgis.samplecity.drive.trajectory import SimulatedTrajectory
 from urbanmap_qgis.samplecity.scene.model import FaceKind, Material
 from urbanmap_qgis.samplecity.scene.world import make_scene
 
@@ -29,7 +29,7 @@ def write_short(scene, folder, seed):
     def four_seconds(*arguments):
         true = drive(*arguments)
         keep = slice(600, 1001)
-        return Trajectory(true.time[keep], true.place[keep], true.angles[keep])
+        return SimulatedTrajectory(true.time[keep], true.place[keep], true.angles[keep])
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(lines, "drive", four_seconds)
@@ -144,9 +144,9 @@ def test_strip_shows_sky_above_and_road_below(files):
 
 
 def test_tie_points_are_corners_moved_by_the_drift(scene, tmp_path):
-    path = lines.corner_path(*lines.survey_legs(scene)[0], scene.size / 2 + lines.RUN_IN)
+    path = lines.corner_path(*lines.survey_lanes(scene)[0], scene.size / 2 + lines.RUN_IN)
     rng = np.random.default_rng(5)
-    true = drive(scene, path, lines.way_over_time(path, lines.CRUISE, ()), lines.LINES_TIME, rng)
+    true = drive(scene, path, lines.chainage_over_time(path, lines.CRUISE, ()), lines.LINES_TIME, rng)
     reported = lines.reported_trajectory(true, rng, lines.MEAN_ERROR, lines.HEADING_ERROR)
     rows = lines.tie_points(scene, lines.RayCaster(scene, "ground"), true, reported)
     number, time = rows[:, 0], rows[:, 1]

@@ -14,8 +14,8 @@ from urbanmap_qgis.progress import SILENT, Progress
 from urbanmap_qgis.samplecity.drive import mms
 from urbanmap_qgis.samplecity.drive.motion import survey_drive
 from urbanmap_qgis.samplecity.drive.navigation_error import reported_trajectory
-from urbanmap_qgis.samplecity.drive.scanner import scan, spot_reflectance
-from urbanmap_qgis.samplecity.drive.trajectory import Trajectory, body_to_world
+from urbanmap_qgis.samplecity.drive.scanner import simulate_scans, spot_reflectance
+from urbanmap_qgis.samplecity.drive.trajectory import SimulatedTrajectory, body_to_world
 from urbanmap_qgis.samplecity.laser.raycast import RayCaster
 from urbanmap_qgis.samplecity.scene.model import REFLECTANCE, FaceKind, Material
 from urbanmap_qgis.samplecity.scene.world import make_scene
@@ -41,9 +41,9 @@ def pose(trajectory, time):
 
 def cut(trajectory, way, seconds):
     """The epochs of some seconds after the vehicle has driven `way` m."""
-    start = trajectory.time[np.searchsorted(trajectory.driven(), way)]
+    start = trajectory.time[np.searchsorted(trajectory.chainage(), way)]
     keep = (trajectory.time >= start) & (trajectory.time <= start + seconds)
-    return Trajectory(trajectory.time[keep], trajectory.place[keep], trajectory.angles[keep])
+    return SimulatedTrajectory(trajectory.time[keep], trajectory.place[keep], trajectory.angles[keep])
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +62,7 @@ def stretch(scene, true):
     part = cut(true, 22.0, 2.0)
     reported = reported_trajectory(part, np.random.default_rng(2))
     caster = RayCaster(scene, "ground")
-    returns = [scan(scene, caster, scanner, mms.recorded_scans(part, scanner), part, np.random.default_rng(4))
+    returns = [simulate_scans(scene, caster, scanner, mms.recorded_scans(part, scanner), part, np.random.default_rng(4))
                for scanner in mms.SCANNERS]
     return part, reported, returns
 
@@ -198,7 +198,7 @@ def test_navigation_error_has_the_stated_size_and_pace(true, seed):
     assert turn[0] < 0.025 and turn[1] < 0.025 and turn[2] < 0.05
     second = np.linalg.norm(error[100:] - error[:-100], axis=1)
     assert second.max() < 0.3
-    speed = np.gradient(true.driven(), true.time)
+    speed = np.gradient(true.chainage(), true.time)
     waiting = error[speed < 0.01]
     assert np.ptp(waiting, axis=0).max() > 0.01
 
@@ -208,7 +208,7 @@ def test_drive_is_smooth_and_keeps_to_the_road(scene):
     for true in drives:
         x, y, z = true.place.T
         assert scene.ground.kerb_distance(x, y).max() < -0.9
-        speed = np.gradient(true.driven(), true.time)
+        speed = np.gradient(true.chainage(), true.time)
         assert speed[0] > 2.0 and speed[-1] > 2.0 and speed.max() < 8.7
         assert (speed < 0.05).sum() > 600
         assert np.abs(np.gradient(speed, true.time)).max() < 2.5

@@ -29,7 +29,7 @@ def test_outlines_are_rough_within_the_stated_limits(city):
     assert {outline.building for outline in rough} == set(plans)
     for outline in rough:
         true = plans[outline.building]
-        reach = outlines.MAX_SHIFT + outlines.DETAIL + np.radians(outlines.MAX_TURN) * true.length / 4
+        reach = outlines.MAX_SHIFT + outlines.DETAIL + np.radians(outlines.MAX_ROTATION) * true.length / 4
         assert outline.plan.is_valid and outline.plan.hausdorff_distance(true) < reach
         assert outline.plan.centroid.distance(true.centroid) < outlines.MAX_SHIFT + 0.1
     shifts = [outline.plan.centroid.distance(plans[outline.building].centroid) for outline in rough]

@@ -14,7 +14,7 @@ MARGIN = 19.0
 """Ground that a frame may lose at each side by tilt, drift and relief, m."""
 
 WIDEST = (480.0, 400.0)
-"""Greatest useful reach of a frame across and along the strips, m; a larger city gets more frames."""
+"""Maximum useful extent of a frame across and along the strips, m; a larger city gets more frames."""
 
 SPEED, TURN = 50.0, 420.0
 """Of the aircraft, m/s, and the time from one strip to the next, s."""
@@ -25,20 +25,20 @@ _PITCH = 0.006
 def plan_flight(scene: Scene, rng: np.random.Generator) -> tuple[Camera, list[Exposure]]:
     """A camera whose frames suit the city, and the exposures, strip by strip.
 
-    Strips run north and south in turn (kappa about 0 and 180 degrees). Every place of the city is in three
+    Strips run north and south alternately (kappa about 0 and 180 degrees). Every place of the city is in three
     frames or more: in all three of the one strip of a small city; otherwise in two of each of two strips.
     """
     x_min, y_min, x_max, y_max = scene.extent.bounds
     length = max(x_max - x_min, y_max - y_min)
     if scene.size < 150.0:
         step = 0.35 * length
-        reach = (length, length + 2 * step)
+        extent = (length, length + 2 * step)
         strips, stations = np.zeros(1), step * np.array([-1.0, 0.0, 1.0])
     else:
-        reach = (min(1.24 * length, WIDEST[0]), min(length, WIDEST[1]))
-        steps = (min(0.24 * length, 0.47 * reach[0]), min(0.28 * length, 0.47 * reach[1]))
-        strips, stations = (_twice_covered(length, r, s) for r, s in zip(reach, steps))
-    width, height = (int(np.ceil((r + 2 * MARGIN) / GSD / 8)) * 8 for r in reach)
+        extent = (min(1.24 * length, WIDEST[0]), min(length, WIDEST[1]))
+        steps = (min(0.24 * length, 0.47 * extent[0]), min(0.28 * length, 0.47 * extent[1]))
+        strips, stations = (_twice_covered(length, r, s) for r, s in zip(extent, steps))
+    width, height = (int(np.ceil((r + 2 * MARGIN) / GSD / 8)) * 8 for r in extent)
     middle = (x_min + x_max) / 2, (y_min + y_max) / 2
     ground = float(scene.ground_height(*np.array(middle)))
     camera = Camera(round(FLYING_HEIGHT / GSD * _PITCH + rng.uniform(-0.02, 0.02), 4), _PITCH, width, height,
@@ -58,9 +58,9 @@ def plan_flight(scene: Scene, rng: np.random.Generator) -> tuple[Camera, list[Ex
     return camera, exposures
 
 
-def _twice_covered(length: float, reach: float, step: float) -> np.ndarray:
-    """Places `step` apart and even about 0 such that windows of `reach` around them cover `length` at least twice."""
-    half = length / 2 + step - reach / 2
+def _twice_covered(length: float, extent: float, step: float) -> np.ndarray:
+    """Places `step` apart and even about 0 such that windows of `extent` around them cover `length` at least twice."""
+    half = length / 2 + step - extent / 2
     count = int(np.ceil(2 * half / step - 1e-9)) + 1
     return step * (np.arange(count) - (count - 1) / 2)
 

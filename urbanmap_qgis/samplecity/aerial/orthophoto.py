@@ -9,7 +9,7 @@ import numpy as np
 
 from ..scene.world import Scene
 from .camera import Camera, Exposure, project
-from .render import Frame
+from .render import RenderedFrame
 
 CELL = 0.12
 """Of the orthophoto, m."""
@@ -32,7 +32,7 @@ class Orthophoto:
         self.image, self.mask = np.zeros((*shape, 3), np.uint8), np.zeros(shape, np.uint8)
         self._scene, self._camera, self._exposures = scene, camera, exposures
 
-    def add(self, number: int, frame: Frame) -> None:
+    def add(self, number: int, frame: RenderedFrame) -> None:
         """Lay frame `number` where its nadir is the nearest of all exposures'."""
         for top in range(0, len(self.mask), ROWS_AT_ONCE):
             rows = slice(top, min(top + ROWS_AT_ONCE, len(self.mask)))

@@ -52,7 +52,7 @@ class Stage:
 
 
 @dataclass(frozen=True)
-class Frame:
+class RenderedFrame:
     """A frame: `image` (rows, columns, 3) uint8 and `mask` (rows, columns) uint8 of `BUILDING` and so on."""
 
     image: np.ndarray
@@ -88,7 +88,7 @@ def _glass(boxes: Boxes) -> Faces:
 
 
 def render_frame(stage: Stage, camera: Camera, exposure: Exposure, gain: float, rng: np.random.Generator | None,
-                 progress: Progress = SILENT) -> Frame:
+                 progress: Progress = SILENT) -> RenderedFrame:
     """Render one frame at the time of its exposure.
 
     Parameters
@@ -111,7 +111,7 @@ def render_frame(stage: Stage, camera: Camera, exposure: Exposure, gain: float, 
         nearest = view.draw(faces, stage.leaves)
         image[rows] = view.colour(nearest, shading, part)
         mask[rows] = _mask(nearest.label, _class_of(faces))
-    return Frame(_expose(image, gain, rng), mask)
+    return RenderedFrame(_expose(image, gain, rng), mask)
 
 
 class _View:

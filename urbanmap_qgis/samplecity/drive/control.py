@@ -11,13 +11,13 @@ import shapely
 
 from ..scene.model import GROUND
 from ..scene.world import Scene
-from .scanner import Scanner
-from .trajectory import Trajectory, moved
+from .scanner import SimulatedScanner
+from .trajectory import SimulatedTrajectory, carried_over
 
 KINDS = ("lane", "stop", "zebra", "arrow", "diamond", "edge", "centre")
 """Markings whose corners a surveyor would measure."""
 
-REACH = 16.0
+MAX_RANGE = 16.0
 """Corners farther than this from the scanner are not taken, m."""
 
 SPACING = 4.0
@@ -28,7 +28,7 @@ WORN = 0.5
 
 
 @dataclass(frozen=True)
-class Corners:
+class MarkingCorners:
     """Corners of markings: place (n, 3) on the true ground, kind (n,) of their markings, id (n,)."""
 
     place: np.ndarray
@@ -38,13 +38,13 @@ class Corners:
 
 @dataclass(frozen=True)
 class Sightings:
-    """Which corners a survey measured, and when: number (n,) in `Corners`, time (n,) GPS seconds."""
+    """Which corners a survey measured, and when: number (n,) in `MarkingCorners`, time (n,) GPS seconds."""
 
     number: np.ndarray
     time: np.ndarray
 
 
-def marking_corners(scene: Scene) -> Corners:
+def marking_corners(scene: Scene) -> MarkingCorners:
     """Corners of markings that are there at the drives, thinned to one in each square of `SPACING`."""
     markings = [m for m in scene.markings_at(GROUND) if m.kind in KINDS and m.wear <= WORN and not m.private]
     plans = np.array([shapely.simplify(shapely.set_precision(m.plan, 1e-4), 0.001) for m in markings], object)
@@ -61,11 +61,12 @@ def marking_corners(scene: Scene) -> Corners:
     x, y = np.round(xy[chosen], 4).T
     kind = np.array([markings[number].kind for number in owner[chosen]])
     names = np.array([f"P{number + 1:03d}" for number in range(len(chosen))])
-    return Corners(np.column_stack([x, y, scene.ground_height(x, y)]), kind, names)
+    return MarkingCorners(np.column_stack([x, y, scene.ground_height(x, y)]), kind, names)
 
 
-def first_sweep(points: np.ndarray, true: Trajectory, scanner: Scanner, reach: float = REACH) -> Sightings:
-    """When the scanner's plane sweeps over the points (n, 3) in front of it at the shortest range within `reach`.
+def first_sweep(points: np.ndarray, true: SimulatedTrajectory, scanner: SimulatedScanner,
+                max_range: float = MAX_RANGE) -> Sightings:
+    """When the scanner's plane sweeps over the points (n, 3) in front of it at the shortest range within `max_range`.
 
     The place where the vehicle is at each epoch gives the point's height above the plane; a change of sign is the
     sweep, linear between epochs.
@@ -78,7 +79,7 @@ def first_sweep(points: np.ndarray, true: Trajectory, scanner: Scanner, reach: f
     number, time = [], []
     for index, point in enumerate(points):
         offset = point - origin
-        near = np.einsum("ij,ij->i", offset, offset) < reach**2
+        near = np.einsum("ij,ij->i", offset, offset) < max_range**2
         forward, above = np.einsum("ij,ijk->ki", offset, axes)
         swept = np.flatnonzero(near[:-1] & (forward[:-1] > 0) & (above[:-1] * above[1:] <= 0)
                                & (above[:-1] != above[1:]))
@@ -90,10 +91,11 @@ def first_sweep(points: np.ndarray, true: Trajectory, scanner: Scanner, reach: f
     return Sightings(np.array(number, int), np.array(time))
 
 
-def write_control(path: Path, corners: Corners, sightings: Sightings, true: Trajectory, reported: Trajectory) -> int:
+def write_control(path: Path, corners: MarkingCorners, sightings: Sightings, true: SimulatedTrajectory,
+                  reported: SimulatedTrajectory) -> int:
     """Write CSV id,x,y,z,time,x_mms,y_mms,z_mms,kind: each corner where it is and where the survey shows it."""
     place, time = corners.place[sightings.number], np.round(sightings.time, 6)
-    shown = moved(place, time, true, reported)
+    shown = carried_over(place, time, true, reported)
     lines = ["id,x,y,z,time,x_mms,y_mms,z_mms,kind\n"]
     for number, p, t, q in zip(sightings.number, place, time, shown):
         values = [f"{v:.4f}" for v in p] + [f"{t:.6f}"] + [f"{v:.4f}" for v in q]
@@ -102,7 +104,7 @@ def write_control(path: Path, corners: Corners, sightings: Sightings, true: Traj
     return len(sightings.number)
 
 
-def seen(sightings: Sightings, visible: Sequence[bool]) -> Sightings:
+def visible_sightings(sightings: Sightings, visible: Sequence[bool]) -> Sightings:
     """Those of the sightings that are visible."""
     keep = np.asarray(visible, bool)
     return Sightings(sightings.number[keep], sightings.time[keep])

@@ -11,7 +11,7 @@ from ..laser.surfaces import STOREY, WINDOW_PITCH, hit_material, wall_coordinate
 from ..scene.model import COLOUR, FaceKind, Material
 from ..scene.paint import value_noise
 from ..scene.world import Scene
-from .trajectory import Trajectory, mounting
+from .trajectory import SimulatedTrajectory, mounting
 
 SKY = np.array([206.0, 218.0, 232.0])
 SUN = np.array([0.35, -0.62, 0.70])
@@ -25,7 +25,7 @@ NOISE = 2.5
 
 
 @dataclass(frozen=True)
-class LineCamera:
+class SimulatedLineCamera:
     """A camera that sees one line at a time through a fish-eye lens.
 
     Row h (0 is the centre of the first) looks at the angle omega = 2 asin((h - centre) / 2 / focal), down from the
@@ -54,7 +54,7 @@ class LineCamera:
         rays = np.column_stack([np.cos(angle), np.zeros(self.rows), np.sin(angle)])
         return rays @ mounting(self.roll, self.pitch, self.heading).T
 
-    def rays(self, trajectory: Trajectory, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def rays(self, trajectory: SimulatedTrajectory, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where lines at the times (n,) start and whither their pixels look, (n rows, 3) each, line by line."""
         place, rotation = trajectory.at(time)
         origin = place + rotation @ np.array(self.lever_arm)

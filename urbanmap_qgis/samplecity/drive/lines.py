@@ -19,12 +19,12 @@ from ...progress import Progress
 from ..laser.raycast import RayCaster
 from ..scene.model import GROUND
 from ..scene.world import SURVEY_TIMES, Scene
-from .control import first_sweep, seen
-from .line_camera import NOISE, LineCamera, seen_colours
-from .motion import RUN_IN, corner_path, drive, survey_legs, way_over_time
+from .control import first_sweep, visible_sightings
+from .line_camera import NOISE, SimulatedLineCamera, seen_colours
+from .motion import RUN_IN, chainage_over_time, corner_path, drive, survey_lanes
 from .navigation_error import reported_trajectory
-from .scanner import Response, Scanner, scan
-from .trajectory import Trajectory, moved
+from .scanner import Response, SimulatedScanner, simulate_scans
+from .trajectory import SimulatedTrajectory, carried_over
 
 LINES_TIME = SURVEY_TIMES[1] + 3600.0
 """GPS seconds at which the drive starts."""
@@ -37,13 +37,13 @@ MEAN_ERROR, HEADING_ERROR = 1.2, 0.25
 
 FAN = np.linspace(-150.0, 150.0, 480)
 SCANNERS = tuple(
-    Scanner(number, name, lever_arm, 0.0, -90.0, heading, Response(4.0e5, 1.5, 0.8, 120.0, 40.0), FAN,
-            scan_hz=20.0, sweep=300.0 / 360.0, max_range=100.0, min_range=1.0, range_noise=0.03)
+    SimulatedScanner(number, name, lever_arm, 0.0, -90.0, heading, Response(4.0e5, 1.5, 0.8, 120.0, 40.0), FAN,
+                     scan_hz=20.0, sweep=300.0 / 360.0, max_range=100.0, min_range=1.0, range_noise=0.03)
     for number, name, lever_arm, heading in ((1, "LD left", (0.4, -0.5, -0.4), 45.0),
                                              (2, "LD right", (0.4, 0.5, -0.4), -45.0)))
-CAMERA = LineCamera(1, "line left", (-0.6, -0.6, -0.5), 0.0, 0.0, -90.0, 640, 270.0, 319.5, 50.0)
+CAMERA = SimulatedLineCamera(1, "line left", (-0.6, -0.6, -0.5), 0.0, 0.0, -90.0, 640, 270.0, 319.5, 50.0)
 
-TIE_HEIGHT, TIE_REACH = 1.0, 30.0
+TIE_HEIGHT, TIE_RANGE = 1.0, 30.0
 """Corners of buildings are measured this far above the ground, and up to this range, m."""
 
 TIE_SECONDS, TIE_SPACING = 4.0, 4.0
@@ -52,7 +52,7 @@ TIE_SECONDS, TIE_SPACING = 4.0, 4.0
 PICKING = 0.03
 """Noise of the picked tie points, m."""
 
-CAMERA_REACH = 100.0
+CAMERA_RANGE = 100.0
 """What the camera sees farther away is sky, m."""
 
 SCANS_AT_ONCE, LINES_AT_ONCE = 68, 204
@@ -71,8 +71,8 @@ def write_lines(scene: Scene, folder: Path, seed: np.random.SeedSequence, progre
         np.random.default_rng(np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, use)))
         for use in range(5))
     caster = RayCaster(scene, GROUND)
-    path = corner_path(*survey_legs(scene)[0], scene.size / 2 + RUN_IN)
-    true = drive(scene, path, way_over_time(path, CRUISE, ()), LINES_TIME, drive_rng)
+    path = corner_path(*survey_lanes(scene)[0], scene.size / 2 + RUN_IN)
+    true = drive(scene, path, chainage_over_time(path, CRUISE, ()), LINES_TIME, drive_rng)
     reported = reported_trajectory(true, error_rng, MEAN_ERROR, HEADING_ERROR)
     true.write(folder / "truth" / "lines_trajectory.csv")
     reported.write(target / "trajectory.csv")
@@ -90,7 +90,7 @@ def write_lines(scene: Scene, folder: Path, seed: np.random.SeedSequence, progre
     return {"ranges": ranges, "lines": len(times), "tie_point_sets": len(exact) // 2}
 
 
-def raw_scans(scene: Scene, caster: RayCaster, true: Trajectory, rng: np.random.Generator,
+def raw_scans(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, rng: np.random.Generator,
               progress: Progress) -> Iterator[np.ndarray]:
     """Raw measurements (n, 5): time, angle, range, intensity, scanner; in the order of time."""
     scans = SCANNERS[0].scan_times(true.time[0], true.time[-1])
@@ -98,14 +98,14 @@ def raw_scans(scene: Scene, caster: RayCaster, true: Trajectory, rng: np.random.
         progress.step(first / len(scans))
         parts = []
         for scanner in SCANNERS:
-            found = scan(scene, caster, scanner, scans[first:first + SCANS_AT_ONCE], true, rng)
+            found = simulate_scans(scene, caster, scanner, scans[first:first + SCANS_AT_ONCE], true, rng)
             parts.append(np.column_stack([found.time, scanner.angles[found.beam], found.distance, found.intensity,
                                           np.full(len(found.time), scanner.id)]))
         both = np.concatenate(parts)
         yield both[np.argsort(both[:, 0], kind="stable")]
 
 
-def photograph(scene: Scene, caster: RayCaster, true: Trajectory, rng: np.random.Generator,
+def photograph(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, rng: np.random.Generator,
                progress: Progress) -> tuple[np.ndarray, np.ndarray]:
     """Times (n,) of the lines and the strip image (rows, n, 3) uint8 of the line camera."""
     count = int((true.time[-1] - true.time[0]) * CAMERA.lines_hz)
@@ -116,33 +116,33 @@ def photograph(scene: Scene, caster: RayCaster, true: Trajectory, rng: np.random
         some = times[first:first + LINES_AT_ONCE]
         origin, direction = CAMERA.rays(true, some)
         leaf = rng.exponential(size=len(origin))
-        hits = caster.cast(origin, direction, np.repeat(some, CAMERA.rows), CAMERA_REACH, leaf)
-        reach = np.where(np.isfinite(hits.distance), hits.distance, 0.0)
-        colour = seen_colours(scene, GROUND, origin + reach[:, None] * direction, hits)
+        hits = caster.cast(origin, direction, np.repeat(some, CAMERA.rows), CAMERA_RANGE, leaf)
+        length = np.where(np.isfinite(hits.distance), hits.distance, 0.0)
+        colour = seen_colours(scene, GROUND, origin + length[:, None] * direction, hits)
         colour += NOISE * rng.standard_normal(colour.shape)
         lines = np.clip(np.round(colour), 0, 255).astype(np.uint8).reshape(len(some), CAMERA.rows, 3)
         strip[:, first:first + len(some)] = lines.swapaxes(0, 1)
     return times, strip
 
 
-def tie_points(scene: Scene, caster: RayCaster, true: Trajectory, reported: Trajectory) -> np.ndarray:
+def tie_points(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, reported: SimulatedTrajectory) -> np.ndarray:
     """Sets of two building corners (n, 6): set, time, x and y in the survey, x and y in truth (Z 3.2)."""
     corners = _building_corners(scene)
     found = []
     for scanner in SCANNERS:
-        sightings = first_sweep(corners, true, scanner, TIE_REACH)
+        sightings = first_sweep(corners, true, scanner, TIE_RANGE)
         place, rotation = true.at(sightings.time)
         origin = place + rotation @ np.array(scanner.lever_arm)
-        way = corners[sightings.number] - origin
-        distance = np.linalg.norm(way, axis=1)
-        hits = caster.cast(origin, way / distance[:, None], sightings.time, scanner.max_range)
+        vector = corners[sightings.number] - origin
+        distance = np.linalg.norm(vector, axis=1)
+        hits = caster.cast(origin, vector / distance[:, None], sightings.time, scanner.max_range)
         # A beam to the very edge may pass it: nothing nearer is enough.
-        clear = seen(sightings, hits.distance > distance - 0.05)
+        clear = visible_sightings(sightings, hits.distance > distance - 0.05)
         found += zip(clear.time, clear.number)
     found.sort()
     time = np.round(np.array([t for t, _ in found]), 6)
     place = corners[np.array([number for _, number in found], int)].reshape(-1, 3)
-    shown = moved(place, time, true, reported)
+    shown = carried_over(place, time, true, reported)
     rows, first = [], 0
     for second in range(1, len(time)):
         if time[second] - time[first] > TIE_SECONDS:
@@ -161,9 +161,9 @@ def _building_corners(scene: Scene) -> np.ndarray:
     for outline in shapely.get_parts(outlines):
         ring = shapely.get_coordinates(shapely.simplify(outline.exterior, 0.05))[:-1]
         before, after = ring - np.roll(ring, 1, axis=0), np.roll(ring, -1, axis=0) - ring
-        turn = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
+        bend = np.arctan2(before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0], (before * after).sum(axis=1))
         sense = 1.0 if shapely.is_ccw(outline.exterior) else -1.0
-        corners.append(ring[sense * turn > np.radians(60.0)])
+        corners.append(ring[sense * bend > np.radians(60.0)])
     x, y = np.concatenate(corners).T
     return np.column_stack([x, y, scene.ground_height(x, y) + TIE_HEIGHT])
 

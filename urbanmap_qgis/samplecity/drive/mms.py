@@ -19,18 +19,18 @@ from ...progress import Progress
 from ..laser.raycast import RayCaster
 from ..scene.model import GROUND, Material
 from ..scene.world import CRS, SURVEY_TIMES, Scene
-from .control import Corners, Sightings, first_sweep, marking_corners, seen, write_control
+from .control import MarkingCorners, Sightings, first_sweep, marking_corners, visible_sightings, write_control
 from .motion import survey_drive
 from .navigation_error import reported_trajectory
-from .scanner import Response, Returns, Scanner, scan
-from .trajectory import FIELDS, Trajectory, mounting
+from .scanner import Response, Returns, SimulatedScanner, simulate_scans
+from .trajectory import FIELDS, SimulatedTrajectory, mounting
 
 FAN = np.linspace(-90.0, 90.0, 361)
 SCANNERS = (
-    Scanner(1, "CH1 front/down", (0.95, 0.12, -0.32), 0.15, -25.12, -0.18,
-            Response(gain=6.2e5, fall=1.3, tilt=0.6, floor=250.0, threshold=60.0), FAN),
-    Scanner(2, "CH2 front/up", (0.93, -0.14, -0.45), -0.08, 24.91, 0.22,
-            Response(gain=9.0e5, fall=1.7, tilt=0.9, floor=180.0, threshold=45.0), FAN),
+    SimulatedScanner(1, "CH1 front/down", (0.95, 0.12, -0.32), 0.15, -25.12, -0.18,
+                     Response(gain=6.2e5, fall=1.3, tilt=0.6, floor=250.0, threshold=60.0), FAN),
+    SimulatedScanner(2, "CH2 front/up", (0.93, -0.14, -0.45), -0.08, 24.91, 0.22,
+                     Response(gain=9.0e5, fall=1.7, tilt=0.9, floor=180.0, threshold=45.0), FAN),
 )
 CAMERA = {"id": "front", "lever_arm_m": [1.05, 0.0, -0.25], "roll": 0.0, "pitch": 0.0, "heading": 0.0}
 IMAGE_SPACING = 5.0
@@ -91,7 +91,7 @@ def write_mms(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
         true.write(folder / "truth" / f"{name}_trajectory.csv")
         reported.write(folder / "mms" / f"{name}_trajectory.csv")
         _write_images(folder / "mms" / f"{name}_images.csv", reported)
-        points = measure(scene, caster, true, reported, beam_rng, part)
+        points = simulate_survey(scene, caster, true, reported, beam_rng, part)
         count = _write_points(folder / "mms" / f"{name}.laz", folder / "truth" / f"{name}_labels.npz", reported, points)
         sightings = visible_corners(caster, corners, true)
         control = write_control(folder / "truth" / f"control_{name}.csv", corners, sightings, true, reported)
@@ -101,43 +101,44 @@ def write_mms(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
     return summary
 
 
-def measure(scene: Scene, caster: RayCaster, true: Trajectory, reported: Trajectory, rng: np.random.Generator,
-            progress: Progress) -> Iterator[Points]:
+def simulate_survey(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, reported: SimulatedTrajectory,
+                    rng: np.random.Generator, progress: Progress) -> Iterator[Points]:
     """Points of both scanners in the order of time, a second or two at once."""
     scans = recorded_scans(true, SCANNERS[0])
     for first in range(0, len(scans), SCANS_AT_ONCE):
         progress.step(first / len(scans))
         some = scans[first:first + SCANS_AT_ONCE]
-        parts = [_points(scanner, scan(scene, caster, scanner, some, true, rng), reported) for scanner in SCANNERS]
+        parts = [_points(scanner, simulate_scans(scene, caster, scanner, some, true, rng), reported)
+                 for scanner in SCANNERS]
         order = np.argsort(np.concatenate([part.time for part in parts]), kind="stable")
         yield Points(*(np.concatenate([getattr(part, item.name) for part in parts])[order]
                        for item in fields(Points)))
 
 
-def recorded_scans(true: Trajectory, scanner: Scanner) -> np.ndarray:
+def recorded_scans(true: SimulatedTrajectory, scanner: SimulatedScanner) -> np.ndarray:
     """Times at which scans begin that are recorded: all while the vehicle moves, few while it waits."""
     scans = scanner.scan_times(true.time[0], true.time[-1])
-    speed = np.interp(scans, true.time, np.gradient(true.driven(), true.time))
+    speed = np.interp(scans, true.time, np.gradient(true.chainage(), true.time))
     return scans[(speed > WAITING_SPEED) | (np.arange(len(scans)) % WAITING_SCANS == 0)]
 
 
-def _points(scanner: Scanner, returns: Returns, reported: Trajectory) -> Points:
+def _points(scanner: SimulatedScanner, returns: Returns, reported: SimulatedTrajectory) -> Points:
     """What one scanner measured, placed with the reported trajectory."""
     place = scanner.placed(reported, returns.time, returns.beam, returns.distance)
     return Points(place, returns.time, returns.intensity, np.full(len(place), scanner.id, np.uint16),
                   scanner.angles[returns.beam], returns.ground.astype(np.uint8), _LABEL[returns.material])
 
 
-def visible_corners(caster: RayCaster, corners: Corners, true: Trajectory) -> Sightings:
+def visible_corners(caster: RayCaster, corners: MarkingCorners, true: SimulatedTrajectory) -> Sightings:
     """When the scanner that looks down sees corners of markings that nothing hides."""
     scanner = SCANNERS[0]
     sightings = first_sweep(corners.place, true, scanner)
     place, rotation = true.at(sightings.time)
     origin = place + rotation @ np.array(scanner.lever_arm)
-    way = corners.place[sightings.number] - origin
-    distance = np.linalg.norm(way, axis=1)
-    hits = caster.cast(origin, way / distance[:, None], sightings.time, scanner.max_range)
-    return seen(sightings, np.abs(hits.distance - distance) < 0.1)
+    vector = corners.place[sightings.number] - origin
+    distance = np.linalg.norm(vector, axis=1)
+    hits = caster.cast(origin, vector / distance[:, None], sightings.time, scanner.max_range)
+    return visible_sightings(sightings, np.abs(hits.distance - distance) < 0.1)
 
 
 def _write_calibration(path: Path) -> None:
@@ -153,23 +154,23 @@ def _write_calibration(path: Path) -> None:
     path.write_text(json.dumps(calibration, indent=1) + "\n")
 
 
-def _write_images(path: Path, reported: Trajectory) -> None:
-    """Poses of the camera at every `IMAGE_SPACING` m of the way, on the reported trajectory."""
-    way = reported.driven()
-    marks = np.arange(IMAGE_SPACING / 2, way[-1], IMAGE_SPACING)
-    time = np.round(np.interp(marks, way, reported.time), 4)
+def _write_images(path: Path, reported: SimulatedTrajectory) -> None:
+    """Poses of the camera at every `IMAGE_SPACING` m of chainage, on the reported trajectory."""
+    chainage = reported.chainage()
+    marks = np.arange(IMAGE_SPACING / 2, chainage[-1], IMAGE_SPACING)
+    time = np.round(np.interp(marks, chainage, reported.time), 4)
     place, rotation = reported.at(time)
     place = place + rotation @ np.array(CAMERA["lever_arm_m"])
-    turned = rotation @ mounting(CAMERA["roll"], CAMERA["pitch"], CAMERA["heading"])
-    heading = np.degrees(np.arctan2(turned[:, 0, 0], turned[:, 1, 0])) % 360.0
-    pitch = np.degrees(np.arcsin(turned[:, 2, 0]))
-    roll = np.degrees(np.arctan2(-turned[:, 2, 1], -turned[:, 2, 2]))
+    camera_axes = rotation @ mounting(CAMERA["roll"], CAMERA["pitch"], CAMERA["heading"])
+    heading = np.degrees(np.arctan2(camera_axes[:, 0, 0], camera_axes[:, 1, 0])) % 360.0
+    pitch = np.degrees(np.arcsin(camera_axes[:, 2, 0]))
+    roll = np.degrees(np.arctan2(-camera_axes[:, 2, 1], -camera_axes[:, 2, 2]))
     rows = [f"img_{number + 1:04d},{t:.4f},{p[0]:.4f},{p[1]:.4f},{p[2]:.4f},{r:.6f},{n:.6f},{h:.6f}\n"
             for number, (t, p, r, n, h) in enumerate(zip(time, place, roll, pitch, heading))]
     path.write_text(f"id,{FIELDS}\n" + "".join(rows))
 
 
-def _write_points(path: Path, labels: Path, reported: Trajectory, pieces: Iterator[Points]) -> int:
+def _write_points(path: Path, labels: Path, reported: SimulatedTrajectory, pieces: Iterator[Points]) -> int:
     """Write the points as LAZ (point format 6) and their labels as NPZ; return their number."""
     header = laspy.LasHeader(version="1.4", point_format=6)
     header.scales = np.full(3, 0.001)

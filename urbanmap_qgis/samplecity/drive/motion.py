@@ -11,7 +11,7 @@ from scipy.ndimage import gaussian_filter1d
 
 from ..scene.model import Lane, Marking
 from ..scene.world import Scene
-from .trajectory import Trajectory
+from .trajectory import SimulatedTrajectory
 
 RATE = 100.0
 """Epochs per second."""
@@ -22,11 +22,11 @@ BODY_HEIGHT = 1.95
 WHEELBASE, TRACK = 2.7, 1.55
 """Distances of the wheels along and across, m."""
 
-ACCELERATION, TURN_SPEED = 1.8, 4.4
-"""Greatest acceleration and braking, m/s2; speed in a turn, m/s."""
+ACCELERATION, BEND_SPEED = 1.8, 4.4
+"""Maximum acceleration and braking, m/s2; speed in a bend, m/s."""
 
-TURN_REACH, TURN_WIDENING = 14.0, 2.0
-"""A turn starts this far before the corner, m; the speed falls this far around it already."""
+BEND_START, BEND_WIDENING = 14.0, 2.0
+"""A bend starts this far before the corner, m; the speed falls this far around it already."""
 
 RUN_IN = 10.0
 """The drive begins and ends this far outside the city's square, m."""
@@ -35,7 +35,7 @@ STOP_GAP = 3.0
 """The body's origin stands this far behind a stop line, m."""
 
 LEAN_ROLL, LEAN_PITCH = 0.45, 0.30
-"""The body leans out of a turn and backwards when it speeds up, degrees for each m/s2."""
+"""The body leans out of a bend and backwards when it speeds up, degrees for each m/s2."""
 
 SHAKE_HEIGHT, SHAKE_ANGLE = 0.002, 0.04
 """Vibration at 8 m/s (standard deviations): m, degrees."""
@@ -44,29 +44,29 @@ _STEP = 0.05
 
 
 @dataclass(frozen=True)
-class Path:
-    """A way in plan at every `_STEP` m: s (n,), x, y (n,), heading (n,) degrees, turn (n,) curvature to the right 1/m.
+class DrivePath:
+    """A path in plan at every `_STEP` m: s (n,), x, y (n,), heading (n,) degrees, curvature (n,) to the right 1/m.
 
-    `corner` is where the two straight legs would meet, as way from the start.
+    `corner` is the chainage at which the two straight lanes would meet.
     """
 
     s: np.ndarray
     x: np.ndarray
     y: np.ndarray
     heading: np.ndarray
-    turn: np.ndarray
+    curvature: np.ndarray
     corner: float
 
 
 @dataclass(frozen=True)
 class Stop:
-    """A wait of `seconds` at `s` m of the way."""
+    """A stop of `seconds` at the chainage `s`, m."""
 
     s: float
     seconds: float
 
 
-def survey_legs(scene: Scene) -> tuple[tuple[Lane, Lane], tuple[Lane, Lane]]:
+def survey_lanes(scene: Scene) -> tuple[tuple[Lane, Lane], tuple[Lane, Lane]]:
     """The lanes of two drives in opposite directions: along A and left into B; down B and right into A."""
     lanes = [lane for lane in scene.lanes if lane.survey]
     along = [lane for lane in lanes if lane.street == "A"]
@@ -76,37 +76,37 @@ def survey_legs(scene: Scene) -> tuple[tuple[Lane, Lane], tuple[Lane, Lane]]:
     return (first, left), (next(lane for lane in across if lane is not left), back)
 
 
-def corner_path(first: Lane, second: Lane, reach: float) -> Path:
-    """Along `first`, round the corner and along `second`, starting and ending `reach` m from the corner.
+def corner_path(first: Lane, second: Lane, distance: float) -> DrivePath:
+    """Along `first`, round the corner and along `second`, starting and ending `distance` m from the corner.
 
-    The curvature of the turn rises and falls as 1 - cos, so that there is no jerk.
+    The curvature of the bend rises and falls as 1 - cos, so that there is no jerk.
     """
     corner = _crossing(first, second)
-    turned = np.radians((second.heading - first.heading + 180.0) % 360.0 - 180.0)
+    angle_change = np.radians((second.heading - first.heading + 180.0) % 360.0 - 180.0)
     share = np.linspace(0.0, 1.0, 2001)
-    angle = turned * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
-    tangent = _integral(np.sin(angle), share)[-1] / np.sin(turned)
-    length = TURN_REACH / tangent
-    straight = reach - TURN_REACH
+    angle = angle_change * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
+    tangent = _integral(np.sin(angle), share)[-1] / np.sin(angle_change)
+    length = BEND_START / tangent
+    straight = distance - BEND_START
     s = np.arange(0.0, 2 * straight + length + _STEP / 2, _STEP)
     share = np.clip((s - straight) / length, 0.0, 1.0)
-    heading = np.radians(first.heading) + turned * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
-    x0, y0 = corner - reach * _direction(first)
-    return Path(s, x0 + _integral(np.sin(heading), s), y0 + _integral(np.cos(heading), s), np.degrees(heading),
-                turned / length * (1 - np.cos(2 * np.pi * share)), straight + length / 2)
+    heading = np.radians(first.heading) + angle_change * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
+    x0, y0 = corner - distance * _direction(first)
+    return DrivePath(s, x0 + _integral(np.sin(heading), s), y0 + _integral(np.cos(heading), s), np.degrees(heading),
+                     angle_change / length * (1 - np.cos(2 * np.pi * share)), straight + length / 2)
 
 
-def with_wander(path: Path, metres: float, phase: float) -> Path:
+def with_meander(path: DrivePath, metres: float, phase: float) -> DrivePath:
     """The path with a driver who does not hold the lane's middle exactly."""
     wave = 2 * np.pi / 43.0
     off, slope = metres * np.sin(wave * path.s + phase), metres * wave * np.cos(wave * path.s + phase)
     sin, cos = np.sin(np.radians(path.heading)), np.cos(np.radians(path.heading))
-    return Path(path.s, path.x + off * cos, path.y - off * sin, path.heading + np.degrees(np.arctan(slope)),
-                path.turn, path.corner)
+    return DrivePath(path.s, path.x + off * cos, path.y - off * sin, path.heading + np.degrees(np.arctan(slope)),
+                     path.curvature, path.corner)
 
 
-def stop_at_line(path: Path, markings: Sequence[Marking], default: float) -> float:
-    """Way at which the vehicle stands behind the last stop line that it crosses before the corner."""
+def stop_at_line(path: DrivePath, markings: Sequence[Marking], default: float) -> float:
+    """Chainage at which the vehicle stands behind the last stop line that it crosses before the corner."""
     before = path.s < path.corner
     line = shapely.LineString(np.column_stack([path.x, path.y])[before])
     lines = [line.intersection(m.plan) for m in markings if m.kind == "stop" and m.plan.intersects(line)]
@@ -114,12 +114,12 @@ def stop_at_line(path: Path, markings: Sequence[Marking], default: float) -> flo
     return max(max(reached) - STOP_GAP if reached else default, 0.0)
 
 
-def way_over_time(path: Path, cruise: float, stops: Sequence[Stop]) -> np.ndarray:
-    """Way driven (n,) at epochs of `RATE`: smoothly at `cruise` m/s, slower in turns; on the move at both ends."""
+def chainage_over_time(path: DrivePath, cruise: float, stops: Sequence[Stop]) -> np.ndarray:
+    """Chainage (n,) at epochs of `RATE`: smoothly at `cruise` m/s, slower in bends; on the move at both ends."""
     speed = np.full(len(path.s), cruise)
-    widening = int(TURN_WIDENING / _STEP)
-    turning = np.convolve(np.abs(path.turn) > 0.02, np.ones(2 * widening + 1), "same") > 0
-    speed[turning] = np.minimum(cruise, TURN_SPEED)
+    widening = int(BEND_WIDENING / _STEP)
+    in_bend = np.convolve(np.abs(path.curvature) > 0.02, np.ones(2 * widening + 1), "same") > 0
+    speed[in_bend] = np.minimum(cruise, BEND_SPEED)
     number = [round(stop.s / _STEP) for stop in stops]
     speed[number] = 0.0
     square = speed**2
@@ -128,43 +128,44 @@ def way_over_time(path: Path, cruise: float, stops: Sequence[Stop]) -> np.ndarra
         square[order] = np.minimum.accumulate(square[order] - ramp) + ramp
     speed = np.sqrt(np.maximum(square, 0.0))
     ticks = np.concatenate([[0.0], np.cumsum(2 * np.diff(path.s) / (speed[1:] + speed[:-1]))])
-    ways = path.s
+    chainages = path.s
     for stop, index in sorted(zip(stops, number), key=lambda pair: -pair[1]):
         ticks = np.concatenate([ticks[:index + 1], ticks[index:] + stop.seconds])
-        ways = np.concatenate([ways[:index + 1], ways[index:]])
+        chainages = np.concatenate([chainages[:index + 1], chainages[index:]])
     smoothing = 0.35 * RATE
     ends = int(4 * smoothing)
-    way = np.interp(np.arange(int(ticks[-1] * RATE) + 1) / RATE, ticks, ways)
+    chainage = np.interp(np.arange(int(ticks[-1] * RATE) + 1) / RATE, ticks, chainages)
     # Near its ends the smoothing knows one side only.
-    return gaussian_filter1d(way, smoothing, mode="nearest")[ends:-ends]
+    return gaussian_filter1d(chainage, smoothing, mode="nearest")[ends:-ends]
 
 
-def drive(scene: Scene, path: Path, way: np.ndarray, start: float, rng: np.random.Generator) -> Trajectory:
-    """True trajectory of a vehicle that has driven `way` m of the path at epochs from `start` s on."""
-    heading = np.interp(way, path.s, path.heading)
-    x, y = np.interp(way, path.s, path.x), np.interp(way, path.s, path.y)
-    speed = np.gradient(way) * RATE
+def drive(scene: Scene, path: DrivePath, chainage: np.ndarray, start: float,
+          rng: np.random.Generator) -> SimulatedTrajectory:
+    """True trajectory of a vehicle at the chainages (m) of the path at epochs from `start` s on."""
+    heading = np.interp(chainage, path.s, path.heading)
+    x, y = np.interp(chainage, path.s, path.x), np.interp(chainage, path.s, path.y)
+    speed = np.gradient(chainage) * RATE
     height, roll, pitch = _on_wheels(scene.ground_height, x, y, heading)
-    side_pull = speed**2 * np.interp(way, path.s, path.turn)
-    roll = roll - LEAN_ROLL * side_pull
+    lateral_acceleration = speed**2 * np.interp(chainage, path.s, path.curvature)
+    roll = roll - LEAN_ROLL * lateral_acceleration
     pitch = pitch + LEAN_PITCH * gaussian_filter1d(np.gradient(speed) * RATE, 0.15 * RATE)
     liveliness = np.minimum(speed / 8.0, 1.0)
-    z = height + BODY_HEIGHT + liveliness * SHAKE_HEIGHT * _shake(len(way), rng)
-    roll, pitch, heading = (angle + liveliness * size * _shake(len(way), rng) for angle, size in (
+    z = height + BODY_HEIGHT + liveliness * SHAKE_HEIGHT * _shake(len(chainage), rng)
+    roll, pitch, heading = (angle + liveliness * size * _shake(len(chainage), rng) for angle, size in (
         (roll, SHAKE_ANGLE), (pitch, SHAKE_ANGLE), (heading, 0.3 * SHAKE_ANGLE)))
-    time = start + np.arange(len(way)) / RATE
-    return Trajectory(time, np.column_stack([x, y, z]), np.column_stack([roll, pitch, heading])).rounded()
+    time = start + np.arange(len(chainage)) / RATE
+    return SimulatedTrajectory(time, np.column_stack([x, y, z]), np.column_stack([roll, pitch, heading])).rounded()
 
 
-def survey_drive(scene: Scene, number: int, start: float, rng: np.random.Generator) -> Trajectory:
+def survey_drive(scene: Scene, number: int, start: float, rng: np.random.Generator) -> SimulatedTrajectory:
     """True trajectory of one of the two surveys (0 or 1), which starts at `start` s."""
-    reach = scene.size / 2 + RUN_IN
-    path = with_wander(corner_path(*survey_legs(scene)[number], reach), 0.12, rng.uniform(0, 2 * np.pi))
+    distance = scene.size / 2 + RUN_IN
+    path = with_meander(corner_path(*survey_lanes(scene)[number], distance), 0.12, rng.uniform(0, 2 * np.pi))
     stops = [Stop(stop_at_line(path, scene.markings, path.corner - 20.0), rng.uniform(7.0, 10.0))]
     queue = path.corner + 30.0 + rng.uniform(0.0, 15.0)
     if queue < path.s[-1] - 20.0:
         stops.append(Stop(queue, rng.uniform(3.0, 5.0)))
-    return drive(scene, path, way_over_time(path, rng.uniform(7.6, 8.6), stops), start, rng)
+    return drive(scene, path, chainage_over_time(path, rng.uniform(7.6, 8.6), stops), start, rng)
 
 
 def _on_wheels(ground: Callable, x: np.ndarray, y: np.ndarray, heading: np.ndarray) -> tuple[np.ndarray, ...]:
@@ -192,8 +193,8 @@ def _shake(count: int, rng: np.random.Generator) -> np.ndarray:
 def _crossing(first: Lane, second: Lane) -> np.ndarray:
     """x, y where the lines of two lanes meet."""
     along = np.column_stack([_direction(first), -_direction(second)])
-    reach = np.linalg.solve(along, np.subtract(second.start, first.start))
-    return np.array(first.start) + reach[0] * _direction(first)
+    distance = np.linalg.solve(along, np.subtract(second.start, first.start))
+    return np.array(first.start) + distance[0] * _direction(first)
 
 
 def _direction(lane: Lane) -> np.ndarray:

@@ -11,7 +11,7 @@ from ..laser.surfaces import hit_material
 from ..scene.model import GROUND, REFLECTANCE, Material
 from ..scene.paint import value_noise
 from ..scene.world import Scene
-from .trajectory import Trajectory, mounting
+from .trajectory import SimulatedTrajectory, mounting
 
 GRAIN, GRAIN_SIZE = 0.2, 0.35
 """Ground is brighter and darker by this share (half to half) in spots of this size, m."""
@@ -49,7 +49,7 @@ class Response:
 
 
 @dataclass(frozen=True)
-class Scanner:
+class SimulatedScanner:
     """A scanner that turns its beam in one plane.
 
     Attributes
@@ -90,13 +90,15 @@ class Scanner:
         beams = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(len(angle))])
         return beams @ mounting(self.roll, self.pitch, self.heading).T
 
-    def rays(self, trajectory: Trajectory, time: np.ndarray, beam: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def rays(self, trajectory: SimulatedTrajectory, time: np.ndarray, beam: np.ndarray
+             ) -> tuple[np.ndarray, np.ndarray]:
         """Where beams start and whither they go (n, 3), east, north, up, for times (n,) and numbers of beams (n,)."""
         place, rotation = trajectory.at(time)
         origin = place + rotation @ np.array(self.lever_arm)
         return origin, np.einsum("nij,nj->ni", rotation, self.directions()[beam])
 
-    def placed(self, trajectory: Trajectory, time: np.ndarray, beam: np.ndarray, distance: np.ndarray) -> np.ndarray:
+    def placed(self, trajectory: SimulatedTrajectory, time: np.ndarray, beam: np.ndarray,
+               distance: np.ndarray) -> np.ndarray:
         """Points (n, 3) of ranges (n,) measured at the times by the beams, on the given trajectory."""
         origin, direction = self.rays(trajectory, time, beam)
         return origin + distance[:, None] * direction
@@ -142,8 +144,8 @@ class Returns:
     ground: np.ndarray
 
 
-def scan(scene: Scene, caster: RayCaster, scanner: Scanner, scans: np.ndarray, true: Trajectory,
-         rng: np.random.Generator) -> Returns:
+def simulate_scans(scene: Scene, caster: RayCaster, scanner: SimulatedScanner, scans: np.ndarray,
+                   true: SimulatedTrajectory, rng: np.random.Generator) -> Returns:
     """What the scanner measures at the drives in scans that begin at the given times (s)."""
     time = scanner.beam_times(scans).ravel()
     beam = np.tile(np.arange(len(scanner.angles)), len(scans))
@@ -173,10 +175,10 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
     street = scene.ground.kerb_distance(point[painted, 0], point[painted, 1]) <= 0
     base[painted] = np.where(street, Material.ASPHALT, Material.PAVEMENT)
     along = direction[:, :2] / np.hypot(direction[:, 0], direction[:, 1])[:, None]
-    reach = 0.5 * (APERTURE + DIVERGENCE * distance) / np.maximum(cosine, 0.05)
+    half_length = 0.5 * (APERTURE + DIVERGENCE * distance) / np.maximum(cosine, 0.05)
     total = REFLECTANCE[material].copy()
     for share in (0.7, -0.7):
-        x, y = (point[:, :2] + (share * reach)[:, None] * along).T
+        x, y = (point[:, :2] + (share * half_length)[:, None] * along).T
         here = paint.at(x, y)
         total += REFLECTANCE[np.where(here > 0, here, base)]
     spots = value_noise(point[:, 0], point[:, 1], GRAIN_SIZE) - 0.5

@@ -15,7 +15,7 @@ FORMATS = ("%.2f", "%.4f", "%.4f", "%.4f", "%.6f", "%.6f", "%.6f")
 
 
 @dataclass(frozen=True)
-class Trajectory:
+class SimulatedTrajectory:
     """Poses of the body at epochs; linear between them (position and angles).
 
     Attributes
@@ -29,9 +29,9 @@ class Trajectory:
     place: np.ndarray
     angles: np.ndarray
 
-    def rounded(self) -> Trajectory:
+    def rounded(self) -> SimulatedTrajectory:
         """The trajectory as its file gives it (0.1 mm, a millionth of a degree)."""
-        return Trajectory(np.round(self.time, 2), np.round(self.place, 4), np.round(self.angles, 6))
+        return SimulatedTrajectory(np.round(self.time, 2), np.round(self.place, 4), np.round(self.angles, 6))
 
     def at(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Place (n, 3) and rotation body to east, north, up (n, 3, 3) at the times (n,)."""
@@ -39,8 +39,8 @@ class Trajectory:
         angles = np.column_stack([np.interp(time, self.time, column) for column in self.angles.T])
         return place, body_to_world(angles)
 
-    def driven(self) -> np.ndarray:
-        """Way driven since the first epoch (n,), m in plan."""
+    def chainage(self) -> np.ndarray:
+        """Chainage since the first epoch (n,), m in plan."""
         steps = np.hypot(*np.diff(self.place[:, :2], axis=0).T)
         return np.concatenate([[0.0], np.cumsum(steps)])
 
@@ -67,7 +67,8 @@ def mounting(roll: float, pitch: float, heading: float) -> np.ndarray:
     return world[[1, 0, 2]] * np.array([[1.0], [1.0], [-1.0]])
 
 
-def moved(points: np.ndarray, time: np.ndarray, source: Trajectory, target: Trajectory) -> np.ndarray:
+def carried_over(points: np.ndarray, time: np.ndarray, source: SimulatedTrajectory,
+                 target: SimulatedTrajectory) -> np.ndarray:
     """Points (n, 3) seen at the times (n,) from `source`, as they lie when seen from `target`."""
     place, rotation = source.at(time)
     body = np.einsum("nji,nj->ni", rotation, points - place)

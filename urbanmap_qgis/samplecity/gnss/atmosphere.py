@@ -11,7 +11,7 @@ BETA = (9.6256e+04, 1.3107e+05, -6.5536e+04, -5.8982e+05)
 """Coefficients of the Klobuchar model that the simulated satellites broadcast."""
 
 
-def saastamoinen(latitude: float, height: float, elevation: np.ndarray) -> np.ndarray:
+def saastamoinen_delay(latitude: float, height: float, elevation: np.ndarray) -> np.ndarray:
     """Delay in the troposphere, m (Saastamoinen 1972, standard atmosphere, 70 % humidity).
 
     `latitude` and `elevation` in rad, `height` above sea level in m. The mapping is 1 / sin(elevation).
@@ -24,8 +24,8 @@ def saastamoinen(latitude: float, height: float, elevation: np.ndarray) -> np.nd
     return (dry + wet) / np.sin(elevation)
 
 
-def klobuchar(latitude: float, longitude: float, azimuth: np.ndarray, elevation: np.ndarray,
-              time: np.ndarray) -> np.ndarray:
+def klobuchar_delay(latitude: float, longitude: float, azimuth: np.ndarray, elevation: np.ndarray,
+                    time: np.ndarray) -> np.ndarray:
     """Delay in the ionosphere at 1575.42 MHz, m (IS-GPS-200, 20.3.3.5.2.5).
 
     Angles in rad, `time` in GPS seconds of week; azimuth, elevation and time broadcast against each other.

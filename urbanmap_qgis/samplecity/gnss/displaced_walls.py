@@ -16,7 +16,7 @@ from ..scene.faces import ring_of
 from ..scene.model import Building, FaceKind, Faces, RoofPart
 
 OFFSET = (0.7, 1.3)
-"""Least and greatest displacement, m."""
+"""Minimum and maximum displacement, m."""
 
 UNMOVED, OUTWARDS = 0.12, 0.75
 """Share of the walls that stand where they are, and of the others that are moved outwards."""
@@ -25,7 +25,7 @@ CLOSE = 3.0
 """A wall with a neighbour in front of it within this distance is moved inwards, m."""
 
 TOUCHING = 0.05
-LEAST_EDGE = 0.1
+MIN_EDGE = 0.1
 """Length that is left at least of a wall whose neighbours are moved, m."""
 
 SMOOTH = np.radians(30.0)
@@ -35,7 +35,7 @@ _ON_LINE = 2e-3
 
 
 @dataclass(frozen=True)
-class Wall:
+class DisplacedWall:
     """A wall of a part of a building.
 
     Attributes
@@ -69,7 +69,7 @@ class Block:
 
 
 def deliver(buildings: tuple[Building, ...], faces: Faces,
-            rng: np.random.Generator) -> tuple[list[Block], list[Wall], np.ndarray]:
+            rng: np.random.Generator) -> tuple[list[Block], list[DisplacedWall], np.ndarray]:
     """Models with displaced walls.
 
     Returns the blocks, all walls, and for each of the true `faces` the number of its wall (0 for other faces).
@@ -110,14 +110,14 @@ class _Lines:
             self.line.append(np.array([self._number(ring[i], ring[(i + 1) % len(ring)]) for i in range(len(ring))]))
         self._facing = self._facings()
         self.shift = self._shifts(near, rng)
-        self._settle()
+        self._restore_invalid_parts()
 
     def edges(self, part: int) -> tuple[np.ndarray, np.ndarray]:
         """Ends (n, 2, 2) and outward normals (n, 2) of the true edges of a part."""
         ring = self.rings[part]
         ends = np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
-        way = ends[:, 1] - ends[:, 0]
-        return ends, np.column_stack([way[:, 1], -way[:, 0]]) / np.linalg.norm(way, axis=1, keepdims=True)
+        edge = ends[:, 1] - ends[:, 0]
+        return ends, np.column_stack([edge[:, 1], -edge[:, 0]]) / np.linalg.norm(edge, axis=1, keepdims=True)
 
     def delivered(self, part: int) -> np.ndarray:
         """Corners (n, 2) of a part with its lines moved; corner i begins edge i."""
@@ -131,8 +131,8 @@ class _Lines:
         return self.shift[line] * np.sign(np.einsum("ij,ij->i", normal, self.normal[line]))
 
     def _number(self, start: np.ndarray, end: np.ndarray) -> int:
-        way = end - start
-        normal = np.array([way[1], -way[0]]) / np.hypot(*way)
+        edge = end - start
+        normal = np.array([edge[1], -edge[0]]) / np.hypot(*edge)
         off = np.maximum(np.abs(self.normal @ start - self.at), np.abs(self.normal @ end - self.at))
         known = np.flatnonzero(off < _ON_LINE)
         if len(known):
@@ -178,8 +178,8 @@ class _Lines:
         signed = np.where(stays, 0.0, signed)
         return signed[surface]
 
-    def _settle(self) -> None:
-        """Leave walls of thin parts where they are if moving them would turn the part over: inner walls first."""
+    def _restore_invalid_parts(self) -> None:
+        """Leave walls of thin parts where they are if moving them would invert the part: inner walls first."""
         for stay in (self._facing == 0, np.ones(len(self.at), bool)):
             for _ in self.rings:
                 for part in range(len(self.rings)):
@@ -190,10 +190,10 @@ class _Lines:
     def _is_sound(self, part: int) -> bool:
         """Whether a moved part is valid, each of its edges still runs its way and half of its area is left."""
         moved, ring = self.delivered(part), self.rings[part]
-        way, true_way = np.roll(moved, -1, axis=0) - moved, np.roll(ring, -1, axis=0) - ring
-        along = np.einsum("ij,ij->i", way, true_way) / np.linalg.norm(true_way, axis=1)
+        edge, true_edge = np.roll(moved, -1, axis=0) - moved, np.roll(ring, -1, axis=0) - ring
+        along = np.einsum("ij,ij->i", edge, true_edge) / np.linalg.norm(true_edge, axis=1)
         plan = shapely.Polygon(moved)
-        return bool(along.min() > LEAST_EDGE and plan.is_valid and plan.area > 0.5 * shapely.Polygon(ring).area)
+        return bool(along.min() > MIN_EDGE and plan.is_valid and plan.area > 0.5 * shapely.Polygon(ring).area)
 
     def _room(self, ends: np.ndarray, normal: np.ndarray, near: shapely.Geometry) -> np.ndarray:
         """(n,) distance from each edge to the neighbours in front of it, without what is just beside its ends."""
@@ -215,17 +215,17 @@ def _with_corners_of(corners: np.ndarray, ring: np.ndarray) -> np.ndarray:
     """The ring (n, 2) with those of the corners (k, 2) added that lie on its edges, so that parts meet exactly."""
     full = []
     for start, end in zip(ring, np.roll(ring, -1, axis=0)):
-        way = end - start
-        along = (corners - start) @ way / (way @ way)
-        across = np.abs((corners - start) @ np.array([way[1], -way[0]])) / np.hypot(*way)
-        on = (across < _ON_LINE) & (along * np.hypot(*way) > _ON_LINE) & ((1 - along) * np.hypot(*way) > _ON_LINE)
+        edge = end - start
+        along = (corners - start) @ edge / (edge @ edge)
+        across = np.abs((corners - start) @ np.array([edge[1], -edge[0]])) / np.hypot(*edge)
+        on = (across < _ON_LINE) & (along * np.hypot(*edge) > _ON_LINE) & ((1 - along) * np.hypot(*edge) > _ON_LINE)
         between = corners[on][np.argsort(along[on], kind="stable")]
         full += [start, *between]
     return np.array(full)
 
 
 def _walls(building: Building, number: int, lines: _Lines, ring: np.ndarray, faces: Faces, lookup: np.ndarray,
-           before: int) -> list[Wall]:
+           before: int) -> list[DisplacedWall]:
     """Walls of a part; enters their numbers in the `lookup` of the faces."""
     true, normal = lines.edges(number)
     shift = lines.outward_shift(number)
@@ -233,13 +233,13 @@ def _walls(building: Building, number: int, lines: _Lines, ring: np.ndarray, fac
     middle = faces.corners[own].mean(axis=1)[:, :2]
     walls = []
     for i, ends in enumerate(true):
-        way = ends[1] - ends[0]
-        across, along = (middle - ends[0]) @ normal[i], (middle - ends[0]) @ way / (way @ way)
+        edge = ends[1] - ends[0]
+        across, along = (middle - ends[0]) @ normal[i], (middle - ends[0]) @ edge / (edge @ edge)
         mine = own[(np.abs(across) < _ON_LINE) & (along > 0) & (along < 1)
                    & (faces.normal[own, :2] @ normal[i] > 0.999)]
         lookup[mine] = before + i + 1
         heights = faces.corners[mine, :, 2]
         low, top = (heights.min(), heights.max()) if len(mine) else (np.nan, np.nan)
-        walls.append(Wall(before + i + 1, building.id, number, ends, ring[[i, (i + 1) % len(ring)]], normal[i],
-                          -float(shift[i]) + 0.0, float(low), float(top)))
+        walls.append(DisplacedWall(before + i + 1, building.id, number, ends, ring[[i, (i + 1) % len(ring)]], normal[i],
+                                   -float(shift[i]) + 0.0, float(low), float(top)))
     return walls

@@ -15,7 +15,7 @@ SEMI_MAJOR, FLATTENING = 6378137.0, 1 / 298.257222101
 
 
 @dataclass(frozen=True)
-class Frame:
+class CityFrame:
     """The place of the city on the earth.
 
     Attributes
@@ -31,7 +31,7 @@ class Frame:
     transformer: pyproj.Transformer
 
     @classmethod
-    def at(cls, crs: str, x: float, y: float, z: float) -> Frame:
+    def at(cls, crs: str, x: float, y: float, z: float) -> CityFrame:
         """Frame of a city whose middle is at x, y, z of the projected CRS (east, north, orthometric height)."""
         crs = pyproj.CRS.from_user_input(crs)
         transformer = pyproj.Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)

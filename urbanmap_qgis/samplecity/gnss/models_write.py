@@ -11,7 +11,7 @@ from ..scene.faces import ring_of
 from .displaced_walls import Block
 
 
-def write_geojson(path: Path, crs: str, blocks: list[Block]) -> None:
+def write_block_geojson(path: Path, crs: str, blocks: list[Block]) -> None:
     """Polygons with `building`, `part`, `z_base`, `z_top` (m); `crs` such as EPSG:6677."""
     features = [{"type": "Feature",
                  "properties": {"building": block.building, "part": block.part, "z_base": round(block.z_base, 3),
@@ -23,7 +23,7 @@ def write_geojson(path: Path, crs: str, blocks: list[Block]) -> None:
     path.write_text(json.dumps(collection, separators=(",", ":")) + "\n", encoding="utf-8")
 
 
-def write_cityjson(path: Path, crs: str, blocks: list[Block]) -> None:
+def write_block_cityjson(path: Path, crs: str, blocks: list[Block]) -> None:
     """CityJSON 1.1 with a `Building` for each building and a `BuildingPart` (LoD 1.3 solid) for each block."""
     objects: dict[str, dict] = {}
     vertices: dict[tuple[int, int, int], int] = {}

@@ -89,7 +89,7 @@ class Orbits:
         return Orbits(**{name: value if name == "satellite" else _rounded(value) for name, value in values.items()})
 
 
-def satellite_states(orbits: Orbits, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def simulated_satellite_states(orbits: Orbits, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Places and clocks of the n satellites.
 
     Parameters
@@ -144,7 +144,7 @@ def light_path(orbits: Orbits, time: np.ndarray, receiver: np.ndarray) -> tuple[
     travel = np.full((len(time), len(orbits)), 0.075)
     turn_rate = orbits.constant(EARTH_RATE)
     for _ in range(4):
-        place, clock = satellite_states(orbits, time[:, None] - travel)
+        place, clock = simulated_satellite_states(orbits, time[:, None] - travel)
         cos, sin = np.cos(turn_rate * travel), np.sin(turn_rate * travel)
         place = np.stack([cos * place[..., 0] + sin * place[..., 1], cos * place[..., 1] - sin * place[..., 0],
                           place[..., 2]], axis=-1)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from ..drive.trajectory import Trajectory
+from ..drive.trajectory import SimulatedTrajectory
 from ..scene.model import Lane
 from ..scene.world import Scene
 
@@ -37,8 +37,8 @@ class Pass:
 
     number: int
     epochs: np.ndarray
-    truth: Trajectory
-    reported: Trajectory
+    truth: SimulatedTrajectory
+    reported: SimulatedTrajectory
 
     @property
     def name(self) -> str:
@@ -46,7 +46,7 @@ class Pass:
 
 
 def make_passes(scene: Scene, rng: np.random.Generator) -> list[Pass]:
-    """Drives along the survey lanes in turn, each with a wait in the traffic at a place of its own."""
+    """Drives along the survey lanes one after the other, each with a wait in the traffic at a place of its own."""
     lanes = [lane for lane in scene.lanes if lane.survey]
     return [_drive(scene, lanes[number % len(lanes)], number + 1,
                    DAY_START + 600.0 + PASS_EVERY * number + float(rng.integers(0, 600)), rng)
@@ -57,19 +57,19 @@ def _drive(scene: Scene, lane: Lane, number: int, start: float, rng: np.random.G
     seconds = int(rng.integers(70, 91))
     wait = rng.uniform(0.25, 0.4) * seconds
     before, stop = rng.uniform(0.2, 0.8) * (seconds - wait), rng.uniform(0.25, 0.75) * lane.length
-    way = PchipInterpolator([-5.0, before, before + wait, seconds + 5.0], [-5.0, stop, stop, lane.length + 5.0])
+    chainage = PchipInterpolator([-5.0, before, before + wait, seconds + 5.0], [-5.0, stop, stop, lane.length + 5.0])
     time = np.arange(-2 * TRAJECTORY_RATE, (seconds + 2) * TRAJECTORY_RATE + 1) / TRAJECTORY_RATE
-    along = way(time) / lane.length
-    aside = 0.15 * np.sin(2 * np.pi * (lane.length * along / 60.0 + rng.random()))
+    along = chainage(time) / lane.length
+    across = 0.15 * np.sin(2 * np.pi * (lane.length * along / 60.0 + rng.random()))
     angle = np.radians(lane.heading)
     (x0, y0), (x1, y1) = lane.start, lane.end
-    x = x0 + (x1 - x0) * along + np.cos(angle) * aside
-    y = y0 + (y1 - y0) * along - np.sin(angle) * aside
+    x = x0 + (x1 - x0) * along + np.cos(angle) * across
+    y = y0 + (y1 - y0) * along - np.sin(angle) * across
     angles = np.column_stack([np.zeros_like(x), _slope(scene, lane, x, y), np.full_like(x, lane.heading)])
     place = np.column_stack([x, y, scene.ground_height(x, y) + ANTENNA_HEIGHT])
-    truth = Trajectory(start + time, place, angles).rounded()
+    truth = SimulatedTrajectory(start + time, place, angles).rounded()
     error = np.column_stack([_slow(time, rng) * scale for scale in np.repeat(TRAJECTORY_ERROR, (2, 1))])
-    reported = Trajectory(truth.time, truth.place + error, truth.angles).rounded()
+    reported = SimulatedTrajectory(truth.time, truth.place + error, truth.angles).rounded()
     return Pass(number, start + np.arange(seconds), truth, reported)
 
 

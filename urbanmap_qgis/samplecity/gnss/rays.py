@@ -1,7 +1,8 @@
 """Traces satellite signals through the true city: free, behind an edge, reflected once by a wall, through trees.
 
-Signals are plane waves: over the reach of the city the direction to a satellite changes by less than 0.00001 rad.
-Poles, signs and vehicles are left out: they are thinner than a signal's first Fresnel zone or lower than the antenna.
+Signals are plane waves: over the extent of the city the direction to a satellite changes by less than 0.00001
+rad. Poles, signs and vehicles are left out: they are thinner than a signal's first Fresnel zone or lower than the
+antenna.
 """
 
 from __future__ import annotations
@@ -20,14 +21,14 @@ WAVE_LENGTH = 0.1903
 SKIN = 1e-3
 """Rays start this far off the face that reflected them, m."""
 
-LEAST_SLOPE = 0.02
+MIN_INCIDENCE_COSINE = 0.02
 """Signals that graze a wall more flatly (cosine to its normal) are not reflected by it."""
 
 _CHUNK = 2_000_000
 
 
 @dataclass(frozen=True)
-class Obstacles:
+class OpaqueFaces:
     """The faces that stop signals, found by the plan of a ray."""
 
     faces: Faces
@@ -35,7 +36,7 @@ class Obstacles:
     top: float
 
     @classmethod
-    def of(cls, faces: Faces) -> Obstacles:
+    def of(cls, faces: Faces) -> OpaqueFaces:
         """Those of the faces that stop signals."""
         opaque = _taken(faces, np.isin(faces.kind, [int(kind) for kind in OPAQUE]))
         low, high = opaque.corners.min(axis=1), opaque.corners.max(axis=1)
@@ -48,11 +49,11 @@ class Obstacles:
 
     def far_end(self, start: np.ndarray, direction: np.ndarray) -> np.ndarray:
         """(n, 3) where rays that rise from `start` along the unit vectors `direction` leave the city's top."""
-        reach = np.maximum(self.top - start[:, 2], 0.1) / direction[:, 2] + 1.0
-        return start + reach[:, None] * direction
+        length = np.maximum(self.top - start[:, 2], 0.1) / direction[:, 2] + 1.0
+        return start + length[:, None] * direction
 
     def stop(self, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-        """(n,) number of a face that stops the way from `start` to `end` (n, 3 each), -1 if it is free."""
+        """(n,) number of a face that stops the path from `start` to `end` (n, 3 each), -1 if it is free."""
         stopped = np.full(len(start), -1)
         ray, face = self.crossings(start, end)
         for first in range(0, len(ray), _CHUNK):
@@ -64,7 +65,7 @@ class Obstacles:
     def over_edge(self, start: np.ndarray, direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """How far blocked signals pass below the edge of what blocks them.
 
-        Returns (n,) height of the edge above the straight way (m, infinite below a bridge), and (n,) its distance
+        Returns (n,) height of the edge above the straight path (m, infinite below a bridge), and (n,) its distance
         in plan from the antenna (m).
         """
         end = self.far_end(start, direction)
@@ -86,20 +87,20 @@ class Obstacles:
 
 
 @dataclass(frozen=True)
-class Reflections:
+class SimulatedReflections:
     """Single reflections with both legs free, one each.
 
     Attributes
     ----------
     ray : number of the ray.  face : number of the reflecting face among `Mirrors.faces`.
-    place : (n, 3) point of reflection.  excess : additional way, m.  slope : cosine between signal and wall normal.
+    place : (n, 3) point of reflection.  excess : excess path, m.  cosine : cosine between signal and wall normal.
     """
 
     ray: np.ndarray
     face: np.ndarray
     place: np.ndarray
     excess: np.ndarray
-    slope: np.ndarray
+    cosine: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -115,11 +116,12 @@ class Mirrors:
         wall = (faces.kind == FaceKind.WALL) & (np.abs(faces.normal[:, 2]) < 1e-6)
         return cls(_taken(faces, wall), np.flatnonzero(wall))
 
-    def reflect(self, obstacles: Obstacles, start: np.ndarray, direction: np.ndarray, reach: float) -> Reflections:
+    def reflect(self, obstacles: OpaqueFaces, start: np.ndarray, direction: np.ndarray,
+                max_range: float) -> SimulatedReflections:
         """Reflections that arrive at the antennas.
 
-        `start` (n, 3) antennas, `direction` (n, 3) unit vectors to the satellites; walls farther than `reach` m from
-        the antenna are left out. For a wall at the distance D the additional way is 2 D times the cosine to the
+        `start` (n, 3) antennas, `direction` (n, 3) unit vectors to the satellites; walls farther than `max_range` m
+        from the antenna are left out. For a wall at the distance D the excess path is 2 D times the cosine to the
         wall's normal.
         """
         faces = self.faces
@@ -128,22 +130,22 @@ class Mirrors:
             block = slice(first, first + 200)
             distance = start[block] @ faces.normal.T - faces.offset
             slope = direction[block] @ faces.normal.T
-            ray, face = np.nonzero((distance > 0.05) & (distance < reach) & (slope > LEAST_SLOPE))
+            ray, face = np.nonzero((distance > 0.05) & (distance < max_range) & (slope > MIN_INCIDENCE_COSINE))
             normal, cosine = faces.normal[face], slope[ray, face]
             arriving = direction[block][ray] - 2 * cosine[:, None] * normal
-            way = distance[ray, face] / cosine
-            place = start[block][ray] + way[:, None] * arriving
+            path = distance[ray, face] / cosine
+            place = start[block][ray] + path[:, None] * arriving
             inside = _inside(faces, face, place)
-            excess = way * (1 - np.einsum("ij,ij->i", arriving, direction[block][ray]))
+            excess = path * (1 - np.einsum("ij,ij->i", arriving, direction[block][ray]))
             pieces.append((ray[inside] + first, face[inside], place[inside], excess[inside], cosine[inside]))
         ray, face, place, excess, slope = (np.concatenate(column) for column in zip(*pieces))
         off = place + SKIN * faces.normal[face]
         free = obstacles.stop(start[ray], off) < 0
         free[free] = obstacles.stop(off[free], obstacles.far_end(off[free], direction[ray[free]])) < 0
-        return Reflections(ray[free], face[free], place[free], excess[free], slope[free])
+        return SimulatedReflections(ray[free], face[free], place[free], excess[free], slope[free])
 
 
-def way_through_crowns(crowns: Crowns, start: np.ndarray, direction: np.ndarray) -> np.ndarray:
+def path_through_crowns(crowns: Crowns, start: np.ndarray, direction: np.ndarray) -> np.ndarray:
     """(n,) metres that rays from `start` (n, 3) along unit vectors `direction` (n, 3) run through crowns of trees."""
     through = np.zeros(len(start))
     for centre, radii in zip(crowns.centre, crowns.radii):
@@ -155,14 +157,15 @@ def way_through_crowns(crowns: Crowns, start: np.ndarray, direction: np.ndarray)
 
 
 def edge_loss(above: np.ndarray, away: np.ndarray, direction: np.ndarray) -> np.ndarray:
-    """Loss of signals bent over an edge, dB (single knife edge, ITU-R P.526, 4.1); arguments as `over_edge` gives."""
+    """Loss of signals diffracted over an edge, dB (single knife edge, ITU-R P.526, 4.1); arguments as `over_edge`
+    gives."""
     flat = np.hypot(direction[:, 0], direction[:, 1])
     v = above * flat * np.sqrt(2 * flat / (WAVE_LENGTH * away))
     return 6.9 + 20 * np.log10(np.sqrt((v - 0.1) ** 2 + 1) + v - 0.1)
 
 
 def edge_excess(above: np.ndarray, away: np.ndarray, direction: np.ndarray) -> np.ndarray:
-    """Additional way over an edge, m: from the antenna straight to the edge and on to the satellite."""
+    """Excess path over an edge, m: from the antenna straight to the edge and on to the satellite."""
     flat = np.hypot(direction[:, 0], direction[:, 1])
     reachable = np.isfinite(above)
     height = np.where(reachable, above, 0.0)
@@ -175,7 +178,7 @@ def _taken(faces: Faces, chosen: np.ndarray) -> Faces:
 
 
 def _meets(faces: Faces, face: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Whether the ways from `start` to `end` (n, 3) pass through the faces of the numbers `face` (n,)."""
+    """Whether the segments from `start` to `end` (n, 3) pass through the faces of the numbers `face` (n,)."""
     normal, offset = faces.normal[face], faces.offset[face]
     before = np.einsum("ij,ij->i", normal, start) - offset
     after = np.einsum("ij,ij->i", normal, end) - offset
@@ -204,8 +207,8 @@ def _plan_crossing(a: np.ndarray, b: np.ndarray, start: np.ndarray,
     crosses them between their ends."""
     unit = direction / np.hypot(direction[:, 0], direction[:, 1])[:, None]
     edge, offset = b - a, a - start
-    turn = unit[:, 0] * edge[:, 1] - unit[:, 1] * edge[:, 0]
+    crossing = unit[:, 0] * edge[:, 1] - unit[:, 1] * edge[:, 0]
     with np.errstate(divide="ignore", invalid="ignore"):
-        distance = (offset[:, 0] * edge[:, 1] - offset[:, 1] * edge[:, 0]) / turn
-        share = (offset[:, 0] * unit[:, 1] - offset[:, 1] * unit[:, 0]) / turn
+        distance = (offset[:, 0] * edge[:, 1] - offset[:, 1] * edge[:, 0]) / crossing
+        share = (offset[:, 0] * unit[:, 1] - offset[:, 1] * unit[:, 0]) / crossing
         return distance, (distance > 0) & (share >= 0) & (share <= 1)

@@ -1,7 +1,7 @@
-"""What the receiver measures: which way each signal takes, how strong it arrives, and its code range.
+"""What the receiver measures: which path each signal takes, how strong it arrives, and its code range.
 
-A code range is the way of the signal (with the turn of the earth), plus receiver clock and system offset, minus
-satellite clock, plus group delay, troposphere and ionosphere, plus the additional way of a reflection, plus errors.
+A code range is the path of the signal (with the rotation of the earth), plus receiver clock and system offset, minus
+satellite clock, plus group delay, troposphere and ionosphere, plus the excess path of a reflection, plus errors.
 """
 
 from __future__ import annotations
@@ -13,23 +13,23 @@ import numpy as np
 from scipy.signal import lfilter
 
 from ..scene.model import Crowns, Material
-from .atmosphere import klobuchar, saastamoinen
-from .earth_fixed import Frame
+from .atmosphere import klobuchar_delay, saastamoinen_delay
+from .earth_fixed import CityFrame
 from .orbits import FREQUENCY, SPEED_OF_LIGHT, Orbits, light_path
 from .passes import Pass
-from .rays import Mirrors, Obstacles, edge_excess, edge_loss, way_through_crowns
+from .rays import Mirrors, OpaqueFaces, edge_excess, edge_loss, path_through_crowns
 
 MASK = np.radians(10.0)
 """Satellites below this elevation are not tracked."""
 
-REACH = 120.0
+MAX_RANGE = 120.0
 """Walls farther than this from the antenna reflect nothing that is tracked, m."""
 
 TRACKED = 25.0
-"""Least carrier to noise density that the receiver tracks, dB-Hz."""
+"""Minimum carrier to noise density that the receiver tracks, dB-Hz."""
 
 WALL_LOSS = {Material.FACADE: 12.0, Material.GLASS: 8.0}
-"""Loss of a reflection, with that of the turned polarisation in the antenna, dB; steeper reflections lose more."""
+"""Loss of a reflection, with that of the reversed polarisation in the antenna, dB; steeper reflections lose more."""
 
 LEAF_LOSS = 0.8
 """Loss per metre of a tree's crown, dB."""
@@ -40,11 +40,11 @@ SYSTEM_OFFSET = {"G": 0.0, "E": 1.4, "J": 0.4, "C": -7.5}
 RESIDUAL_DELAY, WALL_ROUGHNESS = 0.12, 0.5
 """Standard deviations, m: of what the atmosphere models leave in the zenith; of a reflection by an uneven wall."""
 
-LATE_SHARE, LATE_MEAN, LATE_SECONDS = 0.15, 4.0, 20
+NLOS_DELAY_SHARE, NLOS_DELAY_MEAN, NLOS_DELAY_SECONDS = 0.15, 4.0, 20
 """Share of the reflected signals that arrive later still (by further detours), how much (m) and for how long (s)."""
 
 
-class Way(IntEnum):
+class SignalKind(IntEnum):
     """How a signal arrives."""
 
     BLOCKED = 0
@@ -54,16 +54,17 @@ class Way(IntEnum):
 
 
 @dataclass(frozen=True)
-class Signals:
-    """Signals of one pass; arrays of the shape (epochs, satellites), lengths in m, angles in rad from grid north.
+class SimulatedSignals:
+    """Signals of one pass; arrays of the shape (epochs, satellites), lengths in m, angles in rad from grid
+    north.
 
     Attributes
     ----------
     above : above the elevation mask.  tracked : there is an observation.
-    way : `Way`.  face : number of the reflecting face in the scene's static faces, -1 for none.
+    kind : `SignalKind`.  face : number of the reflecting face in the scene's static faces, -1 for none.
     reflections : number of walls that could reflect the signal with both legs free.
-    excess : additional way of the tracked signal.  multipath : error by reflections beside a free line of sight.
-    late : additional delay of reflected signals.  noise : all other random errors.
+    excess : excess path of the tracked signal.  multipath : error by reflections beside a free line of sight.
+    nlos_delay : additional delay of reflected signals.  noise : all other random errors.
     clock : receiver clock and system offset.  distance : geometric range.  satellite_clock : of the satellite, s.
     strength : carrier to noise density, dB-Hz.  code : the code range.
     """
@@ -73,12 +74,12 @@ class Signals:
     elevation: np.ndarray
     above: np.ndarray
     tracked: np.ndarray
-    way: np.ndarray
+    kind: np.ndarray
     face: np.ndarray
     reflections: np.ndarray
     excess: np.ndarray
     multipath: np.ndarray
-    late: np.ndarray
+    nlos_delay: np.ndarray
     noise: np.ndarray
     clock: np.ndarray
     distance: np.ndarray
@@ -91,15 +92,17 @@ class Signals:
 class Site:
     """What the signals of all passes have in common."""
 
-    frame: Frame
-    obstacles: Obstacles
+    frame: CityFrame
+    obstacles: OpaqueFaces
     mirrors: Mirrors
     crowns: Crowns
     height: float
 
 
-def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray, rng: np.random.Generator) -> Signals:
-    """Signals of a pass. `orbit_error` (n,) is the error of the broadcast orbits and clocks along the signal, m."""
+def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray,
+            rng: np.random.Generator) -> SimulatedSignals:
+    """Signals of a pass. `orbit_error` (n,) is the error of the broadcast orbits and clocks along the signal,
+    m."""
     shape = (len(drive.epochs), len(orbits))
     receiver_clock = _receiver_clock(drive.epochs, rng)
     arrival = drive.epochs - receiver_clock / SPEED_OF_LIGHT
@@ -112,25 +115,25 @@ def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray, rn
     elevation = np.arcsin(direction[..., 2])
     above = elevation > MASK
     draw = {name: rng.normal(size=shape) for name in ("strength", "code", "slow", "bounce", "bounce_strength")}
-    late = _late(shape, rng)
+    nlos_delay = _nlos_delay(shape, rng)
     trace = _trace(site, antenna, direction, above, _persistent(draw["bounce_strength"], 15.0))
     fade = 1.0 * draw["strength"]
     strength = 36.0 + 12.0 * np.sqrt(np.sin(np.where(above, elevation, MASK))) - trace.loss + fade
     tracked = above & (strength > TRACKED)
-    way = np.where((trace.way != Way.LOS) & ~tracked, Way.BLOCKED, trace.way)
-    reflected = way == Way.REFLECTED
+    kind = np.where((trace.kind != SignalKind.LOS) & ~tracked, SignalKind.BLOCKED, trace.kind)
+    reflected = kind == SignalKind.REFLECTED
     noise = (draw["code"] * code_noise(strength) + orbit_error
              + _persistent(draw["slow"], 40.0) * RESIDUAL_DELAY / np.sin(np.maximum(elevation, MASK))
              + reflected * WALL_ROUGHNESS * _persistent(draw["bounce"], 15.0))
-    late = late * reflected
-    excess = np.where((way == Way.REFLECTED) | (way == Way.DIFFRACTED), trace.excess, 0.0)
-    multipath = np.where(way == Way.LOS, trace.multipath, 0.0)
+    nlos_delay = nlos_delay * reflected
+    excess = np.where((kind == SignalKind.REFLECTED) | (kind == SignalKind.DIFFRACTED), trace.excess, 0.0)
+    multipath = np.where(kind == SignalKind.LOS, trace.multipath, 0.0)
     azimuth = site.frame.true_azimuth(to_satellite)
     delay = SPEED_OF_LIGHT * orbits.delay + _atmosphere(site, orbits, azimuth, elevation, drive.epochs)
-    code = (distance + clock - SPEED_OF_LIGHT * satellite_clock + delay + excess + multipath + late + noise)
-    return Signals(orbits.satellite, np.arctan2(direction[..., 0], direction[..., 1]) % (2 * np.pi), elevation, above,
-                   tracked, way, np.where(reflected, trace.face, -1), trace.count, excess, multipath, late, noise,
-                   clock, distance, satellite_clock, strength, code)
+    code = (distance + clock - SPEED_OF_LIGHT * satellite_clock + delay + excess + multipath + nlos_delay + noise)
+    return SimulatedSignals(orbits.satellite, np.arctan2(direction[..., 0], direction[..., 1]) % (2 * np.pi), elevation,
+                            above, tracked, kind, np.where(reflected, trace.face, -1), trace.count, excess, multipath,
+                            nlos_delay, noise, clock, distance, satellite_clock, strength, code)
 
 
 def code_noise(strength: np.ndarray) -> np.ndarray:
@@ -140,9 +143,9 @@ def code_noise(strength: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class _Trace:
-    """Ways of the signals, (epochs, satellites): loss in dB against a free one, infinite where nothing arrives."""
+    """Paths of the signals, (epochs, satellites): loss in dB against a free one, infinite where nothing arrives."""
 
-    way: np.ndarray
+    kind: np.ndarray
     loss: np.ndarray
     excess: np.ndarray
     multipath: np.ndarray
@@ -157,25 +160,25 @@ def _trace(site: Site, antenna: np.ndarray, direction: np.ndarray, above: np.nda
     hidden = np.flatnonzero(~free)
     edge, away = site.obstacles.over_edge(start[hidden], towards[hidden])
     loss, excess = np.zeros(len(start)), np.zeros(len(start))
-    way = np.full(len(start), int(Way.LOS))
-    way[hidden] = Way.DIFFRACTED
+    kind = np.full(len(start), int(SignalKind.LOS))
+    kind[hidden] = SignalKind.DIFFRACTED
     loss[hidden], excess[hidden] = edge_loss(edge, away, towards[hidden]), edge_excess(edge, away, towards[hidden])
-    loss[free] = LEAF_LOSS * way_through_crowns(site.crowns, start[free], towards[free])
+    loss[free] = LEAF_LOSS * path_through_crowns(site.crowns, start[free], towards[free])
     face, count, multipath = np.full(len(start), -1), np.zeros(len(start), np.int64), np.zeros(len(start))
-    bounce = site.mirrors.reflect(site.obstacles, start, towards, REACH)
-    material = site.mirrors.faces.material[bounce.face]
+    reflection = site.mirrors.reflect(site.obstacles, start, towards, MAX_RANGE)
+    material = site.mirrors.faces.material[reflection.face]
     wall_loss = np.select([material == key for key in WALL_LOSS], list(WALL_LOSS.values()), 12.0)
-    wall_loss = wall_loss + 5.0 * bounce.slope + 3.0 * fading[epoch, satellite][bounce.ray]
-    np.add.at(count, bounce.ray, 1)
-    beside = free[bounce.ray]
-    np.add.at(multipath, bounce.ray[beside], _beside_line_of_sight(bounce.excess[beside]))
+    wall_loss = wall_loss + 5.0 * reflection.cosine + 3.0 * fading[epoch, satellite][reflection.ray]
+    np.add.at(count, reflection.ray, 1)
+    beside = free[reflection.ray]
+    np.add.at(multipath, reflection.ray[beside], _beside_line_of_sight(reflection.excess[beside]))
     order = np.argsort(-wall_loss, kind="stable")
-    for number in order[~beside[order] & (wall_loss[order] < loss[bounce.ray[order]])]:
-        ray = bounce.ray[number]
-        way[ray], loss[ray], excess[ray] = Way.REFLECTED, wall_loss[number], bounce.excess[number]
-        face[ray] = site.mirrors.number[bounce.face[number]]
+    for number in order[~beside[order] & (wall_loss[order] < loss[reflection.ray[order]])]:
+        ray = reflection.ray[number]
+        kind[ray], loss[ray], excess[ray] = SignalKind.REFLECTED, wall_loss[number], reflection.excess[number]
+        face[ray] = site.mirrors.number[reflection.face[number]]
     arrays = []
-    for values, empty in ((way, int(Way.BLOCKED)), (loss, np.inf), (excess, 0.0), (multipath, 0.0), (face, -1),
+    for values, empty in ((kind, int(SignalKind.BLOCKED)), (loss, np.inf), (excess, 0.0), (multipath, 0.0), (face, -1),
                           (count, 0)):
         full = np.full(above.shape, empty, values.dtype)
         full[epoch, satellite] = values
@@ -202,10 +205,10 @@ def _persistent(white: np.ndarray, seconds: float) -> np.ndarray:
     return lfilter([1.0], [1.0, -keep], driven, axis=0)
 
 
-def _late(shape: tuple[int, int], rng: np.random.Generator) -> np.ndarray:
-    blocks = (shape[0] // LATE_SECONDS + 1, shape[1])
-    late = (rng.random(blocks) < LATE_SHARE) * rng.exponential(LATE_MEAN, blocks)
-    return np.repeat(late, LATE_SECONDS, axis=0)[:shape[0]]
+def _nlos_delay(shape: tuple[int, int], rng: np.random.Generator) -> np.ndarray:
+    blocks = (shape[0] // NLOS_DELAY_SECONDS + 1, shape[1])
+    nlos_delay = (rng.random(blocks) < NLOS_DELAY_SHARE) * rng.exponential(NLOS_DELAY_MEAN, blocks)
+    return np.repeat(nlos_delay, NLOS_DELAY_SECONDS, axis=0)[:shape[0]]
 
 
 def _atmosphere(site: Site, orbits: Orbits, azimuth: np.ndarray, elevation: np.ndarray,
@@ -213,6 +216,6 @@ def _atmosphere(site: Site, orbits: Orbits, azimuth: np.ndarray, elevation: np.n
     """(epochs, satellites) delay in troposphere and ionosphere, m."""
     elevation = np.maximum(elevation, MASK)
     frame = site.frame
-    bend = (FREQUENCY["G"] / orbits.constant(FREQUENCY)) ** 2
-    return (saastamoinen(frame.latitude, site.height, elevation)
-            + bend * klobuchar(frame.latitude, frame.longitude, azimuth, elevation, epochs[:, None]))
+    dispersion = (FREQUENCY["G"] / orbits.constant(FREQUENCY)) ** 2
+    return (saastamoinen_delay(frame.latitude, site.height, elevation)
+            + dispersion * klobuchar_delay(frame.latitude, frame.longitude, azimuth, elevation, epochs[:, None]))

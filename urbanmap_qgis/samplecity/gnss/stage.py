@@ -16,14 +16,14 @@ import numpy as np
 from ...progress import SILENT, Progress
 from ..scene.model import GROUND
 from ..scene.world import CRS, Scene
-from .displaced_walls import Wall, deliver
-from .earth_fixed import GEOID_SEPARATION, Frame
-from .models_write import write_cityjson, write_geojson
+from .displaced_walls import DisplacedWall, deliver
+from .earth_fixed import GEOID_SEPARATION, CityFrame
+from .models_write import write_block_cityjson, write_block_geojson
 from .orbits import Orbits, light_path, make_constellation
 from .passes import ANTENNA_HEIGHT, DAY_START, TRAJECTORY_ERROR, WEEK, Pass, make_passes
-from .rays import Mirrors, Obstacles
+from .rays import Mirrors, OpaqueFaces
 from .rinex_write import LEAP_SECONDS, write_navigation, write_observations
-from .signals import Signals, Site, Way, receive
+from .signals import SignalKind, SimulatedSignals, Site, receive
 
 RECORD_EVERY = 7200.0
 """Seconds between the records of a satellite in the navigation file."""
@@ -47,8 +47,8 @@ def write_gnss(scene: Scene, folder: Path, seed: np.random.SeedSequence, progres
     models_seed, sky_seed, drives_seed, signals_seed = seed.spawn(4)
     faces = scene.static_faces(GROUND)
     blocks, walls, wall_of_face = deliver(scene.buildings, faces, np.random.default_rng(models_seed))
-    write_geojson(folders["models"] / "buildings.geojson", CRS, blocks)
-    write_cityjson(folders["models"] / "buildings.city.json", CRS, blocks)
+    write_block_geojson(folders["models"] / "buildings.geojson", CRS, blocks)
+    write_block_cityjson(folders["models"] / "buildings.city.json", CRS, blocks)
     _write_walls(folders["truth"] / "wall_offsets.csv", walls)
     drives = make_passes(scene, np.random.default_rng(drives_seed))
     site = _site(scene)
@@ -72,7 +72,7 @@ def _site(scene: Scene) -> Site:
     faces = scene.static_faces(GROUND)
     x, y = scene.ground.origin
     height = float(scene.ground_height(np.array([x]), np.array([y]))[0])
-    return Site(Frame.at(CRS, x, y, height), Obstacles.of(faces), Mirrors.of(faces), scene.crowns, height)
+    return Site(CityFrame.at(CRS, x, y, height), OpaqueFaces.of(faces), Mirrors.of(faces), scene.crowns, height)
 
 
 def _record_time(drive: Pass) -> float:
@@ -99,7 +99,7 @@ def _middle(drives: list[Pass]) -> np.ndarray:
     return np.mean([drive.truth.place[:, :2].mean(axis=0) for drive in drives], axis=0)
 
 
-def _write_pass(folders: dict[str, Path], site: Site, drive: Pass, signals: Signals) -> None:
+def _write_pass(folders: dict[str, Path], site: Site, drive: Pass, signals: SimulatedSignals) -> None:
     approximate = site.frame.earth_fixed(drive.reported.place[:1])[0]
     write_observations(folders["gnss"] / f"{drive.name}.obs", WEEK, drive.epochs, signals.satellite, signals.tracked,
                        signals.code, signals.strength, approximate, drive.name)
@@ -107,7 +107,7 @@ def _write_pass(folders: dict[str, Path], site: Site, drive: Pass, signals: Sign
     drive.truth.write(folders["truth"] / f"gnss_{drive.name}_trajectory.csv")
 
 
-def _write_walls(path: Path, walls: list[Wall]) -> None:
+def _write_walls(path: Path, walls: list[DisplacedWall]) -> None:
     rows = ["wall,building,part,x0,y0,x1,y1,nx,ny,offset,z_low,z_top,true_x0,true_y0,true_x1,true_y1"]
     for wall in walls:
         ends = ",".join(f"{value:.3f}" for value in wall.delivered.ravel())
@@ -118,9 +118,9 @@ def _write_walls(path: Path, walls: list[Wall]) -> None:
     path.write_bytes(("\n".join(rows) + "\n").encode("ascii"))
 
 
-def _write_signals(path: Path, drives: list[Pass], signals: list[Signals], wall_of_face: np.ndarray) -> None:
+def _write_signals(path: Path, drives: list[Pass], signals: list[SimulatedSignals], wall_of_face: np.ndarray) -> None:
     rows = [SIGNAL_FIELDS]
-    names = {int(way): way.name.lower() for way in Way}
+    names = {int(kind): kind.name.lower() for kind in SignalKind}
     for drive, one in zip(drives, signals):
         wall = np.where(one.face >= 0, wall_of_face[one.face], 0)
         for e, s in zip(*np.nonzero(one.above)):
@@ -128,8 +128,8 @@ def _write_signals(path: Path, drives: list[Pass], signals: list[Signals], wall_
             measured = f"{one.strength[e, s]:.3f},{one.code[e, s]:.4f}" if seen else ","
             rows.append(
                 f"{drive.number},{drive.epochs[e]:.0f},{one.satellite[s]},{np.degrees(one.elevation[e, s]):.4f},"
-                f"{np.degrees(one.azimuth[e, s]):.4f},{names[int(one.way[e, s])]},{int(seen)},{wall[e, s] or ''},"
-                f"{one.reflections[e, s]},{one.excess[e, s]:.4f},{one.multipath[e, s]:.4f},{one.late[e, s]:.4f},"
+                f"{np.degrees(one.azimuth[e, s]):.4f},{names[int(one.kind[e, s])]},{int(seen)},{wall[e, s] or ''},"
+                f"{one.reflections[e, s]},{one.excess[e, s]:.4f},{one.multipath[e, s]:.4f},{one.nlos_delay[e, s]:.4f},"
                 f"{one.noise[e, s]:.4f},{one.clock[e, s]:.4f},{measured}")
     with open(path, "wb") as raw, gzip.GzipFile("", "wb", 6, raw, mtime=0) as packed:
         packed.write(("\n".join(rows) + "\n").encode("ascii"))
@@ -147,11 +147,12 @@ def _write_facts(path: Path, drives: list[Pass]) -> None:
     path.write_text(json.dumps(facts, indent=2) + "\n", encoding="utf-8")
 
 
-def _summary(drives: list[Pass], signals: list[Signals], walls: list[Wall], wall_of_face: np.ndarray) -> dict:
-    above = np.concatenate([one.way[one.above] for one in signals])
+def _summary(drives: list[Pass], signals: list[SimulatedSignals], walls: list[DisplacedWall],
+             wall_of_face: np.ndarray) -> dict:
+    above = np.concatenate([one.kind[one.above] for one in signals])
     face = np.concatenate([one.face[one.face >= 0] for one in signals])
     summary = {"passes": len(drives), "epochs": sum(len(drive.epochs) for drive in drives),
                "satellites": len(signals[0].satellite), "signals": len(above),
                "exposed_walls": sum(not np.isnan(wall.z_top) for wall in walls),
                "reflecting_walls": len(np.unique(wall_of_face[face]))}
-    return summary | {way.name.lower(): float(np.mean(above == way)) for way in Way}
+    return summary | {kind.name.lower(): float(np.mean(above == kind)) for kind in SignalKind}

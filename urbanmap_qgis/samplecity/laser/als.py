@@ -85,7 +85,7 @@ def write_als(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
     Classes: 2 ground, 6 building, 5 vegetation, 17 elevated road, 7 outlier, 1 vehicles and furniture.
     Returns a summary: points, density (all returns per m2), strip shifts (E, N, H, m).
     """
-    points, shifts = scan(scene, seed, progress.part(0.0, 0.6), executor)
+    points, shifts = simulate_strips(scene, seed, progress.part(0.0, 0.6), executor)
     (folder / "als").mkdir(parents=True, exist_ok=True)
     write_las(folder / "als" / "als_classified.laz", points, points.classification)
     progress.step(0.8)
@@ -95,8 +95,8 @@ def write_als(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
     return {"points": len(points), "density": len(points) / area, "strip_shifts": shifts.tolist()}
 
 
-def scan(scene: Scene, seed: np.random.SeedSequence, progress: Progress = SILENT,
-         executor: Executor | None = None) -> tuple[AlsPoints, np.ndarray]:
+def simulate_strips(scene: Scene, seed: np.random.SeedSequence, progress: Progress = SILENT,
+                    executor: Executor | None = None) -> tuple[AlsPoints, np.ndarray]:
     """All points, and the shift (2, 3) of each strip in m."""
     caster = RayCaster(scene, AERIAL)
     randoms = [np.random.default_rng(np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, use)))

@@ -61,8 +61,8 @@ def make_buildings(ground: Ground, size: float, scene: str,
             parking.append(ground.plan_to_world(lot.box(0.0, 0.0, 1.0, 1.0)))
             continue
         parts = _SHAPES[shape](lot, rng)
-        turn = float(rng.uniform(-4.0, 4.0)) if shape in ("gable", "curved") else 0.0
-        buildings.append(_raised(ground, scene, lot, len(buildings) + 1, shape, parts, turn, rng))
+        rotation = float(rng.uniform(-4.0, 4.0)) if shape in ("gable", "curved") else 0.0
+        buildings.append(_raised(ground, scene, lot, len(buildings) + 1, shape, parts, rotation, rng))
     return tuple(buildings), tuple(parking)
 
 
@@ -193,7 +193,7 @@ def _one(*plans: shapely.Polygon) -> shapely.Polygon:
     return shapely.simplify(shapely.set_precision(shapely.union_all(plans), 1e-4), 1e-3)
 
 
-def _raised(ground: Ground, scene: str, lot: Lot, number: int, shape: str, parts: list[RoofPart], turn: float,
+def _raised(ground: Ground, scene: str, lot: Lot, number: int, shape: str, parts: list[RoofPart], rotation: float,
             rng: np.random.Generator) -> Building:
     """The building with its heights, parapets and roof structures, in projected coordinates."""
     corners = np.vstack([ring_of(part.plan) for part in parts])
@@ -213,10 +213,10 @@ def _raised(ground: Ground, scene: str, lot: Lot, number: int, shape: str, parts
             width, height = (0.0, 0.0) if rng.random() < 0.15 else (rng.uniform(0.2, 0.45), rng.uniform(0.4, 1.2))
             part = RoofPart(part.plan, z_roof, float(width), float(height), None,
                             _structures(part.plan, float(width), part.z_roof == 1.0, rng))
-        turned = affinity.rotate(part.plan, turn, origin=middle)
-        boxes = tuple(replace(s, plan=ground.plan_to_world(affinity.rotate(s.plan, turn, origin=middle)))
+        rotated = affinity.rotate(part.plan, rotation, origin=middle)
+        boxes = tuple(replace(s, plan=ground.plan_to_world(affinity.rotate(s.plan, rotation, origin=middle)))
                       for s in part.structures)
-        raised.append(replace(part, plan=ground.plan_to_world(turned), structures=boxes))
+        raised.append(replace(part, plan=ground.plan_to_world(rotated), structures=boxes))
     return Building(number, shape, base, tuple(raised), wall, roof)
 
 

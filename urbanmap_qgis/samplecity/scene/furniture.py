@@ -181,14 +181,14 @@ def _signals(ground: Ground) -> list[Furniture]:
 def _elevated_road(ground: Ground, size: float) -> list[Furniture]:
     """A motorway on piers above the avenue: a deck 13 m wide, its barriers, and a pier on the kerb every 24 m."""
     avenue = ground.streets[0]
-    reach, half = size / 2 + 30.0, 6.5
+    half_extent, half = size / 2 + 30.0, 6.5
     x, y = ground.to_world(np.array([0.0, 1.0, 0.0]), np.array([0.0, 0.0, 1.0]))
     east = np.array([[x[1] - x[0], y[1] - y[0]], [x[2] - x[0], y[2] - y[0]]])
     slope = tuple(float(s) for s in np.linalg.solve(east, [ground.slope[0], 0.0]))
     z = ground.z0 + 8.5
     bridge = {"material": Material.BRIDGE, "kind": FaceKind.BRIDGE, "slope": slope}
-    things = [Furniture(_plan(ground, avenue, (-reach, reach), (-half, half)), z, z + 1.6, **bridge)]
-    things += [Furniture(_plan(ground, avenue, (-reach, reach), (side * half - 0.15, side * half + 0.15)),
+    things = [Furniture(_plan(ground, avenue, (-half_extent, half_extent), (-half, half)), z, z + 1.6, **bridge)]
+    things += [Furniture(_plan(ground, avenue, (-half_extent, half_extent), (side * half - 0.15, side * half + 0.15)),
                          z + 0.8, z + 2.6, **bridge) for side in (1, -1)]
     for along in np.arange(-size / 2 + 6.0, size / 2, 24.0):
         if _clear(ground, avenue, along, 10.0):

@@ -61,27 +61,27 @@ def make_markings(ground: Ground, size: float, scene: str, rng: np.random.Genera
     return tuple(replace(marking, plan=ground.plan_to_world(marking.plan)) for marking in local)
 
 
-def _street_markings(street: Street, crossings: list[Street], reach: float,
+def _street_markings(street: Street, crossings: list[Street], half_extent: float,
                      rng: np.random.Generator) -> list[Marking]:
-    """Markings of one street along u; a street along v is laid out along u first and then turned."""
+    """Markings of one street along u; a street along v is laid out along u first and then rotated."""
     main = street.name in ("A", "B")
-    markings = list(_tactile(street, crossings, reach)) if main else []
-    for start, end, low, high in _stretches(street, crossings, reach):
+    markings = list(_tactile(street, crossings, half_extent)) if main else []
+    for start, end, low, high in _sections(street, crossings, half_extent):
         markings += _lines(street, start, end)
         for end_of, crossing, sign in ((start, low, 1.0), (end, high, -1.0)):
             if crossing is not None:
                 markings += _approach(street, end_of, sign, rng)
     if street.along == "v":
-        # u, v of the layout become the axis v and the axis -u: a turn, so that left stays left.
+        # u, v of the layout become the axis v and the axis -u: a rotation, so that left stays left.
         markings = [replace(m, plan=affinity.affine_transform(m.plan, [0, -1, 1, 0, 0, 0])) for m in markings]
         markings = [replace(m, plan=affinity.translate(m.plan, xoff=2 * street.at)) for m in markings]
     return markings
 
 
-def _stretches(street: Street, crossings: list[Street], reach: float) -> Iterator[tuple]:
+def _sections(street: Street, crossings: list[Street], half_extent: float) -> Iterator[tuple]:
     """(start, end, crossing before, crossing after) of the lengths between kerb lines of crossing streets."""
-    borders = [(-reach, -reach, None), *((c.at - c.half_width, c.at + c.half_width, c) for c in crossings),
-               (reach, reach, None)]
+    borders = [(-half_extent, -half_extent, None), *((c.at - c.half_width, c.at + c.half_width, c) for c in crossings),
+               (half_extent, half_extent, None)]
     for (_, start, low), (end, _, high) in zip(borders[:-1], borders[1:]):
         yield start, end, low, high
 
@@ -156,9 +156,9 @@ def _diamond(u: float, v: float) -> Iterator[Marking]:
         yield Marking(ring.intersection(half), "diamond")
 
 
-def _tactile(street: Street, crossings: list[Street], reach: float) -> Iterator[Marking]:
+def _tactile(street: Street, crossings: list[Street], half_extent: float) -> Iterator[Marking]:
     """Yellow guiding strips for the blind, 30 cm wide, on both pavements."""
-    for start, end, _, _ in _stretches(street, crossings, reach):
+    for start, end, _, _ in _sections(street, crossings, half_extent):
         for side in (1, -1):
             across = street.at + side * (street.half_width + 1.6)
             if end - start > 20.0:

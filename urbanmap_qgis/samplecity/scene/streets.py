@@ -31,16 +31,16 @@ def make_ground(size: float, origin: tuple[float, float], rng: np.random.Generat
 def make_lanes(ground: Ground, size: float) -> tuple[Lane, ...]:
     """Lanes of all streets, traffic on the left. The survey drives in the kerb lane of the avenue and the street."""
     lanes = []
-    reach = size / 2 + BEYOND
+    half_extent = size / 2 + BEYOND
     for street in ground.streets:
         for side in (1, -1):
             for number in range(street.lanes):
                 across = street.at + side * (number + 0.5) * street.lane_width
                 # Traffic in the direction of u keeps to its left, the side of +v; along v to the side of -u.
-                ends = ((-side * reach, across), (side * reach, across))
+                ends = ((-side * half_extent, across), (side * half_extent, across))
                 if street.along == "v":
                     across = street.at - side * (number + 0.5) * street.lane_width
-                    ends = ((across, -side * reach), (across, side * reach))
+                    ends = ((across, -side * half_extent), (across, side * half_extent))
                 start, end = (tuple(float(c) for c in ground.to_world(*uv)) for uv in ends)
                 lanes.append(Lane(street.name, start, end, street.lane_width,
                                   survey=street.name in ("A", "B") and number == street.lanes - 1))

@@ -39,7 +39,7 @@ class Scene:
 
     Attributes
     ----------
-    name : one of `SCENES`.  size : side of the square of the city, m (the square is turned by `ground.angle`).
+    name : one of `SCENES`.  size : side of the square of the city, m (the square is rotated by `ground.angle`).
     ground : `Ground` (height, kerbs, axes u and v of the streets: `to_local`, `to_world`, `streets`).
     buildings, markings, trees, furniture, lanes, vehicles : the things in it.
     """
@@ -132,7 +132,7 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     Parameters
     ----------
     size : side of the city's square, m (60 to 600).
-    scene : one of `SCENES`: high-rise street canyon, a stretch with few markings, markings repainted between the
+    scene : one of `SCENES`: high-rise street canyon, a street with few markings, markings repainted between the
         flights and the drives, or an elevated road above the avenue.
     seed : the same seed gives the same city.
 

@@ -1,4 +1,4 @@
-"""Official outlines of the sample city's buildings, as rough as a 1:2500 map: generalised, shifted, turned."""
+"""Official outlines of the sample city's buildings, as rough as a 1:2500 map: generalised, shifted, rotated."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from ..scene.model import Building
 from ..scene.world import CRS, SURVEYED, Scene
 from .geopackage import Layer, write_geopackage
 
-MAX_SHIFT, MAX_TURN = 0.5, 1.2
-"""Greatest shift of an outline, m, and turn about its middle, degrees."""
+MAX_SHIFT, MAX_ROTATION = 0.5, 1.2
+"""Maximum shift of an outline, m, and rotation about its middle, degrees."""
 
 DETAIL = 0.6
 """Corners that stand out less than this are left out, m."""
@@ -71,7 +71,7 @@ def rough_outlines(buildings: Sequence[Building], rng: np.random.Generator) -> l
     for building in buildings:
         plan = building.outline.simplify(DETAIL)
         distance, bearing = MAX_SHIFT * np.sqrt(rng.random()), rng.uniform(0.0, 2 * np.pi)
-        plan = affinity.rotate(plan, rng.uniform(-MAX_TURN, MAX_TURN), origin=building.outline.centroid)
+        plan = affinity.rotate(plan, rng.uniform(-MAX_ROTATION, MAX_ROTATION), origin=building.outline.centroid)
         plan = affinity.translate(plan, distance * np.sin(bearing), distance * np.cos(bearing))
         kind = "普通建物" if building.shape == "gable" else "堅ろう建物"
         outlines.append(Outline(building.id, shapely.set_precision(plan, 0.001), kind))

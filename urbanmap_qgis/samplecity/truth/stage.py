@@ -91,12 +91,13 @@ def _areas(scene: Scene) -> Layer:
 
 def _area_plans(scene: Scene) -> Iterator[tuple[str, shapely.Polygon]]:
     """Carriageways with rounded corners, parking lots and the whole city."""
-    reach = scene.size / 2 + BORDER
-    bands = [shapely.box(-2 * reach, s.at - s.half_width, 2 * reach, s.at + s.half_width) if s.along == "u"
-             else shapely.box(s.at - s.half_width, -2 * reach, s.at + s.half_width, 2 * reach)
+    half_extent = scene.size / 2 + BORDER
+    bands = [shapely.box(-2 * half_extent, s.at - s.half_width, 2 * half_extent, s.at + s.half_width) if s.along == "u"
+             else shapely.box(s.at - s.half_width, -2 * half_extent, s.at + s.half_width, 2 * half_extent)
              for s in scene.ground.streets]
     streets = shapely.union_all(bands).buffer(KERB_RADIUS, quad_segs=32).buffer(-KERB_RADIUS, quad_segs=32)
-    yield "carriageway", scene.ground.plan_to_world(streets & shapely.box(-reach, -reach, reach, reach))
+    yield "carriageway", scene.ground.plan_to_world(streets & shapely.box(-half_extent, -half_extent, half_extent,
+                                                                          half_extent))
     for lot in scene.ground.parking:
         yield "parking", lot
     yield "city", scene.extent
