@@ -35,14 +35,8 @@ LONGEST_STAGE = 220  # lines
 LONGEST_MODULE = 500
 LONGEST_FUNCTION = 60
 
-# Public names that two modules may still share. The sample city's physics stays apart from what it judges.
-SHARED_NAMES = {
-    "Building", "Camera", "Corners", "DriftModel", "Evidence", "Exposure", "Frame", "Levels", "LineCamera",
-    "Obstacles", "Placed", "Places", "Pose", "Scanner", "Signals", "Source", "Stretch", "Trajectory", "View", "Voxels",
-    "Wall", "Walls", "angles_of", "cell_numbers", "cell_size", "default_alpha", "footprint", "join", "joined",
-    "klobuchar", "lattice", "measure", "model_columns", "moved", "project", "satellite_states", "scan", "settle",
-    "turned", "usable", "wall_columns", "write_cityjson",
-}
+# Public names that two modules may share: none.
+SHARED_NAMES: set[str] = set()
 
 # Map layers that have no style of their own yet.
 UNSTYLED = {("rectifytrajectory", "OUTPUT_SETS"), ("rectifytrajectory", "OUTPUT_EPOCHS"),
