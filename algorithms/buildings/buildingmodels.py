@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
-from ..framework.outlines import column, footprints_of, numbers, open_points
+from ..framework.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
 from ..framework.workers import workers
 
@@ -86,7 +86,7 @@ class BuildingModels(UrbanMapAlgorithm):
             layers = self._write_layers(parameters, context, buildings, models, columns, progress.part(0.9, 1.0))
             if "OUTPUT_MESH" in files:
                 # Not with the other files: the mesh names its file of materials, so that it cannot be renamed.
-                write_obj(files["OUTPUT_MESH"], city_buildings(models, columns))
+                write_obj(files["OUTPUT_MESH"], city_buildings(models, columns, building_names(buildings)))
         return {
             **layers, **files,
             "BUILDINGS": len(models), "MODELLED": modelled,
@@ -108,7 +108,8 @@ class BuildingModels(UrbanMapAlgorithm):
         from ...urbanmap_qgis.buildings.model_stage import RoofInput
         from ...urbanmap_qgis.errors import InputError
 
-        found = {name: numbers(table, name) for name in ("building_id", "roof_id", "height")}
+        found = {"building_id": building_numbers(table),
+                 **{name: numbers(table, name) for name in ("roof_id", "height")}}
         for name, values in found.items():
             if values is None or not np.isfinite(values).all():
                 raise InputError(tr("{0}: the field {1} is missing or has empty values; give the result of “Roof "
@@ -148,13 +149,13 @@ class BuildingModels(UrbanMapAlgorithm):
                 parameters, "OUTPUT_SURFACES", context,
                 make_fields(("building_id", "int"), ("roof_id", "int"), ("surface_type", "text")),
                 {name: [face[place] for face in faces] for place, name in enumerate(names)}, table.crs,
-                [face[3] for face in faces], "PolygonZ", "building_surfaces", progress)
+                [face[3] for face in faces], "PolygonZ", "building_surfaces", progress, building_names(table))
         shapes = [multipolygon(model.solids) if model.solids else None for model in models]
         # Once the surfaces are in their place the rest follows, cancelled or not: no mixture of old and new results.
         last = replace(progress, cancelled=lambda: False) if results else progress
         results["OUTPUT"] = self.write_layer(
             parameters, "OUTPUT", context, make_fields(*COLUMNS, base=table.fields), {**table.columns, **columns},
-            table.crs, shapes, "MultiPolygonZ", "building_models", last)
+            table.crs, shapes, "MultiPolygonZ", "building_models", last, building_names(table))
         return results
 
     def _write_files(self, parameters, context, table, models, columns, progress, unfinished):
@@ -170,19 +171,22 @@ class BuildingModels(UrbanMapAlgorithm):
                    for name in ("OUTPUT_CITYJSON", "OUTPUT_MESH", "OUTPUT_REPORT")}
         paths = {name: unfinished.enter_context(written_beside(path))
                  for name, path in results.items() if path and name != "OUTPUT_MESH"}
+        names = building_names(table)
         if "OUTPUT_CITYJSON" in paths:
             code = table.crs.authid().removeprefix("EPSG:")
-            write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(models, columns), title="UrbanMap building models",
-                           epsg=int(code) if code.isdigit() else None, progress=progress)
+            write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(models, columns, names),
+                           title="UrbanMap building models", epsg=int(code) if code.isdigit() else None,
+                           progress=progress)
         if "OUTPUT_REPORT" in paths:
-            write_model_report(paths["OUTPUT_REPORT"], columns, self.settings_of(parameters), table.geometries)
+            write_model_report(paths["OUTPUT_REPORT"], names.columns(columns), self.settings_of(parameters),
+                               table.geometries)
         return {name: str(path) for name, path in results.items() if path}
 
 
-def city_buildings(models, columns):
+def city_buildings(models, columns, names):
     """The models with their figures as the writers of files take them, one after another."""
     from ...urbanmap_qgis.io.cityjson import CityBuilding
 
     for row, model in enumerate(models):
         attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}
-        yield CityBuilding(f"building-{model.building_id}", attributes, model.solids)
+        yield CityBuilding(names.of(model.building_id), attributes, model.solids)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from contextlib import ExitStack
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.building_layers import building_ids, read_buildings
+from ..framework.building_layers import read_buildings
 from ..framework.layers import make_fields
-from ..framework.outlines import column, numbers
+from ..framework.outlines import BuildingNames, building_names, column, numbers
 from ..framework.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
 from ..framework.workers import workers
 
@@ -86,21 +86,22 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         walls_table = self.read_vector(parameters, "WALLS", context, progress)
         self.require_projected("WALLS", walls_table.crs)
         walls = self._walls(walls_table, progress)
-        ids, models, base_fields, base_columns = self._models(parameters, context, walls_table, progress)
+        names, models, base_fields, base_columns = self._models(parameters, context, walls_table, progress)
         settings = MergeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
             "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            merged = merge_models(ids.tolist(), list(models), walls, settings, executor, progress.part(0.0, 0.85))
+            merged = merge_models(names.numbers.tolist(), list(models), walls, settings, executor,
+                                  progress.part(0.0, 0.85))
         columns, edges = merged_columns(merged), edge_columns(merged)
         left = sum(building.status == NOT_MERGED for building in merged)
         if left:
             progress.warn(tr("{0} of {1} buildings could not be merged and keep their models; the field “reason” tells "
                              "why.").format(left, len(merged)))
         with ExitStack() as unfinished:
-            files = self._write_files(parameters, context, walls_table.crs, merged, columns, progress.part(0.85, 0.9),
-                                      unfinished)
+            files = self._write_files(parameters, context, walls_table.crs, merged, columns, names,
+                                      progress.part(0.85, 0.9), unfinished)
             layers = self._write_layers(parameters, context, walls_table.crs, merged, columns, edges,
-                                        (base_fields, base_columns), progress.part(0.9, 1.0))
+                                        (base_fields, base_columns), names, progress.part(0.9, 1.0))
         return {**layers, **files, "BUILDINGS": len(merged), "NOT_MERGED": left,
                 "MERGED": sum(building.status == MERGED for building in merged),
                 "VALID": sum(building.valid for building in merged), "WALLS_MOVED": sum(columns["walls_moved"])}
@@ -134,18 +135,18 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         return walls
 
     def _models(self, parameters, context, walls_table, progress):
-        """Numbers, faces, fields and columns of the models."""
+        """Names, faces, fields and columns of the models."""
         path = self.input_path(parameters, "MODELS_CITYJSON", context)
         if path is not None:
             from ...urbanmap_qgis.buildings.merging.model_files import models_from_cityjson
 
             ids, models, names = models_from_cityjson(path)
-            return ids, models, make_fields(("object_id", "text")), {"object_id": names}
+            return BuildingNames(ids), models, make_fields(("object_id", "text")), {"object_id": names}
         table = read_buildings(self, parameters, "MODELS", context, progress)
         self.same_crs("MODELS", table.crs, "WALLS", walls_table.crs)
-        return building_ids(table), table.geometries, table.fields, table.columns
+        return building_names(table), table.geometries, table.fields, table.columns
 
-    def _write_layers(self, parameters, context, crs, merged, columns, edges, base, progress):
+    def _write_layers(self, parameters, context, crs, merged, columns, edges, base, names, progress):
         from ...urbanmap_qgis.buildings.merging.merge_stage import EDGE_COLUMNS, MODEL_COLUMNS
         from ...urbanmap_qgis.geometry.solid import multipolygon
 
@@ -154,15 +155,15 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             results["OUTPUT_WALLS"] = self.write_layer(
                 parameters, "OUTPUT_WALLS", context, make_fields(*EDGE_COLUMNS), edges, crs,
                 [edge.wall for building in merged for edge in building.edges], "PolygonZ", "merged_walls",
-                progress.part(0.0, 0.5))
+                progress.part(0.0, 0.5), names)
         shapes = [multipolygon(building.solids) if building.solids else None for building in merged]
         fields, kept = base
         results["OUTPUT"] = self.write_layer(
             parameters, "OUTPUT", context, make_fields(*MODEL_COLUMNS, base=fields), {**kept, **columns}, crs, shapes,
-            "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0))
+            "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0), names)
         return results
 
-    def _write_files(self, parameters, context, crs, merged, columns, progress, unfinished):
+    def _write_files(self, parameters, context, crs, merged, columns, names, progress, unfinished):
         """CityJSON and OBJ, where wanted; the CityJSON takes its place when `unfinished` is closed."""
         from ...urbanmap_qgis.io.atomic import written_beside
         from ...urbanmap_qgis.io.cityjson import write_cityjson
@@ -172,21 +173,21 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         path = self.output_path(parameters, "OUTPUT_CITYJSON", context)
         if path is not None:
             code = crs.authid().removeprefix("EPSG:")
-            write_cityjson(unfinished.enter_context(written_beside(path)), city_buildings(merged, columns),
+            write_cityjson(unfinished.enter_context(written_beside(path)), city_buildings(merged, columns, names),
                            title="UrbanMap merged building models", epsg=int(code) if code.isdigit() else None,
                            progress=progress)
             results["OUTPUT_CITYJSON"] = str(path)
         path = self.output_path(parameters, "OUTPUT_MESH", context)
         if path is not None:
-            write_obj(path, city_buildings(merged, columns), progress=progress)
+            write_obj(path, city_buildings(merged, columns, names), progress=progress)
             results["OUTPUT_MESH"] = str(path)
         return results
 
 
-def city_buildings(merged, columns):
+def city_buildings(merged, columns, names):
     """The merged models with their figures as the writers of files take them, one after another."""
     from ...urbanmap_qgis.io.cityjson import CityBuilding
 
     for row, building in enumerate(merged):
-        attributes = {name: values[row] for name, values in columns.items()}
-        yield CityBuilding(f"building-{building.building_id}", attributes, building.solids)
+        attributes = {name: values[row] for name, values in names.columns(columns).items()}
+        yield CityBuilding(names.of(building.building_id), attributes, building.solids)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
-from ..framework.outlines import footprints_of, numbers, open_points
+from ..framework.outlines import building_names, footprints_of, numbers, open_points
 from ..framework.parameters import OBJ_FILTER, tr
 from ..framework.workers import workers
 
@@ -117,19 +117,20 @@ class Mesh25D(UrbanMapAlgorithm):
             shapes = [multipolygon([item.mesh]) if item.mesh is not None else None for item in meshes]
             results["OUTPUT"] = self.write_layer(
                 parameters, "OUTPUT", context, make_fields(*MESH_COLUMNS, base=table.fields),
-                {**table.columns, **columns}, table.crs, shapes, "MultiPolygonZ", "building_meshes", progress)
+                {**table.columns, **columns}, table.crs, shapes, "MultiPolygonZ", "building_meshes", progress,
+                building_names(table))
             if paths["OUTPUT_MESH"] is not None:
                 # Its file of materials is named in it, so that it cannot be renamed: written when all else is done.
-                write_obj(paths["OUTPUT_MESH"], mesh_buildings_of(meshes, columns),
+                write_obj(paths["OUTPUT_MESH"], mesh_buildings_of(meshes, columns, building_names(table)),
                           progress=replace(progress, cancelled=lambda: False))
                 results["OUTPUT_MESH"] = str(paths["OUTPUT_MESH"])
         return results
 
 
-def mesh_buildings_of(meshes, columns):
+def mesh_buildings_of(meshes, columns, names):
     """The meshes as the writer of OBJ files takes them, one after another."""
     from ...urbanmap_qgis.io.cityjson import CityBuilding
 
     for row, item in enumerate(meshes):
-        attributes = {name: values[row] for name, values in columns.items()}
-        yield CityBuilding(f"building-{item.building_id}", attributes, [item.mesh] if item.mesh is not None else [])
+        attributes = {name: values[row] for name, values in names.columns(columns).items()}
+        yield CityBuilding(names.of(item.building_id), attributes, [item.mesh] if item.mesh is not None else [])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
-from ..framework.outlines import footprints_of, open_points
+from ..framework.outlines import building_names, footprints_of, open_points
 from ..framework.parameters import tr
 from ..framework.workers import workers
 
@@ -69,6 +69,6 @@ class RoofPolygons(UrbanMapAlgorithm):
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return {
             "OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, table.crs, geometries,
-                                       "PolygonZ", "roof_polygons", progress),
+                                       "PolygonZ", "roof_polygons", progress, building_names(table)),
             "ROOFS": len(roofs.polygon), "WITHOUT_ROOFS": without,
         }

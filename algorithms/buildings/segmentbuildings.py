@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
-from ..framework.outlines import BUILDING_ID, NOTE, footprints_of, open_points
+from ..framework.outlines import BUILDING_ID, NOTE, building_names, footprints_of, open_points
 from ..framework.parameters import tr
 from ..framework.point_outputs import check_points_output, points_output
 from ..framework.workers import workers
@@ -28,8 +28,9 @@ class SegmentBuildings(UrbanMapAlgorithm):
     def declare(self):
         self.add_points()
         self.add_polygons("FOOTPRINTS", "Building outlines", "Rough outlines, one feature a building, in the same "
-                          "coordinate system as the points. A whole-number field building_id is kept as the "
-                          "number of the building; without it, buildings are numbered from 1 in the layer's order.")
+                          "coordinate system as the points. A field building_id, of any type, names the buildings and "
+                          "comes back in every result; ids that a point cloud cannot hold get a number beside them "
+                          "(bldg_no). Without it, buildings are numbered from 1 in the layer's order.")
         self.add_distance("EXPANSION", "Expansion", "Distance in metres by which outlines are expanded before they "
                           "take their points.", 1.0, 0.0, 20.0)
         self.add_choice("METHOD", "Method", "The full method adjusts the outlines and chooses the points that can be "
@@ -93,7 +94,8 @@ class SegmentBuildings(UrbanMapAlgorithm):
                    "shift_status": buildings.shift_status, "status": buildings.status,
                    NOTE: [_note(*row) for row in zip(footprints.notes, footprints.usable, buildings.points)]}
         return self.write_layer(parameters, "OUTPUT_BUILDINGS", context, fields, columns, table.crs,
-                                buildings.outlines, "MultiPolygon", "segmented_buildings", progress)
+                                buildings.outlines, "MultiPolygon", "segmented_buildings", progress,
+                                building_names(table))
 
 
 def _note(note: str, usable: bool, points: int) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
-from ..framework.outlines import BUILDING_ID, footprints_of, numbers, open_points
+from ..framework.outlines import BUILDING_ID, building_names, footprints_of, numbers, open_points
 from ..framework.parameters import tr
 from ..framework.point_outputs import check_points_output, points_output
 from ..framework.workers import workers
@@ -114,7 +114,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
                              ("points", "int"), ("area", "real"), ("density", "real"), ("rmse", "real"),
                              ("status", "text"))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
-        return self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs, progress=progress)
+        return self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs, progress=progress,
+                                names=building_names(table))
 
 
 def _table():

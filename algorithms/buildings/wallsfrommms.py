@@ -6,9 +6,10 @@ from contextlib import nullcontext
 from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.building_layers import building_ids, read_buildings
+from ..framework.building_layers import read_buildings
 from ..framework.crs import crs_name
 from ..framework.layers import make_fields
+from ..framework.outlines import building_names
 from ..framework.parameters import tr
 from ..framework.workers import workers
 
@@ -33,7 +34,7 @@ class WallsFromMms(UrbanMapAlgorithm):
         self.add_points("POINTS", "Mobile survey", "One or several LAS, LAZ or COPC files of a survey that lies on the "
                         "map, such as from “Apply corrected trajectory”.")
         self.add_polygons("BUILDINGS", "Buildings", "Outlines, or models with their heights (MultiPolygonZ of "
-                          "“Building models”). A whole-number field building_id is kept as the number of the building; "
+                          "“Building models”). A field building_id, of any type, names the buildings; "
                           "without it, buildings are numbered from 1 in the layer's order.")
         self.add_distance("MAX_HEIGHT", "Maximum height", "Height in metres above the ground up to which points are "
                           "used.", 20.0, 1.0, 500.0)
@@ -71,7 +72,7 @@ class WallsFromMms(UrbanMapAlgorithm):
 
         progress = self.progress(feedback)
         table = read_buildings(self, parameters, "BUILDINGS", context, progress)
-        plans = building_plans(table.geometries, building_ids(table))
+        plans = building_plans(table.geometries, building_names(table).numbers)
         cloud = self._cloud(parameters, context, table, progress)
         path = self.raster_path(parameters, "GROUND", context)
         with (RasterSampler(path) if path else nullcontext() as ground,
@@ -91,7 +92,8 @@ class WallsFromMms(UrbanMapAlgorithm):
                                 "each wall."))
         columns = wall_columns(walls)
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*WALL_COLUMNS), columns, table.crs,
-                                 [wall.contour for wall in walls], "PolygonZ", "facade_walls", progress.part(0.95, 1.0))
+                                 [wall.contour for wall in walls], "PolygonZ", "facade_walls", progress.part(0.95, 1.0),
+                                 building_names(table))
         return {"OUTPUT": layer, "WALLS": len(walls), "BUILDINGS_WITH_WALLS": counts.with_walls,
                 "BUILDINGS_NEAR": counts.near, "AREA": float(sum(columns["area"])),
                 "MEDIAN_SIGMA": float(np.median(columns["sigma"])) if walls else None}

@@ -354,8 +354,13 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def write_layer(self, parameters: Mapping, name: str, context: QgsProcessingContext, fields, columns, crs,
                     geometries=None, geometry_type: str = "NoGeometry", style: str = "",
-                    progress: Progress = SILENT) -> str | None:
-        """Write an output layer when all is computed; see `layers.write_layer`."""
+                    progress: Progress = SILENT, names=None) -> str | None:
+        """Write an output layer when all is computed; see `layers.write_layer`.
+
+        `names` (`outlines.BuildingNames`) puts the user's own ids in the place of the buildings' numbers.
+        """
+        if names is not None:
+            fields, columns = names.fields(fields), names.columns(columns)
         return layers.write_layer(self, parameters, name, context, fields, columns, crs, geometries,
                                   geometry_type, style, progress)
 

@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import SILENT, Progress
 from .layers import VectorTable
-from .outlines import BUILDING_ID, numbers
 from .parameters import tr
 
 
@@ -28,21 +27,3 @@ def read_buildings(algorithm, parameters: Mapping, name: str, context, progress:
         raise InputError(tr("{0}: no feature has a polygon; choose a layer of outlines or building models.").format(
             table.label))
     return table
-
-
-def building_ids(table: VectorTable):
-    """Numbers (n,) of the buildings: the field building_id, or the layer's order from 1.
-
-    Raises
-    ------
-    InputError : the field holds anything but unique whole numbers.
-    """
-    import numpy as np
-
-    given = numbers(table, BUILDING_ID)
-    if given is None:
-        return np.arange(1, len(table) + 1)
-    if not np.isfinite(given).all() or (given != np.round(given)).any() or len(np.unique(given)) < len(given):
-        raise InputError(tr("{0}: the field {1} must hold a different whole number for each building.").format(
-            table.label, BUILDING_ID))
-    return given.astype(np.int64)

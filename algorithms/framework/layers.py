@@ -45,6 +45,9 @@ from .parameters import tr
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 BATCH = 1000
 
+SHORT = 10
+"""Characters that a shapefile leaves of a field's name."""
+
 _TYPES = QMetaType.Type if Qgis.QGIS_VERSION_INT >= 33800 else QVariant
 _KINDS = {"int": "LongLong", "real": "Double", "text": "QString" if _TYPES is not QVariant else "String",
           "bool": "Bool"}
@@ -88,6 +91,7 @@ def make_fields(*fields: tuple[str, str], base: QgsFields | None = None) -> QgsF
     """
     made = QgsFields()
     names = {name.lower() for name, _ in fields}
+    names |= {name[:SHORT] for name in names}  # what a shapefile has left of them
     for kept in base or ():
         if kept.name().lower() not in names and kept.name().lower() != "fid":
             made.append(kept)

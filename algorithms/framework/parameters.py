@@ -254,7 +254,7 @@ def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:
 
 
 def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[str, object]:
-    """The parameters with the words of choices where their numbers were given (0, 1, ... as `qgis_process help` counts).
+    """The parameters with the words of choices where their numbers, as `qgis_process help` counts them, were given.
 
     Raises
     ------

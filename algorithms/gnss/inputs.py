@@ -16,7 +16,7 @@ from ..framework.parameters import Declarations, tr
 from ..framework.trajectories import trajectory_exists, trajectory_of
 
 TOP_FIELDS, BASE_FIELDS = ("z_top", "top"), ("z_base", "base", "z_low")
-BUILDING_FIELDS = ("building_id", "building")
+BUILDING_FIELDS = ("building_id", "building", "building_i")  # the last as a shapefile cuts it
 
 
 @dataclass(frozen=True)

@@ -207,9 +207,7 @@ def test_points_of_an_earlier_stage(refuse, good, algorithm, file, attribute):
 
 @pytest.mark.parametrize("algorithm", ["segmentbuildings", "segmentroofs", "roofpolygons", "buildingmodels"])
 @pytest.mark.parametrize(("ids", "words"), [
-    ([5, 5], "more than once"), ([0, 1], "below 1"), ([-1, 2], "below 1"), ([1.5, 2.5], "whole number"),
-    (["A1", "A2"], "whole number"), ([float("inf"), 1.0], "whole number"), ([1e300, 1.0], "too large"),
-    ([2.0**32, 1.0], "too large")])
+    ([5, 5], "more than once"), (["A", "A"], "more than once"), (["A", " "], "is empty")])
 def test_unsuitable_building_ids(refuse, save_outlines, tmp_path, algorithm, ids, words):
     outlines = save_outlines(tmp_path / "o.gpkg", [HOUSE, OTHER], {"building_id": ids})
     assert words in refuse(algorithm, FOOTPRINTS=str(outlines))
