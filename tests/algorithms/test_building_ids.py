@@ -47,8 +47,8 @@ def test_ids_come_back_in_every_output(run, read_layer, save_outlines, cloud, tm
                                               "OUTPUT": str(tmp_path / "b.laz"), "OUTPUT_BUILDINGS": path("b")})
     assert first["WITHOUT_POINTS"] == 0 and ids_in(first["OUTPUT_BUILDINGS"]) == expected
     # In another order, as after a user's sorting: the number goes with the building, not with the place.
-    turned = run("native:orderbyexpression", {"INPUT": first["OUTPUT_BUILDINGS"], "EXPRESSION": "$area",
-                                              "ASCENDING": True, "OUTPUT": str(tmp_path / f"turned.{suffix}")})["OUTPUT"]
+    sorting = {"INPUT": first["OUTPUT_BUILDINGS"], "EXPRESSION": "$area", "ASCENDING": True}
+    turned = run("native:orderbyexpression", {**sorting, "OUTPUT": str(tmp_path / f"turned.{suffix}")})["OUTPUT"]
     roofs = run("urbanmap:segmentroofs", {"POINTS": [first["OUTPUT"]], "FOOTPRINTS": turned,
                                           "OUTPUT": str(tmp_path / "r.laz"), "OUTPUT_ROOFS": str(tmp_path / "r.gpkg")})
     assert ids_in(roofs["OUTPUT_ROOFS"]) == expected
