@@ -178,3 +178,18 @@ def test_small_penthouse_with_ragged_sides_keeps_its_place():
     found = of_roof(partition, 2)
     assert found.area == pytest.approx(15.0, rel=0.2)
     assert len(shapely.get_coordinates(found)) == 5
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_more_small_roofs_than_lines_are_all_kept(seed):
+    rng = np.random.default_rng(seed)
+    rooms = [BOX(x, y, x + 3, y + 3) for x, y in
+             ((7 * i + rng.uniform(0.5, 3), 7 * j + rng.uniform(0.5, 3)) for i in range(9) for j in range(6))]
+    outline, grid, labels, points = labelled([shapely.difference(BOX(0, 0, 63, 42), shapely.union_all(rooms)), *rooms])
+    heights = np.full(grid.shape, np.nan)
+    partition = partition_roofs(outline, grid, labels, heights, points=points)
+    assert partition.status == "ok"
+    assert set(partition.roof_numbers.tolist()) == set(range(1, 56))
+    check_cover(partition, outline)
+    assert np.median([of_roof(partition, 2 + i).intersection(room).area / of_roof(partition, 2 + i).union(room).area
+                      for i, room in enumerate(rooms)]) > 0.7

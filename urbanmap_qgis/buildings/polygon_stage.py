@@ -28,7 +28,10 @@ SEGMENT_ROOFS = "Segment roofs"
 CELL = (0.25, 1.0)
 """Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""
 
-BLOCK_STATUS = "plain block"
+BLOCK_STATUS, LOST_ROOFS = "plain block", "lost roofs"
+
+LOST_AREA = 4.0
+"""Area (m2) inside the outline from which a roof that has no polygon is missed."""
 
 PARTITION, POINTS, PAPER = "partition", "points", "paper"
 """The methods: the outline divided without gaps, the same with an outline drawn from the points, or each roof
@@ -193,7 +196,9 @@ def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, po
     grid = Grid.covering(*outline.bounds, cell)
     partition = partition_roofs(outline, grid, np.zeros(grid.shape, np.int32), _cell_heights(grid, x, y, z),
                                 points=(x, y, roof))
-    status = f"{partition.status}; {outline_status}" if outline_status else partition.status
+    lost = _has_lost_roof(outline, x, y, roof, partition.roof_numbers)
+    status = LOST_ROOFS if lost else partition.status
+    status = f"{status}; {outline_status}" if outline_status else status
     levels = {roof_id: _height(z[roof == roof_id], parameters) for roof_id in np.unique(roof).tolist()}
     for place, (polygon, roof_id) in enumerate(zip(partition.polygons, partition.roof_numbers.tolist())):
         own = roof == roof_id
@@ -203,6 +208,18 @@ def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, po
         top = float(z[own].max()) if own.any() else height
         _add(table, number, roof_id, polygon, height, top, z[own], float(partition.coverage[place]),
              float(partition.boundary_rms[place]), status)
+
+
+def _has_lost_roof(outline: shapely.Geometry, x: np.ndarray, y: np.ndarray, roof: np.ndarray,
+                   kept: np.ndarray) -> bool:
+    """Whether a roof with points on `LOST_AREA` m2 or more of the outline has no polygon."""
+    numbers = np.setdiff1d(roof, kept)
+    if not len(numbers):
+        return False
+    shapely.prepare(outline)
+    inside = shapely.contains_xy(outline, x, y)
+    return bool(np.bincount(roof[inside]).max(where=np.isin(np.arange(roof[inside].max(initial=0) + 1), numbers),
+                                              initial=0) >= LOST_AREA * inside.sum() / outline.area)
 
 
 def _neighbours(polygons: np.ndarray) -> list[list[shapely.Geometry]]:

@@ -90,8 +90,7 @@ def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: 
     For roofs too small to gather votes. regions: cell centres (n, 2) of each.
     """
     edges = edge_rows(outline)
-    angle = np.radians(main_directions(edges[:, 2:])[0])
-    axes = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    axes = main_axes(outline)
     sides = []
     for xy in regions:
         low, high = np.percentile(xy @ axes.T, [3.0, 97.0], axis=0)
@@ -99,6 +98,12 @@ def with_enclosing_lines(lines: np.ndarray, regions: list[np.ndarray], outline: 
         if (high - low).min() >= MIN_SIDE and len(xy) * cell ** 2 >= MIN_FILL * np.prod(high - low):
             sides += [(*axis, offset) for axis, ends in zip(axes, zip(low, high)) for offset in ends]
     return _merged(list(map(tuple, lines.tolist())) + _snapped(sides, edges, merge), merge)
+
+
+def main_axes(outline: shapely.Geometry) -> np.ndarray:
+    """The first main direction of an outline and the one across it, unit vectors as rows (2, 2)."""
+    angle = np.radians(main_directions(edge_rows(outline)[:, 2:])[0])
+    return np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
 
 
 def edge_rows(outline: shapely.Geometry) -> np.ndarray:

@@ -18,10 +18,12 @@ from .partition_lines import (
     RoofPoints,
     candidate_lines,
     label_boundaries,
+    main_axes,
     with_enclosing_lines,
 )
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
+from .small_roofs import cut_patches, roof_patch
 
 GUESSED_CELL_WEIGHT = 1.0
 """Weight of a cell without data, which took the label of its nearest neighbour."""
@@ -201,11 +203,32 @@ def _divided(outline: shapely.Geometry, grid: Grid, labels: np.ndarray, numbers:
         if len(lines) < len(more) <= MAX_LINES:
             arrangement, piece, chosen = _label(local, more, cells, confusion, parameters)
     polygons, label_of = dissolve(arrangement.pieces, chosen, local)
-    quality = _quality(polygons, label_of, chosen[piece], cells, boundaries, len(numbers))
+    polygons, label_of, given = _with_lost_roofs(polygons, label_of, chosen[piece], cells, left, local)
+    quality = _quality(polygons, label_of, given, cells, boundaries, len(numbers))
     lost = set(left.tolist()) - set(label_of.tolist())
     moved = tuple(translate(polygon, *origin) for polygon in polygons)
     return RoofPartition(moved, numbers[label_of], float(1.0 - np.mean(cells.certain)),
                          "lost roofs" if lost else "ok", *quality)
+
+
+def _with_lost_roofs(polygons: list, label_of: np.ndarray, given: np.ndarray, cells: _Cells, roofs: np.ndarray,
+                     outline: shapely.Geometry) -> tuple[list, np.ndarray, np.ndarray]:
+    """Polygons, their labels and the label given to each cell, with those of `roofs` that had found no place.
+
+    Lines are limited in number and borders are smoothed, so that towers and factories with many small roofs lose
+    some in the arrangement; each of these gets a patch of its own.
+    """
+    lost = sorted(set(roofs.tolist()) - set(label_of.tolist()))
+    if not lost:
+        return polygons, label_of, given
+    axes = main_axes(outline)
+    patches = [(roof, roof_patch(cells.xy[cells.roof == roof], cells.side, axes)) for roof in lost]
+    polygons, label_of = dissolve(*cut_patches(polygons, label_of, patches, outline), outline)
+    given = given.copy()
+    for roof, patch in patches:
+        shapely.prepare(patch)
+        given[shapely.contains_xy(patch, *cells.xy.T)] = roof
+    return polygons, label_of, given
 
 
 def _label(outline: shapely.Geometry, lines: np.ndarray, cells: _Cells, confusion: np.ndarray,
