@@ -66,14 +66,14 @@ FULL_OR_PAPER = {"METHOD": "CASE WHEN @METHOD = 'paper' THEN 'paper' ELSE 'full'
 BUILDINGS_FROM_ALS = (
     Step("segmentbuildings", "1. Moves each outline to its building and takes the points out of the cloud.",
          derived=FULL_OR_PAPER),
-    Step("segmentroofs", "2. Segments the roofs of each building by the histogram of heights.", derived=FULL_OR_PAPER,
+    Step("segmentroofs", "2. Segments the roofs of each building: its planes, or level roofs.", derived=FULL_OR_PAPER,
          made={"POINTS": ("segmentbuildings", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS")}),
     Step("roofpolygons", "3. Draws the polygon of each roof from its points.",
          made={"POINTS": ("segmentroofs", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS")}),
     Step("buildingmodels", "4. Joins the roofs to closed solids on the ground, checks and measures each.",
          made={"ROOFS": ("roofpolygons", "OUTPUT"), "FOOTPRINTS": ("segmentbuildings", "OUTPUT_BUILDINGS"),
                "POINTS": ("segmentroofs", "OUTPUT")},
-         note="NOTE",
+         named={"ROOF_SHAPE": "ROOFS"}, note="NOTE",
          outputs={"OUTPUT": "Building models", "OUTPUT_SURFACES": "Surfaces", "OUTPUT_CITYJSON": "CityJSON",
                   "OUTPUT_MESH": "OBJ mesh", "OUTPUT_REPORT": "Report"}),
 )

@@ -10,6 +10,7 @@ from ..framework.layers import make_fields
 from ..framework.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
 from ..framework.workers import workers
+from .segmentroofs import LEVELS, PLANES
 
 
 class BuildingModels(UrbanMapAlgorithm):
@@ -37,13 +38,15 @@ class BuildingModels(UrbanMapAlgorithm):
                        advanced=True)
         self.add_points("POINTS", "Roof points", "Points with building_id and roof_id, from “Segment roofs”, for the "
                         "figures of fit.", optional=True)
+        self.add_choice("ROOF_SHAPE", "Roofs", "planes: roofs as the polygons' heights have them (LoD2.2 where any is "
+                        "sloped); levels: every roof at its one height (LoD1.3).", (PLANES, LEVELS), PLANES)
         self.add_workers()
         self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings, such as the name "
                       "of the project.", advanced=True)
         self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building with all faces of "
                               "its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, "
                               "density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, "
-                              "unseen (shares).")
+                              "unseen (shares), lod, roof_type.")
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "MultiPolygonZ, one feature a surface, with building_id, "
                               "roof_id and surface_type: roof, outer wall, inner wall, ground.", optional=True)
         self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with solids, surface types and the "
@@ -72,7 +75,8 @@ class BuildingModels(UrbanMapAlgorithm):
         cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
         base = self._base_heights(parameters, context, buildings, footprints)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85))
+            models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),
+                                  self.parameterAsString(parameters, "ROOF_SHAPE", context))
         columns = model_columns(models)
         modelled = sum(bool(model.solids) for model in models)
         if modelled < len(models):
@@ -189,4 +193,4 @@ def city_buildings(models, columns, names):
 
     for row, model in enumerate(models):
         attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}
-        yield CityBuilding(names.of(model.building_id), attributes, model.solids)
+        yield CityBuilding(names.of(model.building_id), attributes, model.solids, lod=model.lod)

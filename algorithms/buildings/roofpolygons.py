@@ -7,6 +7,7 @@ from ..framework.layers import make_fields
 from ..framework.outlines import building_names, footprints_of, open_points
 from ..framework.parameters import tr
 from ..framework.workers import workers
+from .segmentroofs import LEVELS, PLANES
 
 ROBUST, MAXIMUM, PAPER = "robust", "maximum", "paper"
 
@@ -32,15 +33,20 @@ class RoofPolygons(UrbanMapAlgorithm):
         self.add_polygons("FOOTPRINTS", "Buildings", "Outlines from “Segment buildings”.")
         self.add_choice("METHOD", "Method", "How the polygons are drawn.", ("partition", "points", PAPER),
                         "partition")
-        self.add_choice("HEIGHT", "Roof height", "Height of a roof from its points: the median, or the highest point "
-                        "as in the paper (the top of the parapet). The paper's method always takes the highest point.",
+        self.add_choice("ROOFS", "Roofs", "planes: polygons on the planes of their points, with edges where planes "
+                        "meet (LoD2.2); levels: level polygons (LoD1.3). The paper's method has levels always.",
+                        (PLANES, LEVELS), PLANES)
+        self.add_choice("HEIGHT", "Roof height", "Height of a level roof from its points: the median, or the highest "
+                        "point as in the paper (the top of the parapet). The paper's method always takes the highest "
+                        "point.",
                         (ROBUST, MAXIMUM), ROBUST)
         self.add_number("MIN_LINE_POINTS", "Minimum points of an edge", "Boundary points that a line must have to be "
                         "an edge, in the paper's method (its n).", 5, 3, 1000, "points", advanced=True)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Roof polygons", "PolygonZ at the roofs' heights: building_id, roof_id (0: "
                               "plain block), height, height_max (m), points, density (points a m2), rmse (m), "
-                              "coverage (share of the area with points), boundary_rms (m), status.")
+                              "coverage (share of the area with points), boundary_rms (m), slope (degrees), azimuth "
+                              "(degrees from north, where it falls to), status.")
         self.add_number_output("ROOFS", "Roofs", "Number of polygons.")
         self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Outlines that got no polygon.")
 
@@ -56,7 +62,8 @@ class RoofPolygons(UrbanMapAlgorithm):
         cloud = open_points(self, parameters, context, table, progress, may_be_empty=True)
         method = self.parameterAsString(parameters, "METHOD", context)
         height = MAXIMUM if method == PAPER else self.parameterAsString(parameters, "HEIGHT", context)
-        settings = PolygonParameters(method, height, self.parameterAsInt(parameters, "MIN_LINE_POINTS", context))
+        settings = PolygonParameters(method, height, self.parameterAsInt(parameters, "MIN_LINE_POINTS", context),
+                                     self.parameterAsString(parameters, "ROOFS", context))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             roofs = cloud_roof_polygons(cloud, footprints, settings, executor, progress)
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
@@ -64,7 +71,7 @@ class RoofPolygons(UrbanMapAlgorithm):
             progress.warn(tr("{0} of {1} buildings got no roof polygon.").format(without, len(footprints)))
         fields = make_fields(("building_id", "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
                              ("points", "int"), ("density", "real"), ("rmse", "real"), ("coverage", "real"),
-                             ("boundary_rms", "real"), ("status", "text"))
+                             ("boundary_rms", "real"), ("slope", "real"), ("azimuth", "real"), ("status", "text"))
         geometries = shapely.force_3d(np.array(roofs.polygon, dtype=object), np.array(roofs.height, float))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return {

@@ -10,6 +10,9 @@ from ..framework.parameters import tr
 from ..framework.point_outputs import check_points_output, points_output
 from ..framework.workers import workers
 
+PAPER = "paper"
+PLANES, LEVELS = "planes", "levels"
+
 
 class SegmentRoofs(UrbanMapAlgorithm):
     ID = "segmentroofs"
@@ -18,7 +21,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
     KEYWORDS = ("building", "roof", "height", "histogram", "ALS", "lidar", "segmentation")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
     HELP = (
-        "Segments the roofs of each building by the histogram of its points' heights.\n"
+        "Segments the roofs of each building: planes, level and sloped, grown on its points; or level roofs by the "
+        "histogram of its points' heights.\n"
         "The histogram has overlapping bins. Each maximum with more points than the minimum roof area holds is a "
         "roof; a parapet's maximum is joined with its roof's. Beyond the paper, one maximum that is two roofs "
         "apart in plan becomes two, small roofs that stand out are kept, and sloped roofs become a few level ones, "
@@ -33,6 +37,8 @@ class SegmentRoofs(UrbanMapAlgorithm):
                         "has the histogram alone: all points in the expanded outline, maxima of at least the minimum "
                         "roof area times the density; it uses bin width, bin shift, minimum roof area and parapet "
                         "threshold only.", ("full", "paper"), "full")
+        self.add_choice("ROOFS", "Roofs", "planes: level and sloped roof planes (LoD2.2); levels: level roofs, sloped "
+                        "ones cut into steps (LoD1.3). The paper's method has levels always.", (PLANES, LEVELS), PLANES)
         self.add_distance("BIN_WIDTH", "Bin width", "Width of a histogram bin in metres.", 0.5, 0.05, 10.0)
         self.add_distance("BIN_SHIFT", "Bin shift", "Distance in metres from one bin to the next; smaller than the "
                           "width, so that bins overlap.", 0.1, 0.01, 10.0)
@@ -53,12 +59,17 @@ class SegmentRoofs(UrbanMapAlgorithm):
                           "roofs of the paper whole.", 0.45, 0.0, 10.0, advanced=True)
         self.add_distance("MIN_HEIGHT", "Minimum roof height", "Height in metres above the ground below which nothing "
                           "is a roof.", 2.0, 0.0, 20.0, advanced=True)
+        self.add_distance("PLANE_TOLERANCE", "Plane tolerance", "Largest distance in metres of a point from its roof "
+                          "plane; three to four times the noise of the heights.", 0.2, 0.02, 2.0, advanced=True)
+        self.add_number("MIN_PLANE_AREA", "Minimum area of a plane", "Area in square metres of the smallest roof "
+                        "plane.", 1.5, 0.2, 1000.0, "m2", advanced=True)
         self.add_workers()
         self.add_points_output("OUTPUT", "Roof points", "The buildings' points with the attribute roof_id: the "
                                "number of the roof in its building, 0 for trees, walls and roof furniture.")
         self.add_layer_output("OUTPUT_ROOFS", "Roofs", "Table of the roofs: building_id, roof_id, height (robust, m), "
                               "height_max (highest point as in the paper, m), points, area (m2), density (points a "
-                              "m2), rmse (m), status.", source_type=_table())
+                              "m2), rmse (m), slope (degrees), azimuth (degrees from north, where it falls to), "
+                              "status.", source_type=_table())
         self.add_number_output("ROOFS", "Roofs", "Number of roofs found.")
         self.add_number_output("WITHOUT_ROOFS", "Buildings without a roof", "Buildings in whose points no roof was "
                                "found.")
@@ -74,6 +85,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
+        from ...urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters
         from ...urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
         from ...urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 
@@ -93,13 +105,17 @@ class SegmentRoofs(UrbanMapAlgorithm):
             small_roof_area=self.parameterAsDouble(parameters, "SMALL_ROOF_AREA", context),
             height_rmse=self.parameterAsDouble(parameters, "HEIGHT_RMSE", context) or None,
             min_height=self.parameterAsDouble(parameters, "MIN_HEIGHT", context))
+        planes = None
+        if self.parameterAsString(parameters, "ROOFS", context) == PLANES and settings.method != PAPER:
+            planes = PlaneParameters(self.parameterAsDouble(parameters, "PLANE_TOLERANCE", context),
+                                     self.parameterAsDouble(parameters, "MIN_PLANE_AREA", context))
         known = numbers(table, "density")
         positive = known[known > 0] if known is not None else np.zeros(0)
         density = float(np.median(positive)) if len(positive) else None
         with points_output(self, parameters, context) as points:
             with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
                 roofs = segment_cloud_roofs(cloud, footprints, points, settings, numbers(table, "ground"), density,
-                                            executor, progress.part(0.0, 0.95))
+                                            executor, progress.part(0.0, 0.95), planes)
             layer = self._write(parameters, context, table, roofs, progress.part(0.95, 1.0))
         without = int((~np.isin(footprints.ids, roofs.building_id)).sum())
         if without:
@@ -112,7 +128,7 @@ class SegmentRoofs(UrbanMapAlgorithm):
     def _write(self, parameters, context, table, roofs, progress):
         fields = make_fields((BUILDING_ID, "int"), ("roof_id", "int"), ("height", "real"), ("height_max", "real"),
                              ("points", "int"), ("area", "real"), ("density", "real"), ("rmse", "real"),
-                             ("status", "text"))
+                             ("slope", "real"), ("azimuth", "real"), ("status", "text"))
         columns = {field.name(): getattr(roofs, field.name()) for field in fields}
         return self.write_layer(parameters, "OUTPUT_ROOFS", context, fields, columns, table.crs, progress=progress,
                                 names=building_names(table))

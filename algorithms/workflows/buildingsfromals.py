@@ -13,7 +13,7 @@ class BuildingsFromAls(UrbanMapAlgorithm):
     ID = "buildingsfromals"
     NAME = "Buildings from ALS"
     SOURCE = "Javanmardi 2018, chapter 5"
-    KEYWORDS = ("building", "3D", "ALS", "lidar", "CityJSON", "LOD1", "workflow")
+    KEYWORDS = ("building", "3D", "ALS", "lidar", "CityJSON", "LOD1", "LOD2", "workflow")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "cv2", "skimage")
     HELP = (
         "Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment "
@@ -25,9 +25,10 @@ class BuildingsFromAls(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_from(SegmentBuildings, "POINTS", "FOOTPRINTS", "GROUND", "EXPANSION")
+        self.add_from(SegmentRoofs, "ROOFS")
         self.add_from(SegmentRoofs, "MIN_ROOF_AREA")
         self.add_from(SegmentBuildings, "MAX_DISPLACEMENT", advanced=True)
-        self.add_from(SegmentRoofs, "HEIGHT_RMSE", advanced=True)
+        self.add_from(SegmentRoofs, "HEIGHT_RMSE", "PLANE_TOLERANCE", advanced=True)
         self.add_from(RoofPolygons, "METHOD", label="Method", advanced=True, help="partition: outlines divided among "
                       "their roofs; points: outlines drawn from the points, then divided; paper: the paper's method in "
                       "every step.")
@@ -51,15 +52,16 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         buildings = run("segmentbuildings", **pick("POINTS", "FOOTPRINTS", "GROUND", "EXPANSION", "MAX_DISPLACEMENT",
                                                    "WORKERS"), METHOD=stage_method,
                         OUTPUT=self.temporary_file(context, "buildings.laz"), OUTPUT_BUILDINGS="TEMPORARY_OUTPUT")
-        roofs = run("segmentroofs", **pick("MIN_ROOF_AREA", "PARAPET_THRESHOLD", "HEIGHT_RMSE", "WORKERS"),
+        roofs = run("segmentroofs", **pick("ROOFS", "MIN_ROOF_AREA", "PARAPET_THRESHOLD", "HEIGHT_RMSE",
+                                            "PLANE_TOLERANCE", "WORKERS"),
                     METHOD=stage_method, POINTS=[buildings["OUTPUT"]],
                     FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT=self.temporary_file(context, "roofs.laz"),
                     OUTPUT_ROOFS="TEMPORARY_OUTPUT")
-        polygons = run("roofpolygons", **pick("METHOD", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
+        polygons = run("roofpolygons", **pick("METHOD", "ROOFS", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
                        POINTS=[roofs["OUTPUT"]], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
         settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
         models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
                                               "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
                      ROOFS=polygons["OUTPUT"], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], POINTS=[roofs["OUTPUT"]],
-                     NOTE=settings)
+                     ROOF_SHAPE=self.parameterAsString(parameters, "ROOFS", context), NOTE=settings)
         return {name: models[name] for name in models if name in {item.name() for item in self.outputDefinitions()}}

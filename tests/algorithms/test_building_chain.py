@@ -154,14 +154,30 @@ def test_every_solid_is_valid(buildings):
         assert [str(problem) for solid in building.object.solids for problem in check_solid(solid)] == [], name
 
 
-def test_gable_becomes_level_roofs_of_its_volume(buildings):
-    row = buildings["gable"].row
-    assert row["status"] == "ok"
+def test_gable_is_modelled_with_its_two_planes(buildings):
+    row, (solid,) = buildings["gable"].row, buildings["gable"].object.solids
+    assert (row["status"], row["lod"], row["roof_type"], row["roofs"]) == ("ok", "2.2", "gable", 2)
+    assert row["rmse_z"] < 0.05
+    assert row["volume"] == pytest.approx(FLAT_GABLE_VOLUME, rel=0.01)
+    planes = [solid.vertices[list(face[0])] for face, kind in zip(solid.faces, solid.surface_type)
+              if kind == "RoofSurface"]
+    assert len(planes) == 2
+    assert [plane[:, 2].min() for plane in planes] == pytest.approx([6.0, 6.0], abs=0.06)
+    ridges = [{tuple(corner) for corner in plane if corner[2] > 8.0} for plane in planes]
+    assert ridges[0] == ridges[1] and len(ridges[0]) == 2  # both planes have the very same ridge
+    assert all(corner[2] == pytest.approx(9.0, abs=0.05) for corner in ridges[0])
+
+
+def test_gable_becomes_level_roofs_of_its_volume(town, tmp_path):
+    results = run_chain(tmp_path, town.files, town.outlines, ROOFS="levels")
+    row, = (row for row in rows_of(results["OUTPUT"]) if row["名称"] == "gable")
+    objects = {item.id: item for item in read_cityjson(results["OUTPUT_CITYJSON"])}
+    assert (row["status"], row["lod"]) == ("ok", "1.3")
     assert row["roofs"] >= 2
     assert row["rmse_z"] < 0.6
     assert row["area"] == pytest.approx(160.0, rel=0.01)
     assert row["volume"] == pytest.approx(FLAT_GABLE_VOLUME, rel=0.02)
-    heights = roof_heights(buildings["gable"].object.solids)
+    heights = roof_heights(objects[f"building-{row['building_id']}"].solids)
     assert heights[0] > 6.0
     assert heights[-1] < 9.0
 

@@ -19,7 +19,7 @@ from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
 from .planes.plane_detection import LEVELS, PLANES
-from .planes.plane_solids import checked_sloped_solids
+from .planes.plane_solids import checked_sloped_solids, is_sloped
 from .planes.roof_type import roof_type
 from .quality import ModelFit, RoofCell, model_fit
 from .solids.plan_partition import partition_plan
@@ -100,7 +100,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     ----------
     roofs : polygons and heights of the roofs. base : (n,) ground height of each building, m, NaN where unknown.
     cloud : points with `building_id` and `roof_id`, for the figures of fit.
-    roof_shape : `PLANES`: roofs as their polygons' z has them; `LEVELS`: all at their one height.
+    roof_shape : `PLANES`: roofs as their polygons' z has them (LoD2.2, where any is sloped); `LEVELS`: all at their one
+        height (LoD1.3).
 
     Raises
     ------
@@ -110,7 +111,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
         raise InputError("No roof has a building_id that the outlines have: give the outlines that the roofs "
                          "were made with.")
     models: list[BuildingModel | None] = [None] * len(footprints)
-    pieces = _pieces(footprints, roofs, base, cloud, roof_shape == PLANES, progress)
+    sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
+    pieces = _pieces(footprints, roofs, base, cloud, sloped, progress)
     for rows, made in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, made):
             models[row] = model
@@ -174,11 +176,15 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
         reason = f"its ground is not known, the base is put {STOREY} m under its lowest roof"
     try:
         solids, problems, lod = (), [""], SLOPED_LOD
-        if sloped and shapely.has_z(roofs.polygon).all():
-            solids, problems = checked_sloped_solids(outline, roofs.polygon, roofs.roof_id, base)
+        if sloped:
+            lids = shapely.force_3d(roofs.polygon, roofs.height)
+            solids, problems = checked_sloped_solids(outline, lids, roofs.roof_id, base)
         if problems:
             lod = LEVEL_LOD
-            reason = "; ".join(filter(None, (reason, _not_sloped(problems[0]))))
+            if sloped:
+                status = SIMPLIFIED if status == OK else status
+                why = f"level roofs, as the sloped solid is not valid ({problems[0]})"
+                reason = f"{reason}; {why}" if reason else why
             solids, problems = _checked_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
         if problems:
             solids, status, reason = _simplified(outline, roofs, base, problems)
@@ -187,11 +193,6 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason, lod=lod,
                           roof_type=roof_type(roof_cells(solids)) if solids else "")
     return model if points is None or not solids else _measured(model, points)
-
-
-def _not_sloped(problem: str) -> str:
-    """Why a building that was to have sloped roofs has level ones; empty where it was not."""
-    return f"level roofs, as the sloped solid is not valid ({problem})" if problem else ""
 
 
 def _checked_solids(outline: shapely.Geometry | None, polygons: np.ndarray, heights: np.ndarray, ids: np.ndarray,

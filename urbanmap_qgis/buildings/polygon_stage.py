@@ -46,12 +46,13 @@ ROBUST, MAXIMUM = "robust", "maximum"
 
 @dataclass(frozen=True)
 class PolygonParameters:
-    """What the user can set: one of the methods, one of the heights, and the points of a line (J's n) for `PAPER`."""
+    """What the user can set: one of the methods, one of the heights, the points of a line (J's n) for `PAPER`, and
+    whether roofs are planes or levels; those of `PAPER` are levels always."""
 
     method: str = PARTITION
     height: str = ROBUST
-    roofs: str = LEVELS
     min_line_points: int = 5
+    roofs: str = LEVELS
 
 
 @dataclass

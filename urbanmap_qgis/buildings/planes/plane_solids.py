@@ -60,6 +60,11 @@ def polygon_plane(polygon: shapely.Polygon, origin: np.ndarray) -> tuple[float, 
     return a, b, float(middle[2] - slope @ (middle[:2] - origin))
 
 
+def is_sloped(polygon: shapely.Geometry) -> bool:
+    """Whether a polygon has heights that differ by a millimetre or more."""
+    return bool(shapely.has_z(polygon)) and np.ptp(shapely.get_coordinates(polygon, include_z=True)[:, 2]) > 1e-3
+
+
 def is_coverage(polygons: np.ndarray) -> bool:
     """Whether polygons lie edge by edge beside each other, with common nodes and without overlap."""
     flat = shapely.force_2d(polygons)
