@@ -142,3 +142,39 @@ def lifted(city, folder):
     with rasterio.open(folder / "lifted.tif", "w", **profile) as target:
         target.write(np.where(heights == profile["nodata"], heights, heights + 37.0).astype(heights.dtype), 1)
     return str(folder / "lifted.tif")
+
+
+@pytest.mark.parametrize(("kind", "words"), [
+    ("orthophoto", "bands and is an image"), ("grey orthophoto", "many different values"),
+    ("ground", "many different values"), ("empty mask", "holds no road marking"), ("all marked", "100 % of its cells")])
+def test_raster_that_is_no_mask_is_refused(run, small_city, markings, tmp_path, kind, words):
+    """An image as the reference moved a survey by metres."""
+    import rasterio
+    from qgis.core import QgsProcessingException
+
+    with rasterio.open(small_city / "aerial/ortho.tif") as source:
+        image, profile = source.read(1), {**source.profile, "count": 1, "photometric": "minisblack"}
+    profile = {key: value for key, value in profile.items() if key not in ("interleave", "nodata")}
+    values = {"grey orthophoto": image, "empty mask": 0 * image, "all marked": 0 * image + 255}
+    path = {"orthophoto": small_city / "aerial/ortho.tif", "ground": small_city / "truth/ground.tif"}.get(kind)
+    if path is None:
+        path = tmp_path / "given.tif"
+        with rasterio.open(path, "w", **{**profile, "compress": "deflate"}) as file:
+            file.write(values[kind], 1)
+    with pytest.raises(QgsProcessingException, match=words):
+        run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=str(path), OUTPUT=str(tmp_path / "new.csv")))
+    assert not (tmp_path / "new.csv").exists()
+
+
+def test_survey_of_which_nothing_is_registered_is_no_result(run, small_city, markings, polygon_layer, tmp_path):
+    """Blots where the survey is, but not its markings."""
+    import shapely
+    from qgis.core import QgsProcessingException
+
+    place = columns(small_city / "mms/survey_01_trajectory.csv", ("x", "y"))
+    random = np.random.default_rng(3)
+    blots = place[random.integers(0, len(place), 25)] + random.uniform(-8, 8, (25, 2))
+    layer = polygon_layer([shapely.Point(*blot).buffer(0.3).wkt for blot in blots])
+    with pytest.raises(QgsProcessingException, match="could be registered|no reference marking"):
+        run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=layer, OUTPUT=str(tmp_path / "new.csv")))
+    assert not (tmp_path / "new.csv").exists()

@@ -118,6 +118,9 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     settings = replace(run.correction, search=run.windows.search) if run.windows.start else run.correction
     correction = adjust_correction(windows, trajectory, settings, points, progress.part(0.8, 1.0))
     made = RegisteredSurvey(correct_trajectory(trajectory, correction), trajectory, markings, windows, correction)
+    if not made.share(REGISTERED):
+        raise InsufficientDataError("No part of the survey could be registered to the reference markings, so that "
+                                    "there is no result: check that both show the same roads, and the largest error.")
     _tell(made, progress)
     return made
 

@@ -16,6 +16,7 @@ from ....errors import InputError
 from ....geometry.grid import Grid
 from ....geometry.sampling import sample
 from ....io.raster import RasterSampler
+from .mask_check import refuse_unless_mask
 
 POLYGON_CELL = 0.1
 """m, cells that polygons are drawn into; coverage is to a quarter of a cell."""
@@ -65,12 +66,14 @@ class Reference:
 
         Raises
         ------
-        InputError : a file cannot be read as a raster, or the mask's cells are too large to show markings.
+        InputError : a file cannot be read as a raster, or the mask's cells are too large to show markings, or it is
+            an image. InsufficientDataError : the mask is empty.
         """
         with RasterSampler(path) as source:
             if source.grid.cell > COARSEST:
                 raise InputError(f"{source.path.name} has cells of {source.grid.cell:g} m: road markings need "
                                  f"{COARSEST:g} m or less, and a CRS in metres.")
+            refuse_unless_mask(source)
             crs_wkt = source.crs_wkt
         return cls(mask=os.fspath(path), ground=_checked_ground(ground), crs_wkt=crs_wkt)
 

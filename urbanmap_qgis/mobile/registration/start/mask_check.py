@@ -1,0 +1,68 @@
+"""Whether a raster that is given as the reference is a mask of road markings at all."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ....errors import InputError, InsufficientDataError
+from ....io.raster import RasterSampler
+
+MOST_VALUES = 8
+"""Different values that a mask may have; an image has dozens in any small part."""
+
+MOST_MARKED = 0.5
+"""Share of the cells that may be marked: paint covers a few per cent of a road."""
+
+_BLOCK = 512
+_BLOCKS = 25
+
+
+def refuse_unless_mask(source: RasterSampler) -> None:
+    """Refuse an image, a surface or an empty mask as the reference markings.
+
+    Up to 25 blocks spread over the raster are read; the whole of it only where none of them holds a marking.
+
+    Raises
+    ------
+    InputError : it has three bands or more, many values, or is marked nearly everywhere.
+    InsufficientDataError : it holds no marking.
+    """
+    advice = "make one with “Road markings from orthophoto”"
+    if source.bands > 2:
+        raise InputError(f"{source.path.name} has {source.bands} bands and is an image, no mask of road markings: "
+                         f"{advice}.")
+    values, marked, valid = np.zeros(0, np.float32), 0, 0
+    for block in _spread(source):
+        block = block[np.isfinite(block)]
+        values = np.union1d(values, block)
+        marked, valid = marked + int((block > 0).sum()), valid + len(block)
+        if len(values) > MOST_VALUES:
+            raise InputError(f"{source.path.name} has many different values and is an image or a surface, no mask of "
+                             f"road markings: {advice}.")
+    if marked > MOST_MARKED * max(valid, 1):
+        raise InputError(f"{source.path.name} is above 0 in {100 * marked / valid:.0f} % of its cells, so that it is "
+                         f"no mask of road markings: {advice}.")
+    if not marked and not any((block > 0).any() for block in _blocks(source)):
+        raise InsufficientDataError(f"{source.path.name} holds no road marking: no cell is above 0; {advice}, or give "
+                                    "that of another place.")
+
+
+def _spread(source: RasterSampler):
+    """Blocks at regular distances over the raster."""
+    side = int(_BLOCKS**0.5)
+    starts = [np.unique(np.linspace(0, max(length - _BLOCK, 0), side).astype(int)) for length in source.grid.shape]
+    for top in starts[0]:
+        for left in starts[1]:
+            yield _block(source, int(top), int(left))
+
+
+def _blocks(source: RasterSampler):
+    """All blocks of the raster."""
+    for top in range(0, source.grid.rows, _BLOCK):
+        for left in range(0, source.grid.columns, _BLOCK):
+            yield _block(source, top, left)
+
+
+def _block(source: RasterSampler, top: int, left: int) -> np.ndarray:
+    return source.read(slice(top, min(top + _BLOCK, source.grid.rows)),
+                       slice(left, min(left + _BLOCK, source.grid.columns)))
