@@ -18,8 +18,9 @@ class GroundFromMms(UrbanMapAlgorithm):
         "A cloth is drawn up against the points from below; points within a threshold of it become class 2. Points of "
         "other classes than 0, 1 and 2 keep theirs. All attributes and the order of the points stay.\n"
         "A street that is driven several times is filtered pass by pass where the points have GPS time, because the "
-        "passes may lie decimetres apart in height. The lowest decimetres of walls and posts count as ground: the "
-        "threshold cannot tell them. The files may be larger than memory."
+        "passes may lie decimetres apart in height. Small clusters of points below a much denser road (multipath "
+        "ghosts) are left out. The lowest decimetres of walls and posts count as ground: the threshold cannot tell "
+        "them. The files may be larger than memory."
     )
 
     def declare(self):
@@ -32,6 +33,9 @@ class GroundFromMms(UrbanMapAlgorithm):
                           "are ground.", 0.2, 0.01, 5.0)
         self.add_number("RIGIDNESS", "Cloth rigidness", "3 for towns and large buildings, 2 for hills, 1 for steep "
                         "mountains.", 3, 1, 3, integer=True, advanced=True)
+        self.add_number("MIN_GROUND_SHARE", "Minimum ground share", "A smaller share of ground among the points, 0 to "
+                        "1, is refused: it shows that the filter has failed. 0 accepts every share.", 0.01, 0.0, 1.0,
+                        advanced=True)
         self.add_workers()
         self.add_points_output("OUTPUT", "Classified points", "All points; ground has class 2, what was undecided and "
                                "is no ground class 1.")
@@ -57,6 +61,8 @@ class GroundFromMms(UrbanMapAlgorithm):
                                  self.parameterAsInt(parameters, "RIGIDNESS", context))
         output = self.output_path(parameters, "OUTPUT", context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = classify_ground_files(paths, output, settings, self.progress(feedback), executor)
+            made = classify_ground_files(paths, output, settings, self.progress(feedback), executor,
+                                         min_ground_share=self.parameterAsDouble(parameters, "MIN_GROUND_SHARE",
+                                                                                 context))
         return {"OUTPUT": str(output), "POINTS_READ": made.points, "POINTS_USED": made.usable,
                 "GROUND_POINTS": made.ground, "GROUND_SHARE": made.ground / made.usable, "PASSES": made.passes}

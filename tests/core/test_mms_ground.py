@@ -109,6 +109,45 @@ def test_without_gps_time(make_cloud, tmp_path):
     assert ((classes(tmp_path / "g.las") == 2) & truth).sum() / truth.sum() > 0.999
 
 
+def with_clusters(parts, count, depth, size, seed=3):
+    """The street with clusters of points `depth` m below its own points, and which points those are."""
+    rng = np.random.default_rng(seed)
+    x, y, z, time, truth = parts
+    row = np.repeat(rng.choice(np.flatnonzero(truth), count), size)
+    low = -rng.uniform(*depth, count).repeat(size) + rng.normal(0, 0.02, count * size)
+    place = np.column_stack([x, y, z])[row] + np.column_stack([rng.normal(0, 0.2, (len(row), 2)), low])
+    parts = [np.append(old, new) for old, new in zip((x, y, z, time, truth), (*place.T, time[row], 0 * row))]
+    order = np.argsort(parts[3], kind="stable")
+    return *(column[order] for column in parts[:4]), parts[4][order].astype(bool)
+
+
+@pytest.mark.parametrize("depth", [(0.25, 0.4), (0.4, 1.0), (1.0, 2.0)])
+def test_ghosts_below_the_road_take_no_ground(survey, tmp_path, depth):
+    clean, truth = survey("clean.laz")
+    classify_ground_files([clean], tmp_path / "clean_ground.laz")
+    path, still = survey("ghosts.laz", with_clusters(street(), 30, depth, 12))
+    classify_ground_files([path], tmp_path / "ghosts_ground.laz")
+    before, after = classes(tmp_path / "clean_ground.laz") == 2, classes(tmp_path / "ghosts_ground.laz") == 2
+    assert (after & still).sum() > 0.99 * (before & truth).sum()
+    assert (after & ~still).sum() - (before & ~truth).sum() < 0.35 * 360
+
+
+def test_a_ditch_beside_the_road_stays_ground(survey, tmp_path):
+    x, y, z, time, truth = street()
+    ditch = truth & (y > Y0 + 7.0) & (y < Y0 + 8.5)
+    thinned = ~ditch | (np.arange(len(x)) % 4 == 0)  # its floor is seen at a flat angle: a quarter of the points
+    path, _ = survey("ditch.laz", tuple(column[thinned] for column in (x, y, z - 0.6 * ditch, time, truth)))
+    classify_ground_files([path], tmp_path / "g.laz")
+    assert (classes(tmp_path / "g.laz") == 2)[ditch[thinned]].mean() > 0.8
+
+
+def test_a_share_of_ground_that_cannot_be_right_is_refused(survey, tmp_path):
+    path, _ = survey("walls.laz")
+    with pytest.raises(InsufficientDataError, match="found to be ground"):
+        classify_ground_files([path], tmp_path / "g.laz", min_ground_share=0.9)
+    assert not (tmp_path / "g.laz").exists()
+
+
 def test_refusals(survey, make_cloud, tmp_path):
     path, _ = survey("noise.laz", classification=7)
     with pytest.raises(InsufficientDataError, match="no usable points"):

@@ -26,8 +26,11 @@ GROUND, UNASSIGNED = 2, 1
 UNDECIDED = (0, UNASSIGNED, GROUND)
 """Classes that say nothing of what a point is, or what the filter is to say anew."""
 
+MIN_GROUND_SHARE = 0.01
+"""Ground is a third to two thirds of the points of a drive; a smaller share than this cannot be right."""
+
 _MOST_NODES = 100_000_000
-_TILE = 128.0
+_TILE = 64.0
 _RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("t", "<f8")])
 
 
@@ -72,7 +75,8 @@ class PassGround:
 
 def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.PathLike,
                           settings: ClothSettings = JAVANMARDI, progress: Progress = SILENT,
-                          executor: Executor | None = None, crs_wkt: str | None = None) -> GroundSummary:
+                          executor: Executor | None = None, crs_wkt: str | None = None,
+                          min_ground_share: float = MIN_GROUND_SHARE) -> GroundSummary:
     """Write a survey's points with ground as class 2; all else of them, and their order, stays as it is.
 
     Points of other classes than 0, 1 and 2 keep them. Passes through the same place are filtered apart by their GPS
@@ -82,11 +86,12 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     Parameters
     ----------
     paths : LAS, LAZ or COPC files. output : LAZ or LAS. crs_wkt : CRS where the files state none.
+    min_ground_share : less ground among the usable points of undecided class, 0 to 1, is refused.
 
     Raises
     ------
     InputError : files, CRS or settings cannot be used.
-    InsufficientDataError : no usable points.
+    InsufficientDataError : no usable points, or a share of ground that cannot be right.
     """
     cloud = open_cloud(paths, crs_wkt)
     wkt = metric_crs_wkt(cloud)
@@ -94,7 +99,7 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
         survey = _Survey(cloud, settings, buckets, executor)
         survey.read(progress.part(0.0, 0.35))
         grounds = survey.grounds(progress.part(0.35, 0.65))
-    ground = _write(cloud, output, survey.passes, grounds, settings, progress.part(0.65, 1.0))
+    ground = _write(cloud, output, survey.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
     return GroundSummary(cloud.point_count, survey.usable, ground, survey.passes.count, wkt)
 
 
@@ -182,16 +187,15 @@ class _Survey:
 
     def _tiles(self, keys: list[int], pass_number: int, margin: float) -> Iterator[TilePoints]:
         """The points of each tile and of a margin round it, of one pass."""
-        known, held = set(keys), {}
+        known = set(keys)
         for key in keys:
             box, (column, row) = self.tiling.box(key), self.tiling.place(key)
-            around = [near for near in self.tiling.around(key) if near in known]
-            # Keys grow by rows: most neighbours were neighbours of the tile before.
-            held = {near: held[near] if near in held else self._of_pass(near, pass_number) for near in around}
-            parts = [held[key]]
-            for near in around[1:]:
-                other_column, other_row = self.tiling.place(near)
-                parts.append(_beside(held[near], box, margin, other_column - column, other_row - row))
+            parts = [self._of_pass(key, pass_number)]
+            for near in self.tiling.around(key)[1:]:
+                if near in known:  # read anew each time: a slow drive has millions of points in each tile
+                    other_column, other_row = self.tiling.place(near)
+                    parts.append(_beside(self._of_pass(near, pass_number), box, margin, other_column - column,
+                                         other_row - row))
             yield TilePoints(np.concatenate(parts), len(parts[0]), box)
 
     def _of_pass(self, key: int, pass_number: int) -> np.ndarray:
@@ -216,21 +220,32 @@ def _put(layers: list[np.ndarray], part: ClothPart) -> None:
 
 
 def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, grounds: list[PassGround | None],
-           settings: ClothSettings, progress: Progress) -> int:
+           settings: ClothSettings, min_share: float, progress: Progress) -> int:
     """Write all points with their new classes; the number of ground points."""
     layout = PointLayout(cloud)
-    total = 0
+    total = candidates = 0
     with cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress):
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
             total += int(np.count_nonzero(ground))
             classes = np.asarray(chunk.classification)
             undecided = np.isin(classes, UNDECIDED)
+            candidates += int(np.count_nonzero(undecided & valid_points(chunk)))
             records = layout.adapt(chunk, np.ones(len(chunk), dtype=bool))
             view = layout.view(records)
             view.classification = np.where(undecided, np.where(ground, GROUND, UNASSIGNED), classes)
             writer.write(view.array)
+        _check_share(total, candidates, min_share)
     return total
+
+
+def _check_share(ground: int, candidates: int, min_share: float) -> None:
+    """Refuse a share of ground that cannot be right, while the output still lies beside its place."""
+    if ground < min_share * candidates:
+        raise InsufficientDataError(
+            f"Only {ground:,} of {candidates:,} points were found to be ground ({100 * ground / candidates:.2g} %, "
+            f"needed {100 * min_share:g} %), which cannot be right for a drive: look for many points below the road, a "
+            "wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.")
 
 
 def _ground_of(chunk, passes: SurveyPasses, grounds: list[PassGround | None], threshold: float) -> np.ndarray:

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry.grid import Grid
-from .cloth import ClothSettings, bottom_points, lowest_heights, lowest_layer
+from .cloth import ClothSettings, bottom_points, lowest_layer
 from .delaunay import Blocks, block_triangles, cancel_twins, open_edges, points_of_blocks
+from .lowest_heights import lowest_heights
 from .outliers import VOXEL, isolated
 from .rasterise import rasterise
 from .surface import GROUND_CLASSES, shorter, thin_highest, thin_mean

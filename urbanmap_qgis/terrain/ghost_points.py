@@ -1,0 +1,105 @@
+"""Ghost points close below the ground: multipath clusters 0.2 m to 3 m under a much denser, thin layer.
+
+A mobile scanner sees wet or shiny ground, glass and retroreflectors by detours too; the points then lie in small
+clusters below the road. They are too many to be isolated and too near to the road to be told by height alone, but the
+road above them is a thin layer of far more points. A wall is no thin layer, and ground that truly lies lower continues
+in the cells around.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .delaunay import extreme_in_cells
+
+BIN = 0.1
+"""m, thickness of the slices of height in which points are counted."""
+
+GHOST_SHARE = 0.05
+"""Ghosts are at most this share of the points of the layer above them, in the cell and its eight neighbours."""
+
+_THIN_SHARE = 0.5  # a layer's points to those 0.4 m above it: a wall has as many there, a road with vehicles a tenth
+_SLICES = 34
+_ROUNDS = 4
+_AROUND = [(down, right) for down in (-1, 0, 1) for right in (-1, 0, 1)]
+
+
+def without_ghosts(cell: np.ndarray, height: np.ndarray, shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """Heights (n,) with those of ghosts set to inf, and the lowest height (cells,) of each cell that is left.
+
+    A cell's answer depends on its points and those of its eight neighbours.
+
+    Parameters
+    ----------
+    cell : (n,) flat cell numbers. height : (n,) m, inf where a point is left out. shape : rows and columns.
+    """
+    size = shape[0] * shape[1]
+    lowest = extreme_in_cells(cell, height, size, highest=False)
+    suspect = _suspects(cell, height, lowest, shape)
+    if not len(suspect):
+        return height, lowest
+    counts = _Slices(cell, height, lowest, suspect, shape)
+    floor = np.full(size, -np.inf)
+    floor[suspect] = counts.floors()
+    ghost = height < floor[cell]
+    if not ghost.any():
+        return height, lowest
+    height = np.where(ghost, np.inf, height)
+    return height, extreme_in_cells(cell, height, size, highest=False)
+
+
+def _suspects(cell: np.ndarray, height: np.ndarray, lowest: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """Flat numbers of the cells with few points at the lowest one, compared with all around."""
+    bottom = np.bincount(cell[height < lowest[cell] + 2 * BIN], minlength=lowest.size)
+    total = np.pad(np.bincount(cell, minlength=lowest.size).reshape(shape), 1)
+    around = sum(total[1 + down:1 + down + shape[0], 1 + right:1 + right + shape[1]] for down, right in _AROUND)
+    return np.flatnonzero(np.isfinite(lowest) & (bottom <= GHOST_SHARE * around.ravel()))
+
+
+class _Slices:
+    """Points of suspect cells and their neighbours, counted in slices of height above the suspects' lowest points."""
+
+    def __init__(self, cell: np.ndarray, height: np.ndarray, lowest: np.ndarray, suspect: np.ndarray,
+                 shape: tuple[int, int]):
+        self.base = np.floor(lowest[suspect] / BIN).astype(np.int64) - 2
+        self.own = np.zeros((len(suspect), _SLICES), np.int64)
+        self.around = np.zeros((len(suspect), _SLICES), np.int64)
+        row, column = np.divmod(suspect, shape[1])
+        for down, right in _AROUND:
+            inside = ((row + down >= 0) & (row + down < shape[0]) & (column + right >= 0) & (column + right < shape[1]))
+            number = np.full(lowest.size, -1)
+            number[suspect[inside] + down * shape[1] + right] = np.flatnonzero(inside)
+            counts = self._count(number[cell], height)
+            self.around += counts
+            if not down and not right:
+                self.own = counts
+
+    def _count(self, number: np.ndarray, height: np.ndarray) -> np.ndarray:
+        """Points by suspect (its number; -1: none) and slice, (suspects, slices)."""
+        used = np.flatnonzero((number >= 0) & np.isfinite(height))
+        number = number[used]
+        level = np.floor(height[used] / BIN).astype(np.int64) - self.base[number]
+        near = (level >= 0) & (level < _SLICES)
+        flat = np.bincount(number[near] * _SLICES + level[near], minlength=self.around.size)
+        return flat.reshape(self.around.shape)
+
+    def floors(self) -> np.ndarray:
+        """Height (suspects,) m below which a suspect's points are ghosts; -inf where they are none."""
+        pair = self.around[:, :-1] + self.around[:, 1:]
+        layer = pair.copy()
+        layer[:, :-4] = np.where(pair[:, 4:] <= _THIN_SHARE * pair[:, :-4], pair[:, :-4], 0)
+        layer[:, -4:] = 0
+        level, rows = np.full(len(pair), 2), np.arange(len(pair))
+        floor = np.full(len(pair), -np.inf)
+        for _ in range(_ROUNDS):
+            lowest = pair[rows, level - 2] + pair[rows, level]
+            above = np.where(np.arange(layer.shape[1]) >= level[:, None] + 2, layer, 0)
+            peak = above.argmax(axis=1)
+            ghost = (above[rows, peak] > 0) & (lowest <= GHOST_SHARE * above[rows, peak])
+            if not ghost.any():
+                break
+            # A tenth below the layer still belongs to it.
+            floor[ghost] = (self.base[ghost] + peak[ghost] - 1) * BIN
+            left = np.where(np.arange(_SLICES) >= (peak - 1)[:, None], self.own, 0) > 0
+            level[ghost] = np.clip(np.where(left.any(axis=1), left.argmax(axis=1), peak), 2, layer.shape[1] - 1)[ghost]
+        return floor
