@@ -11,7 +11,7 @@ from ..framework.outlines import BuildingNames, building_names, column, numbers
 from ..framework.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
 from ..framework.workers import workers
 
-_USABLE = (None, "ok", "partly seen")
+_USABLE = ("ok", "partly seen")
 
 
 class MergeBuildingModels(UrbanMapAlgorithm):
@@ -117,7 +117,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         empty = np.full(len(table), np.nan)
         rmse, sigma = numbers(table, "rmse"), numbers(table, "sigma")
         rmse, sigma = empty if rmse is None else rmse, empty if sigma is None else sigma
-        status = column(table, "status") or [None] * len(table)
+        told = column(table, "status")
+        status = told or [_USABLE[0]] * len(table)
         walls, flat = [], 0
         for row, geometry in enumerate(table.geometries):
             if geometry is None or status[row] not in _USABLE:
@@ -130,6 +131,9 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                     else None
                 flat += wall is None
                 walls += [wall] if wall is not None else []
+        if walls and told is None:
+            raise InputError(tr("{0}: the walls have no field status, which tells how well each was measured; give the "
+                                "result of “Walls from a mobile survey”.").format(table.label))
         if flat:
             progress.message(tr("{0} walls are no upright faces and are left out.").format(flat))
         return walls

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessing
 
+from ...urbanmap_qgis.errors import InsufficientDataError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.outlines import column
@@ -78,6 +79,10 @@ class FacadeTextures(UrbanMapAlgorithm):
             records = write_textured(made, model, folder, epsg=int(code) if code.isdigit() else None,
                                      crs=table.crs.authid(), progress=progress)
         numbers = summary(records)
+        if not numbers["textured"]:
+            raise InsufficientDataError(tr("None of the {0} facades is seen in an image, so that there is no result: "
+                                           "check that building models, trajectory and images are of one place."
+                                           ).format(numbers["facades"]))
         if numbers["textured"] < numbers["facades"]:
             progress.warn(tr("{0} of {1} facades have no texture; the field “reason” of the layer of facades tells "
                              "why.").format(numbers["facades"] - numbers["textured"], numbers["facades"]))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
@@ -37,6 +39,10 @@ def check_images(algorithm, parameters, context) -> None:
         missing = [algorithm.label_of(name) for name in needed if not parameters.get(name)]
         if any(given) and missing:
             raise InputError(tr("{0}: is needed for these images; give it.").format(", ".join(missing)))
+    for name in ("IMAGES", "FRAMES"):
+        for text in algorithm.parameterAsFileList(parameters, name, context):
+            if text and not Path(text).exists():
+                raise InputError(tr("{0}: {1} does not exist; check its name.").format(algorithm.label_of(name), text))
 
 
 def image_sources(algorithm, parameters, context, crs_wkt, progress) -> list:

@@ -77,7 +77,7 @@ def test_merged_models_keep_the_ids(run, read_layer, polygon_layer, tmp_path):
     faces += [shapely.Polygon([(*a, 0), (*b, 0), (*b, 10), (*a, 10)]) for a, b in zip(ring, ring[1:])]
     models = polygon_layer([shapely.MultiPolygon(faces).wkt], fields={"building_id": ["A-1"]}, kind="MultiPolygonZ")
     walls = polygon_layer([shapely.Polygon([(0, -0.3, 0), (20, -0.3, 0), (20, -0.3, 10), (0, -0.3, 10)]).wkt],
-                          fields={"rmse": [0.02]}, kind="PolygonZ")
+                          fields={"rmse": [0.02], "status": ["ok"]}, kind="PolygonZ")
     made = run("urbanmap:mergebuildingmodels", {
         "MODELS": models, "WALLS": walls, "OUTPUT": str(tmp_path / "m.gpkg"),
         "OUTPUT_WALLS": str(tmp_path / "w.gpkg"), "OUTPUT_CITYJSON": str(tmp_path / "m.city.json")})

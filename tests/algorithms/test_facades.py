@@ -158,3 +158,12 @@ def test_cancelling_leaves_nothing(run, feedback, survey, models, roofs, polygon
                "OUTPUT": str(tmp_path / "m.gpkg")})
     assert not (tmp_path / "m.gpkg").exists()
     assert sorted(path.suffix for path in tmp_path.iterdir()) == [".laz", ".laz"]
+
+
+def test_walls_that_do_not_tell_how_well_they_were_measured_are_refused(run, polygon_layer, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    wall = polygon_layer(["POLYGON Z((0 0 0, 20 0 0, 20 0 10, 0 0 10, 0 0 0))"], kind="PolygonZ")
+    models = polygon_layer(["POLYGON((0 0, 20 0, 20 10, 0 10, 0 0))"], fields={"building_id": [1]})
+    with pytest.raises(QgsProcessingException, match="have no field status"):
+        run(MERGE, {"MODELS": models, "WALLS": wall, "OUTPUT": str(tmp_path / "m.gpkg")})

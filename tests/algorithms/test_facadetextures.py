@@ -105,3 +105,21 @@ def test_outlines_without_heights_are_refused(run, small_city, tmp_path):
 
     with pytest.raises(QgsProcessingException, match="has no heights"):
         run("urbanmap:facadetextures", given(small_city, small_city / "truth/footprints.gpkg", tmp_path))
+
+
+def test_models_elsewhere_are_no_result(run, small_city, qgis_app, tmp_path):
+    from qgis.core import QgsProcessingException, QgsVectorLayer
+
+    layer = QgsVectorLayer("MultiPolygonZ?crs=EPSG:6677&field=building_id:integer", "far", "memory")
+    add_block(layer, shapely.box(9000, 9000, 9020, 9010), 1, 0.0, 20.0)
+    with pytest.raises(QgsProcessingException, match="None of the 4 facades is seen in an image"):
+        run("urbanmap:facadetextures", {**given(small_city, "", tmp_path), "BUILDINGS": layer})
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["IMAGES", "FRAMES"])
+def test_missing_image_is_named(run, small_city, blocks, tmp_path, name):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="nowhere.png does not exist; check its name"):
+        run("urbanmap:facadetextures", given(small_city, blocks, tmp_path, **{name: [str(tmp_path / "nowhere.png")]}))

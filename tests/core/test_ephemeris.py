@@ -261,3 +261,18 @@ def test_against_rtklib_on_the_sample_city(small_city):
 def test_against_rtklib_on_real_files(real_data, folder, systems):
     paths = sorted((real_data / "gnss" / folder).glob("hksc*"))
     assert_same(rtklib_differences(paths, 150), systems)
+
+
+def test_a_stale_record_makes_no_span_of_months(small_city):
+    """A navigation file of a day with one record of another month is good for these two times, not for all between."""
+    from dataclasses import replace
+
+    from urbanmap_qgis.gnss.orbits.ephemeris import read_navigation
+
+    navigation = read_navigation([small_city / "gnss/satellites.nav"])
+    (span,) = navigation.spans()
+    assert span == navigation.span()
+    toe = navigation.kepler.toe.copy()
+    toe[0] -= 86 * 86400.0
+    spans = replace(navigation, kepler=replace(navigation.kepler, toe=toe)).spans()
+    assert len(spans) == 2 and spans[0][0] > toe[0] + 80 * 86400.0 and spans[1][0] < toe[0] < spans[1][1]

@@ -72,6 +72,23 @@ class Navigation:
             last.append(orbits.time[-1])
         return float(min(first)), float(max(last))
 
+    def spans(self) -> list[tuple[float, float]]:
+        """First and last GPS times of the connected times for which there may be an orbit, that of most records first.
+
+        One record of another day, as receivers write them, so does not make a span of months.
+        """
+        times = [np.zeros((0, 2))]
+        for names, toe in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
+            reach = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
+            times.append(np.stack([toe - reach, toe + reach], axis=1).reshape(-1, 2))
+        times += [np.array([[orbits.time[0], orbits.time[-1]]]) for orbits in self.precise]
+        records = np.concatenate(times)
+        records = records[np.argsort(records[:, 0], kind="stable")]
+        reached = np.maximum.accumulate(records[:, 1])
+        starts = np.flatnonzero(np.concatenate([[True], records[1:, 0] > reached[:-1]]))
+        ends = np.append(starts[1:], len(records))
+        most = np.argsort(-(ends - starts), kind="stable")
+        return [(float(records[starts[part], 0]), float(reached[ends[part] - 1])) for part in most]
 
     def covers(self, first: float, last: float) -> bool:
         """Whether any orbit is good for a time between two GPS times."""

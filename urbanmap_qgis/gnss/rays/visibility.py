@@ -13,7 +13,7 @@ from ...mobile.trajectory import Trajectory, body_to_map
 from ...progress import SILENT, Progress
 from ..orbits.earth_fixed import MapFrame, directions
 from ..orbits.ephemeris import Navigation, sky_at
-from ..rinex.gnss_time import calendar_seconds, calendar_text, span_text, to_gps
+from ..rinex.gnss_time import calendar_seconds, calendar_text, spans_text, to_gps
 from ..signals.observations import trajectory_shift, within_trajectory
 from ..signals.tables import SYSTEM_NAMES
 from .tracing import WallObstacles
@@ -194,7 +194,7 @@ def _sky(navigation: Navigation, frame: MapFrame, place: np.ndarray, time: float
         chosen = ", ".join(SYSTEM_NAMES[name] for name in systems if name in SYSTEM_NAMES) or "none"
         raise InsufficientDataError(f"No satellite of the chosen systems ({chosen}) can be placed at "
                                     f"{calendar_text(time)} GPS time; the navigation files are good for "
-                                    f"{span_text(*navigation.span())}: give those of the day.")
+                                    f"{spans_text(navigation.spans())}: give those of the day.")
     direction = directions(np.broadcast_to(here.axes, (len(names), 3, 3)), vectors)
     up = np.degrees(np.arcsin(direction[:, 2])) >= elevation_mask
     return names[up], direction[up]

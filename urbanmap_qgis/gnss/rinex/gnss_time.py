@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 WEEK = 604800.0
@@ -74,3 +76,9 @@ def span_text(first: float, last: float) -> str:
     """A span of GPS time for a sentence: "2019-04-28 12:44:34 to 13:13:53"."""
     start, end = calendar_text(first), calendar_text(last)
     return f"{start} to {end[11:] if start[:10] == end[:10] else end}"
+
+
+def spans_text(spans: Sequence[tuple[float, float]], most: int = 3) -> str:
+    """Several spans of GPS time for a sentence, the first `most` of them."""
+    told = ", and ".join(span_text(*span) for span in spans[:most])
+    return f"{told} and {len(spans) - most} more" if len(spans) > most else told

@@ -26,7 +26,7 @@ from ..orbits.ephemeris import (
     read_navigation,
     sagnac_corrected,
 )
-from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text
+from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, span_text, spans_text
 from ..rinex.observation_file import Observations, read_observations
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
@@ -122,7 +122,7 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
 def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> None:
     for file in files:
         if not navigation.covers(file.time[0], file.time[-1]):
-            observed, good = span_text(file.time[0], file.time[-1]), span_text(*navigation.span())
+            observed, good = span_text(file.time[0], file.time[-1]), spans_text(navigation.spans())
             raise InputError(f"{file.name} was observed {observed} GPS time, but the navigation files are good for "
                              f"{good}: give those of the same day.")
 
