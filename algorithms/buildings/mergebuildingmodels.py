@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 
+from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.building_layers import read_buildings
 from ..framework.layers import make_fields
@@ -66,8 +67,6 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         self.add_number_output("WALLS_MOVED", "Walls moved", "Outer walls that lie on measured ones now.")
 
     def check(self, parameters, context):
-        from ...urbanmap_qgis.errors import InputError
-
         given = [bool(parameters.get("MODELS")), bool(parameters.get("MODELS_CITYJSON"))]
         if sum(given) != 1:
             raise InputError(tr("Give the building models either as a layer or as a CityJSON file."))
@@ -87,6 +86,9 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         self.require_projected("WALLS", walls_table.crs)
         walls = self._walls(walls_table, progress)
         names, models, base_fields, base_columns = self._models(parameters, context, walls_table, progress)
+        if walls and column(walls_table, "status") is None:
+            raise InputError(tr("{0}: the walls have no field status, which tells how well each was measured; give the "
+                                "result of “Walls from a mobile survey”.").format(walls_table.label))
         settings = MergeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
             "HEIGHT", "MAX_OFFSET", "MAX_TURN", "LEAST_SHARE", "OVERHANG")))
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
@@ -112,13 +114,10 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         import shapely
 
         from ...urbanmap_qgis.buildings.merging.wall_match import measured_wall
-        from ...urbanmap_qgis.errors import InputError
-
         empty = np.full(len(table), np.nan)
         rmse, sigma = numbers(table, "rmse"), numbers(table, "sigma")
         rmse, sigma = empty if rmse is None else rmse, empty if sigma is None else sigma
-        told = column(table, "status")
-        status = told or [_USABLE[0]] * len(table)
+        status = column(table, "status") or [_USABLE[0]] * len(table)
         walls, flat = [], 0
         for row, geometry in enumerate(table.geometries):
             if geometry is None or status[row] not in _USABLE:
@@ -131,9 +130,6 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                     else None
                 flat += wall is None
                 walls += [wall] if wall is not None else []
-        if walls and told is None:
-            raise InputError(tr("{0}: the walls have no field status, which tells how well each was measured; give the "
-                                "result of “Walls from a mobile survey”.").format(table.label))
         if flat:
             progress.message(tr("{0} walls are no upright faces and are left out.").format(flat))
         return walls

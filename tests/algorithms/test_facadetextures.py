@@ -122,4 +122,6 @@ def test_missing_image_is_named(run, small_city, blocks, tmp_path, name):
     from qgis.core import QgsProcessingException
 
     with pytest.raises(QgsProcessingException, match="nowhere.png does not exist; check its name"):
-        run("urbanmap:facadetextures", given(small_city, blocks, tmp_path, **{name: [str(tmp_path / "nowhere.png")]}))
+        run("urbanmap:facadetextures", given(
+            small_city, blocks, tmp_path, CAMERA=str(small_city / "aerial/camera.json"),
+            EXTERIOR=str(small_city / "aerial/exterior.csv"), **{name: [str(tmp_path / "nowhere.png")]}))
