@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
-from ..framework.trajectories import TABLE_SUFFIXES, trajectory_exists, trajectory_of, write_trajectory_file
+from ..framework.trajectories import TABLE_SUFFIXES, write_trajectory_file
 from .control_points import add_control, read_control
+from .drives import DriveInputs
 from .marking_reference import add_markings, read_reference
 
 TIE_FIELDS = (("kind", "text"), ("drive", "text"), ("other", "text"), ("time", "real"), ("chainage", "real"),
@@ -21,7 +22,7 @@ NODE_FIELDS = (("drive", "text"), ("status", "text"), ("time", "real"), ("chaina
                ("north", "real"), ("up", "real"), ("heading", "real"), ("sigma", "real"), ("sigma_up", "real"))
 
 
-class AdjustSurveys(UrbanMapAlgorithm):
+class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
     ID = "adjustsurveys"
     NAME = "Adjust several drives"
     SOURCE = "network adjustment on the registration of Javanmardi 2018, 3.2.4 and 4"
@@ -41,9 +42,7 @@ class AdjustSurveys(UrbanMapAlgorithm):
         self.add_points(help="The drives: LAS, LAZ or COPC files with intensities and GPS times, or their markings as "
                         "“Road markings of a mobile survey” writes them. Each file belongs to the trajectory along "
                         "which it was measured.")
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile),
-            "The reported trajectory of each drive: CSV time,x,y,z,roll,pitch,heading, SBET, or point layers.")
+        self.add_trajectories()
         self.add_calibration(optional=True)
         add_control(self, optional=True)
         add_markings(self, optional=True)
@@ -71,11 +70,7 @@ class AdjustSurveys(UrbanMapAlgorithm):
                                "0.")
 
     def check(self, parameters, context):
-        texts = self._trajectory_texts(parameters, context)
-        for text in texts:
-            if not trajectory_exists(text, context):
-                raise InputError(tr("{0}: {1} does not exist; check its name.").format(self.label_of("TRAJECTORY"),
-                                                                                       text))
+        texts = self.trajectory_texts(parameters, context)
         targets = self._targets(parameters, context, texts)
         sources = [Path(text.split("|")[0]) for text in texts]
         for target in targets:
@@ -94,8 +89,8 @@ class AdjustSurveys(UrbanMapAlgorithm):
         paths = self.point_files(parameters, "POINTS", context)
         crs = open_cloud(paths).crs_wkt
         self.require_projected("POINTS", crs)
-        files = self._trajectories(parameters, context, crs, progress)
-        targets = self._targets(parameters, context, self._trajectory_texts(parameters, context))
+        files = self.read_trajectories(parameters, context, crs, progress)
+        targets = self._targets(parameters, context, self.trajectory_texts(parameters, context))
         names = [path.stem for path in targets]
         clouds = assign_clouds(paths, [item.trajectory for item in files], names)
         calibration = self.input_path(parameters, "CALIBRATION", context)
@@ -112,22 +107,6 @@ class AdjustSurveys(UrbanMapAlgorithm):
         for drive, like, target in zip(made.drives, files, targets):
             write_trajectory_file(target, like, drive.corrected, crs, context)
         return {**results, **self._figures(made), "OUTPUT": str(targets[0].parent)}
-
-    def _trajectory_texts(self, parameters, context) -> list[str]:
-        """What TRAJECTORY names, each once."""
-        texts = list(dict.fromkeys(t for t in self.parameterAsFileList(parameters, "TRAJECTORY", context) if t))
-        if not texts:
-            raise InputError(tr("{0}: no file was given.").format(self.label_of("TRAJECTORY")))
-        return texts
-
-    def _trajectories(self, parameters, context, crs, progress) -> list:
-        """The core's `TrajectoryFile` of each one that was given."""
-        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs)
-                for text in self._trajectory_texts(parameters, context)]
-        for item in read:
-            for note in item.notes:
-                progress.warn(note)
-        return read
 
     def _targets(self, parameters, context, texts) -> list[Path]:
         """Where each trajectory is written: under its own name, what comes as a layer as a GeoPackage."""

@@ -13,7 +13,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes", "filtervehicles",
             "roadmarkingsfromorthophoto", "aerialmarkings",
-            "registermms", "adjustsurveys", "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
+            "registermms", "adjustsurveys", "calibratescanner",
+            "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",

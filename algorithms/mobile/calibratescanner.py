@@ -1,0 +1,102 @@
+"""urbanmap:calibratescanner."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER
+from .drives import DriveInputs
+
+FIELDS = (("scanner", "text"), ("parameter", "text"), ("unit", "text"), ("correction", "real"), ("sigma", "real"),
+          ("status", "text"))
+
+
+class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
+    ID = "calibratescanner"
+    NAME = "Calibrate scanners"
+    SOURCE = "least-squares adjustment of planes seen from different sides"
+    KEYWORDS = ("MMS", "mobile", "calibration", "boresight", "lever arm", "scanner")
+    REQUIRES = ("numpy", "scipy", "pyproj", "laspy", "lazrs")
+    HELP = (
+        "Corrects boresight angles and lever arms of scanners on a vehicle. Small planes of road and walls that two "
+        "scanners saw, or one scanner in passes of different directions, must coincide; the trajectory of each pass "
+        "may be off as well.\n"
+        "Drive a street with walls in both directions, correct the trajectories (“Adjust several drives” or “Register "
+        "mobile survey”) and place the points with them first. A misalignment of the inertial unit that all passes "
+        "have in common becomes part of the boresight.\n"
+        "What the drives do not determine keeps its value and is called so: heights of lever arms mostly need control "
+        "points."
+    )
+
+    def declare(self):
+        self.add_points(help="The survey: LAS, LAZ or COPC files with GPS times and the number of the scanner as point "
+                        "source id. Each file belongs to the trajectory along which it was measured.")
+        self.add_trajectories()
+        self.add_calibration()
+        self.add_number("TILT_SIGMA", "Difference of tilts", "Standard deviation by which roll and pitch of the "
+                        "trajectory differ from pass to pass.", 0.03, 0.001, 5.0, "degrees", advanced=True)
+        self.add_number("HEADING_SIGMA", "Difference of headings", "The same of the heading.", 0.10, 0.001, 5.0,
+                        "degrees", advanced=True)
+        self.add_file_output("OUTPUT", "Corrected calibration", "The calibration file with corrected values; for each "
+                             "its standard deviation, or that it is not determined.", "Calibration (*.json)")
+        self.add_layer_output("OUTPUT_TABLE", "Corrections", "Table: scanner, parameter, correction, standard "
+                              "deviation, status.", optional=True,
+                              source_type=QgsProcessing.SourceType.TypeVector, by_default=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Corrections with their standard deviations, and how far "
+                             "planes lie apart before and after.", HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("PAIRS", "Pairs of planes", "Planes that were compared.")
+        self.add_number_output("RMS_BEFORE", "RMS before", "Distance between planes before, trajectories corrected.",
+                               "m")
+        self.add_number_output("RMS_AFTER", "RMS after", "Distance between planes after.", "m")
+        self.add_number_output("DETERMINED", "Determined", "Number of values that are determined.")
+
+    def check(self, parameters, context):
+        self.trajectory_texts(parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.mobile.adjustment.stage import assign_clouds
+        from ...urbanmap_qgis.mobile.boresight.adjustment import BoresightSettings
+        from ...urbanmap_qgis.mobile.boresight.stage import calibrate_scanners, write_calibration
+        from ...urbanmap_qgis.mobile.calibration import read_calibration
+
+        progress = self.progress(feedback)
+        paths = self.point_files(parameters, "POINTS", context)
+        crs = open_cloud(paths).crs_wkt
+        self.require_projected("POINTS", crs)
+        trajectories = [item.trajectory for item in self.read_trajectories(parameters, context, crs, progress)]
+        names = [Path(text.split("|")[0]).stem for text in self.trajectory_texts(parameters, context)]
+        source = self.input_path(parameters, "CALIBRATION", context)
+        settings = BoresightSettings(tilt=self.parameterAsDouble(parameters, "TILT_SIGMA", context),
+                                     heading=self.parameterAsDouble(parameters, "HEADING_SIGMA", context))
+        made = calibrate_scanners(assign_clouds(paths, trajectories, names), trajectories, read_calibration(source),
+                                  settings, progress)
+        output = self.output_path(parameters, "OUTPUT", context)
+        write_calibration(output, source, made)
+        return {"OUTPUT": str(output), **self._figures(made), **self._tell(parameters, context, made, progress)}
+
+    def _figures(self, made) -> dict:
+        found = made.boresights
+        return {"PAIRS": found.pairs, "RMS_BEFORE": found.rms_before, "RMS_AFTER": found.rms_after,
+                "DETERMINED": int(found.determined.sum())}
+
+    def _tell(self, parameters, context, made, progress) -> dict:
+        """Write table and report."""
+        from ...urbanmap_qgis.mobile.boresight.report import write_boresight_report
+
+        results = {}
+        columns = dict(zip((name for name, _ in FIELDS), zip(*made.rows())))
+        columns = {name: list(values) for name, values in columns.items()}
+        table = self.write_layer(parameters, "OUTPUT_TABLE", context, make_fields(*FIELDS), columns, "",
+                                 progress=progress)
+        if table:
+            results["OUTPUT_TABLE"] = table
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_boresight_report(report, made, self.settings_of(parameters))
+            results["OUTPUT_REPORT"] = str(report)
+        return results

@@ -1,0 +1,45 @@
+"""Several drives as parameters: their trajectories, each with the points measured along it."""
+
+from __future__ import annotations
+
+from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.parameters import Declarations, tr
+from ..framework.trajectories import trajectory_exists, trajectory_of
+
+
+class DriveInputs(Declarations):
+    """Methods with which an algorithm declares and reads the trajectories of several drives."""
+
+    def add_trajectories(self) -> None:
+        """Declare TRAJECTORY."""
+        self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile),
+            "The trajectory of each drive, with which its points were placed: CSV time,x,y,z,roll,pitch,heading, SBET, "
+            "or point layers.")
+
+    def trajectory_texts(self, parameters, context) -> list[str]:
+        """What TRAJECTORY names, each once.
+
+        Raises
+        ------
+        InputError : nothing was given, or a file or layer does not exist.
+        """
+        label = self.label_of("TRAJECTORY")
+        texts = list(dict.fromkeys(t for t in self.parameterAsFileList(parameters, "TRAJECTORY", context) if t))
+        if not texts:
+            raise InputError(tr("{0}: no file was given.").format(label))
+        for text in texts:
+            if not trajectory_exists(text, context):
+                raise InputError(tr("{0}: {1} does not exist; check its name.").format(label, text))
+        return texts
+
+    def read_trajectories(self, parameters, context, crs, progress) -> list:
+        """The core's `TrajectoryFile` of each one that was given."""
+        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs)
+                for text in self.trajectory_texts(parameters, context)]
+        for item in read:
+            for note in item.notes:
+                progress.warn(note)
+        return read

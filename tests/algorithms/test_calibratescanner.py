@@ -1,0 +1,51 @@
+"""Calibration of scanners through Processing, on a small sample city placed by its true trajectories."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+ALGORITHM = "urbanmap:calibratescanner"
+SURVEYS = ("survey_01", "survey_02")
+
+
+@pytest.fixture(scope="module")
+def placed(qgis_app, small_city, tmp_path_factory):
+    """Both surveys where the true trajectories place them."""
+    import processing
+
+    folder = tmp_path_factory.mktemp("検定")
+    return [processing.run("urbanmap:applytrajectory", {
+        "POINTS": [str(small_city / f"mms/{name}.laz")], "TRAJECTORY": str(small_city / f"mms/{name}_trajectory.csv"),
+        "CORRECTED": str(small_city / f"truth/{name}_trajectory.csv"), "OUTPUT": str(folder / f"{name}.laz")})["OUTPUT"]
+        for name in SURVEYS]
+
+
+def given(city, points, tmp_path, kind="truth", **more):
+    return {"POINTS": points, "TRAJECTORY": [str(city / f"{kind}/{name}_trajectory.csv") for name in SURVEYS],
+            "CALIBRATION": str(city / "mms/calibration.json"), "OUTPUT": str(tmp_path / "calibration.json"), **more}
+
+
+def test_an_exact_calibration_stays(run, small_city, placed, read_layer, tmp_path):
+    result = run(ALGORITHM, given(small_city, placed, tmp_path, OUTPUT_TABLE=str(tmp_path / "table.gpkg"),
+                                  OUTPUT_REPORT=str(tmp_path / "report.html")))
+    before = json.loads((small_city / "mms/calibration.json").read_text(encoding="utf-8"))
+    after = json.loads((tmp_path / "calibration.json").read_text(encoding="utf-8"))
+    for old, new in zip(before["scanners"], after["scanners"]):
+        assert new["lever_arm_m"] == pytest.approx(old["lever_arm_m"], abs=0.06)
+        assert [new[key] for key in ("roll", "pitch", "heading")] == pytest.approx(
+            [old.get(key, 0.0) for key in ("roll", "pitch", "heading")], abs=0.12)
+        assert set(new["calibrated"]) == {"forward", "right", "down", "roll", "pitch", "heading"}
+    rows = [row.attributes for row in read_layer(result["OUTPUT_TABLE"])]
+    assert len(rows) == 6 * len(before["scanners"])
+    assert sum(row["status"] == "determined" for row in rows) == result["DETERMINED"] > 0
+    assert all(abs(row["correction"]) < 3 * row["sigma"] for row in rows if row["status"] == "determined")
+    assert "not determined" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_surveys_that_lie_apart_are_refused(run, small_city, tmp_path):
+    points = [str(small_city / f"mms/{name}.laz") for name in SURVEYS]
+    with pytest.raises(Exception, match="m apart"):
+        run(ALGORITHM, given(small_city, points, tmp_path, kind="mms"))
+    assert not (tmp_path / "calibration.json").exists()

@@ -1,0 +1,239 @@
+"""Boresights and lever arms by least squares: planes that two scanners or two passes saw must coincide.
+
+A point is P = p(t) + R(t) (l + R_bs s). A small rotation d of the scanner about the body's axes and a shift dl of its
+lever arm move it by R (dl + d x v), v the vector from the scanner to the point in the body. The trajectory of each pass
+is off too: nodes along it move what was measured near them in the map, and rotate it in the body, as a random walk.
+Planes give one equation each, along their normal. What the drive does not determine keeps its prior uncertainty and is
+called so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix, csc_matrix
+from scipy.sparse.linalg import splu
+from scipy.spatial import cKDTree
+
+from .plane_patches import PlanePatches, group_pairs
+
+PARAMETERS = ("forward", "right", "down", "roll", "pitch", "heading")
+"""Of each scanner: lever arm (m) and rotation (degrees) about the body's axes."""
+
+_SIZE = len(PARAMETERS)
+_GATES = (1.5, 0.6, 0.3, 0.2, 0.2)
+"""m, between the centroids of planes that are compared, round after round."""
+_MAX_ANGLE = 12.0  # degrees between their normals
+_GROSS = 3.0  # standard deviations
+_REWEIGHTED = 8
+_FLOOR = 0.004  # m, of a plane's place: roughness that is not noise
+_RADIANS = np.pi / 180.0
+
+
+@dataclass(frozen=True)
+class BoresightSettings:
+    """Prior standard deviations of the calibration and of the trajectories.
+
+    Attributes
+    ----------
+    lever_arm : m. boresight : degrees. place, tilt, heading : m, degrees (tilt: roll and pitch), by which a pass as a
+        whole differs from the mean of all passes; what they have in common is part of the boresight.
+    place_walk, attitude_walk : m, degrees, from one node to the next. node_length : m of path.
+    max_apart : m, that passes may lie from each other: planes are then paired wrongly too often.
+    determined_angle, determined_arm : degrees, m, standard deviation up to which a value is called determined.
+    """
+
+    lever_arm: float = 0.10
+    boresight: float = 1.0
+    place: float = 2.0
+    tilt: float = 0.03
+    heading: float = 0.10
+    place_walk: float = 0.15
+    attitude_walk: float = 0.02
+    node_length: float = 5.0
+    max_apart: float = 0.3
+    determined_angle: float = 0.05
+    determined_arm: float = 0.03
+
+
+@dataclass(frozen=True)
+class PatchPoses:
+    """Where the vehicle was when planes were measured.
+
+    Attributes
+    ----------
+    scanner, survey_pass : (n,) numbers. node : (n,) number of the pass's node, counted over all passes.
+    place : (n, 3) m of the body. rotation : (n, 3, 3), body to map. ray : (n, 3) m from the scanner, in the body.
+    """
+
+    scanner: np.ndarray
+    survey_pass: np.ndarray
+    node: np.ndarray
+    place: np.ndarray
+    rotation: np.ndarray
+    ray: np.ndarray
+
+
+@dataclass(frozen=True)
+class Boresights:
+    """What was found.
+
+    Attributes
+    ----------
+    value, sigma : (scanners, 6) corrections in the order of `PARAMETERS`, m and degrees, and standard deviations.
+    determined : (scanners, 6) bool. pairs : planes compared. rms_before, rms_after : m, of their distances (weighted),
+        before with the trajectories' corrections alone. apart : m, RMS of the places' corrections about their mean.
+    """
+
+    value: np.ndarray
+    sigma: np.ndarray
+    determined: np.ndarray
+    pairs: int
+    rms_before: float
+    rms_after: float
+    apart: float
+
+
+def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.ndarray, scanners: int,
+                      settings: BoresightSettings) -> Boresights:
+    """Adjust scanners and trajectories to where planes coincide; planes are paired anew in each round.
+
+    Parameters
+    ----------
+    node_pass : (k,) number of the pass of each node; the nodes of a pass follow each other.
+    """
+    state = np.zeros(_SIZE * (scanners + len(node_pass)))
+    prior = _prior(node_pass, scanners, settings)
+    jacobian = _displacements(patches, poses, scanners, len(node_pass))
+    for gate in _GATES:
+        moved = patches.centroid + (jacobian @ state).reshape(-1, 3)
+        first, second = _pairs(patches, moved, gate)
+        if not len(first):
+            break
+        normal = _common_normals(patches, first, second)
+        distance = np.einsum("ni,ni->n", normal, patches.centroid[first] - patches.centroid[second])
+        rows = _along(normal, jacobian, first) - _along(normal, jacobian, second)
+        sigma = np.sqrt(patches.sigma[first] ** 2 + patches.sigma[second] ** 2 + _FLOOR**2)
+        state, covariance, weight = _solved(rows, -distance, sigma, prior, _SIZE * scanners)
+        after = rows @ state + distance
+    if not len(first):
+        nothing = np.zeros((scanners, _SIZE))
+        return Boresights(nothing, nothing + np.sqrt(1.0 / _prior_of_scanner(settings)) / _units(), nothing > 0, 0,
+                          np.nan, np.nan, np.nan)
+    before = rows[:, _SIZE * scanners:] @ state[_SIZE * scanners:] + distance
+    value = state[:_SIZE * scanners].reshape(scanners, _SIZE) / _units()
+    spread = np.sqrt(np.diag(covariance)).reshape(scanners, _SIZE) / _units()
+    place = state[_SIZE * scanners:].reshape(-1, _SIZE)[:, :3]
+    apart = float(np.sqrt(np.mean(np.sum((place - place.mean(axis=0)) ** 2, axis=1))))
+    limit = np.repeat([settings.determined_arm, settings.determined_angle], 3)
+    return Boresights(value, spread, spread <= limit, len(first), _weighted_rms(before, weight),
+                      _weighted_rms(after, weight), apart)
+
+
+def _units() -> np.ndarray:
+    """(6,) radians in the degrees of the angles, 1 for the lever arm."""
+    return np.array([1.0, 1.0, 1.0, _RADIANS, _RADIANS, _RADIANS])
+
+
+def _prior_of_scanner(settings: BoresightSettings) -> np.ndarray:
+    """(6,) weights of a scanner's parameters, m and radians."""
+    return np.repeat([settings.lever_arm, settings.boresight * _RADIANS], 3) ** -2.0
+
+
+def _prior(node_pass: np.ndarray, scanners: int, settings: BoresightSettings) -> csc_matrix:
+    """Normal matrix of what is known before: priors of scanners, and passes whose error is a random walk."""
+    angles = np.array([settings.tilt, settings.tilt, settings.heading]) * _RADIANS
+    start = np.concatenate([np.full(3, settings.place), angles]) ** -2.0
+    walk = np.repeat([settings.place_walk, settings.attitude_walk * _RADIANS], 3) ** -2.0
+    rows, columns, values = [], [], []
+
+    def add(row: np.ndarray, column: np.ndarray, weights: np.ndarray) -> None:
+        rows.append(row)
+        columns.append(column)
+        values.append(weights)
+
+    own = np.arange(_SIZE * scanners)
+    add(own, own, np.tile(_prior_of_scanner(settings), scanners))
+    for node, number in enumerate(node_pass):
+        here = _SIZE * (scanners + node) + np.arange(_SIZE)
+        if node == 0 or node_pass[node - 1] != number:
+            add(here, here, start)
+            continue
+        for row, column, sign in ((here, here, 1), (here - _SIZE, here - _SIZE, 1), (here, here - _SIZE, -1),
+                                  (here - _SIZE, here, -1)):
+            add(row, column, sign * walk)
+    size = _SIZE * (scanners + len(node_pass))
+    return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),
+                      shape=(size, size)).tocsc()
+
+
+def _displacements(patches: PlanePatches, poses: PatchPoses, scanners: int, nodes: int) -> csc_matrix:
+    """Matrix (3 n, parameters): how the centroids move with each parameter, m and radians."""
+    n = len(patches)
+    from_scanner = np.concatenate([poses.rotation, -poses.rotation @ _skew(poses.ray)], axis=2)  # R, -R [v]x
+    # The place is off in the map, the attitude in the body: a misaligned inertial unit turns with the vehicle.
+    body = np.einsum("nji,nj->ni", poses.rotation, patches.centroid - poses.place)
+    from_node = np.concatenate([np.broadcast_to(np.eye(3), (n, 3, 3)), -poses.rotation @ _skew(body)], axis=2)
+    row = np.broadcast_to(3 * np.arange(n)[:, None, None] + np.arange(3)[:, None], (n, 3, _SIZE))
+    parts = []
+    for number, block in ((poses.scanner, from_scanner), (scanners + poses.node, from_node)):
+        column = np.broadcast_to(_SIZE * number[:, None, None] + np.arange(_SIZE), (n, 3, _SIZE))
+        parts.append(coo_matrix((block.ravel(), (row.ravel(), column.ravel())),
+                                shape=(3 * n, _SIZE * (scanners + nodes))))
+    return (parts[0] + parts[1]).tocsr()
+
+
+def _skew(vectors: np.ndarray) -> np.ndarray:
+    """(n, 3, 3) matrices that take a vector w to v x w."""
+    x, y, z = vectors.T
+    zero = np.zeros(len(vectors))
+    return np.stack([np.stack([zero, -z, y], -1), np.stack([z, zero, -x], -1), np.stack([-y, x, zero], -1)], -2)
+
+
+def _pairs(patches: PlanePatches, moved: np.ndarray, gate: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numbers of planes of different groups that face alike and lie near each other, each with its nearest."""
+    least = np.cos(_MAX_ANGLE * _RADIANS)
+    found: list[tuple[np.ndarray, np.ndarray]] = [(np.zeros(0, int), np.zeros(0, int))]
+    members = {number: np.flatnonzero(patches.group == number) for number in np.unique(patches.group).tolist()}
+    trees = {number: cKDTree(moved[rows]) for number, rows in members.items()}
+    for first, second in group_pairs(patches.group):
+        distance, nearest = trees[second].query(moved[members[first]], distance_upper_bound=gate)
+        near = np.isfinite(distance)
+        a, b = members[first][near], members[second][nearest[near]]
+        alike = np.abs(np.einsum("ni,ni->n", patches.normal[a], patches.normal[b])) >= least
+        found.append((a[alike], b[alike]))
+    return tuple(np.concatenate(parts) for parts in zip(*found))
+
+
+def _common_normals(patches: PlanePatches, first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """(m, 3) mean normals of pairs."""
+    one, two = patches.normal[first], patches.normal[second]
+    total = one + two * np.sign(np.einsum("ni,ni->n", one, two))[:, None]
+    return total / np.linalg.norm(total, axis=1, keepdims=True)
+
+
+def _along(normal: np.ndarray, jacobian: csc_matrix, rows: np.ndarray) -> csc_matrix:
+    """(m, parameters): movement of planes along the normals."""
+    return sum(coo_matrix((normal[:, axis], (np.arange(len(rows)), np.arange(len(rows))))).tocsr()
+               @ jacobian[3 * rows + axis] for axis in range(3))
+
+
+def _solved(rows: csc_matrix, value: np.ndarray, sigma: np.ndarray, prior: csc_matrix, wanted: int):
+    """Robust solution, covariance of the first `wanted` parameters, and weights."""
+    weight, noise = np.ones(len(value)), 1.0
+    for _ in range(_REWEIGHTED):
+        scaled = weight / (noise * sigma**2)
+        normal = (rows.T @ rows.multiply(scaled[:, None]) + prior).tocsc()
+        factors = splu(normal, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+        state = factors.solve(rows.T @ (scaled * value))
+        misfit = ((value - rows @ state) / sigma) ** 2
+        noise = max(1.0, float(np.median(misfit)) / 0.455)  # the median of a chi square of 1
+        weight = 1.0 / (1.0 + misfit / (noise * _GROSS**2))
+    right = np.zeros((normal.shape[0], wanted))
+    right[np.arange(wanted), np.arange(wanted)] = 1.0
+    return state, factors.solve(right)[:wanted], weight
+
+
+def _weighted_rms(distance: np.ndarray, weight: np.ndarray) -> float:
+    return float(np.sqrt(np.sum(weight * distance**2) / np.sum(weight)))
