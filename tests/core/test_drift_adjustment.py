@@ -48,7 +48,7 @@ def model_of(pairs, trajectory, walk):
     import urbanmap_qgis.mobile.lines.drift_adjustment as module
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(module, "_most_likely", lambda system, given, fixed: (walk, 0.0))
+        patch.setattr(module, "_most_likely", lambda system, given, fixed: (walk, 0.0, np.zeros(2)))
         return fit_drift(pairs, trajectory, walk)
 
 

@@ -110,6 +110,33 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
                          float(there.mean()), time[kept], error[kept])
 
 
+def sampled_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndarray], np.ndarray],
+                    sensor_height: float) -> CourseHeights:
+    """Errors of height to the letter of Z 3.2: o_z' = ground(o_x, o_y) + h at equally sampled updates.
+
+    Between the samples the error is linear, before the first and after the last it is held. Nothing is left out: what
+    stands on a surface model is taken for the ground. The paper states no accuracy; `sigma` is the scatter of
+    neighbouring samples.
+
+    Raises
+    ------
+    InsufficientDataError : the ground covers fewer than two samples.
+    """
+    length = float(path_chainage(trajectory)[-1])
+    every = max(int(np.ceil(SPACING * len(trajectory) / max(length, SPACING))), 1)
+    row = np.arange(0, len(trajectory), every)
+    place = trajectory.place[row]
+    error = np.asarray(ground(place[:, 0], place[:, 1]), float) + sensor_height - place[:, 2]
+    there = np.isfinite(error)
+    if np.count_nonzero(there) < 2:
+        raise InsufficientDataError("The ground does not reach the trajectory's course: give a ground of the same "
+                                    "place and coordinate reference system.")
+    time, error = trajectory.time[row[there]], error[there]
+    sigma = 1.4826 * float(np.median(np.abs(np.diff(error)))) / np.sqrt(2.0)
+    return CourseHeights(np.interp(trajectory.time, time, error), np.full(len(trajectory), sigma), sensor_height, False,
+                         _rms(error), 0.0, sigma, len(time), 0, float(there.mean()), time, error)
+
+
 def _samples(trajectory: Trajectory) -> np.ndarray:
     """Epochs at equal chainages along the course, and some while the vehicle stands."""
     chainage = path_chainage(trajectory)

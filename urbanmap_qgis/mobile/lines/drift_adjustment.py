@@ -19,6 +19,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.linalg import LinAlgError, cho_solve_banded, cholesky_banded
 from scipy.optimize import minimize
+from scipy.special import ndtr
 
 from ..trajectory import Trajectory
 from .ground_truths import rotated_vectors
@@ -35,6 +36,7 @@ _ITERATIONS = 3
 _BAND = 5
 _COUPLING_EVIDENCE = 20.0
 _MIN_SHARE = 1e-9
+_MIN_WEIGHT = 1e-3
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,8 @@ class RandomWalkDrift:
     covariance : (k, 3, 3).  gain : (k - 1, 3, 3) G with covariance of node k and k + 1 = -G covariance[k + 1].
     walk : what was found or taken.
     first, last : times of the first and the last tie point.
+    alternatives : probability and drift of every walk that the tie points leave possible, with covariances that hold
+        what is not known of its coefficients; empty for one of them.
     """
 
     time: np.ndarray
@@ -86,6 +90,7 @@ class RandomWalkDrift:
     walk: RandomWalk
     first: float
     last: float
+    alternatives: tuple[tuple[float, RandomWalkDrift], ...] = ()
 
     def at(self, time: np.ndarray) -> np.ndarray:
         """Drift (m, 3) at times (m,), linear between nodes."""
@@ -102,6 +107,22 @@ class RandomWalkDrift:
                                                   self.walk.heading_walk]) ** 2
         return (1 - u) ** 2 * own[before] + u**2 * own[before + 1] + 2 * u * (1 - u) * with_next + bridge
 
+    def total_variances(self, time: np.ndarray) -> np.ndarray:
+        """Variances (m, 3) of the drift at times (m,) with what the tie points do not tell of the walk itself.
+
+        What they tell of it holds for as long a time as they span; farther beyond the first and the last of them
+        errors are taken to walk at least as fast as is expected of a navigation.
+        """
+        own = self.at(time)
+        beyond = np.maximum(self.first - time, time - self.last) - (self.last - self.first)
+        total = np.zeros_like(own)
+        for weight, other in self.alternatives:
+            known = np.array([other.walk.position_walk, other.walk.position_walk, other.walk.heading_walk])
+            unseen = np.maximum(np.array([POSITION_WALK, POSITION_WALK, HEADING_WALK]) ** 2 - known**2, 0.0)
+            total += weight * (other.variances(time) + (other.at(time) - own) ** 2
+                               + np.maximum(beyond, 0.0)[:, None] * unseen)
+        return total
+
     def joint_covariance(self, nodes: np.ndarray) -> np.ndarray:
         """Covariance (m, 3, m, 3) of the drift at some nodes (m,), increasing."""
         joint = np.empty((len(nodes), 3, len(nodes), 3))
@@ -117,18 +138,50 @@ class RandomWalkDrift:
 
 
 def fit_drift(pairs: TiePairs, trajectory: Trajectory, walk: RandomWalk, fixed_sigma: bool = False) -> RandomWalkDrift:
-    """The most likely drift of pairs; what `walk` says is expected, and its sigma of tie points kept if fixed."""
+    """The most likely drift of pairs; what `walk` says is expected, and its sigma of tie points kept if fixed.
+
+    Its `alternatives` tell what the tie points leave open: how fast errors walk, where few or near sets hardly say it,
+    and whether errors of heading rotate the course.
+    """
     system = _System(pairs, trajectory)
-    value = np.zeros((len(system.time), 3))
-    system.linearise(value)
+    start = np.zeros((len(system.time), 3))
+    system.linearise(start)
     found = [_most_likely(system, replace(walk, coupled=coupled), fixed_sigma) for coupled in (False, True)]
     # Without clear evidence errors are not carried along the course driven: that would bend it.
-    walk = found[int(found[1][1] > found[0][1] + _COUPLING_EVIDENCE)][0]
+    chosen = int(found[1][1] > found[0][1] + _COUPLING_EVIDENCE)
+    odds = np.exp(np.clip([likelihood - found[chosen][1] for _, likelihood, _ in found], -50.0, 50.0))
+    alternatives = []
+    for weight, (mode, _, spread) in zip(odds / odds.sum(), found):
+        if weight >= _MIN_WEIGHT:
+            position, heading = (_scale_factor(size) for size in spread)
+            wide = replace(mode, position_walk=mode.position_walk * position, heading_walk=mode.heading_walk * heading)
+            model = _model(system, mode, start)
+            alternatives.append((float(weight), replace(model, **dict(zip(("covariance", "gain"),
+                                                                          system.covariances(wide))), walk=wide)))
+    return replace(_model(system, found[chosen][0], start), alternatives=tuple(alternatives))
+
+
+def _model(system: _System, walk: RandomWalk, start: np.ndarray) -> RandomWalkDrift:
+    """The drift of a given random walk, the rotations linearised about it; `start` (k, 3) to begin with."""
+    system.linearise(start)
     for _ in range(_ITERATIONS):
         value = system.solve(walk)[0]
         system.linearise(value)
     covariance, gain = system.covariances(walk)
-    return RandomWalkDrift(system.time, value, covariance, gain, walk, float(pairs.time[0]), float(pairs.time[-1]))
+    time = system.pairs.time
+    return RandomWalkDrift(system.time, value, covariance, gain, walk, float(time[0]), float(time[-1]))
+
+
+def _scale_factor(spread: float) -> float:
+    """Factor on a standard deviation whose logarithm is known to `spread`: 95 % of the errors lie within 1.96 of it."""
+    nodes, weights = np.polynomial.hermite_e.hermegauss(31)
+    weights = weights / weights.sum()
+    low, high = 0.5, 50.0
+    for _ in range(40):
+        middle = 0.5 * (low + high)
+        within = weights @ (2.0 * ndtr(1.96 * middle * np.exp(-spread * nodes)) - 1.0)
+        low, high = (middle, high) if within < 0.95 else (low, middle)
+    return high
 
 
 def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.ndarray, np.ndarray]:
@@ -248,9 +301,9 @@ class _System:
         return covariance, gain
 
 
-def _most_likely(system: _System, walk: RandomWalk, fixed_sigma: bool) -> tuple[RandomWalk, float]:
+def _most_likely(system: _System, walk: RandomWalk, fixed_sigma: bool) -> tuple[RandomWalk, float, np.ndarray]:
     """Random walk of position and heading and sigma that make the observations most likely, given what is expected; how
-    likely."""
+    likely, and how well the logarithms of both coefficients are known (2,)."""
     expected = np.log([POSITION_WALK, HEADING_WALK, SIGMA])
     start = np.log([walk.position_walk, walk.heading_walk, walk.sigma])
     free = slice(0, 2 if fixed_sigma else 3)
@@ -269,4 +322,21 @@ def _most_likely(system: _System, walk: RandomWalk, fixed_sigma: bool) -> tuple[
 
     options = {"xatol": 0.05, "fatol": 0.02, "maxiter": 150}
     found = minimize(negative_log_likelihood, start[free], method="Nelder-Mead", options=options)
-    return walk_of(found.x), -float(found.fun)
+    return walk_of(found.x), -float(found.fun), _log_spread(negative_log_likelihood, found.x)
+
+
+def _log_spread(negative_log_likelihood, mode: np.ndarray) -> np.ndarray:
+    """Standard deviations (2,) of the logarithms of both coefficients, by the curvature at the mode (Laplace)."""
+    count, step = len(mode), 0.3
+    middle, hessian = negative_log_likelihood(mode), np.zeros((count, count))
+    shift = step * np.eye(count)
+    one = [[negative_log_likelihood(mode + sign * shift[k]) for sign in (1, -1)] for k in range(count)]
+    for a in range(count):
+        hessian[a, a] = (sum(one[a]) - 2 * middle) / step**2
+        for b in range(a):
+            both = [negative_log_likelihood(mode + sign * (shift[a] + shift[b])) for sign in (1, -1)]
+            hessian[a, b] = hessian[b, a] = (sum(both) - sum(one[a]) - sum(one[b]) + 2 * middle) / (2 * step**2)
+    size, axes = np.linalg.eigh(hessian)
+    # Nothing is known less than before anything was measured.
+    covariance = (axes / np.maximum(size, _SPREAD[:1] ** -2.0)) @ axes.T
+    return np.sqrt(np.diag(covariance)[:2])

@@ -7,14 +7,14 @@ a ground is given the heights follow it along the rectified course. Roll and pit
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress
 from ..trajectory import Trajectory, interpolate
-from .course_heights import CourseHeights, course_heights
+from .course_heights import CourseHeights, course_heights, sampled_heights
 from .drift_adjustment import (
     SIGMA,
     RandomWalk,
@@ -24,15 +24,17 @@ from .drift_adjustment import (
     leave_one_out_misfits,
     misfit_of_excluded,
 )
-from .ground_truths import misfit, rotated_vectors, set_drift
+from .ground_truths import misfit, rotated_vectors, set_drift, two_pair_drift
 from .relative_motion import adjust_relative_motion
 from .tie_points import TiePoints, pairs_within
 
-METHODS = ("drift", "relative", "iterative")
-"""Best estimate of a random-walk drift; relative motions adjusted in closed form; the same by the paper's iteration."""
+METHODS = ("drift", "relative", "iterative", "paper")
+"""Best estimate of a random-walk drift; relative motions adjusted in closed form; the same by the paper's iteration;
+all of Z 3 to the letter: sets of two pairs by eq. 13 to 17, eq. 8 and 9, sampled heights, nothing left out as wrong."""
 
 USED, POSITION_ONLY, SUSPECT, BLUNDER, CONTRADICTING = "used", "position only", "suspect", "blunder", "contradicting"
-"""What became of a set: used, though it may tell no heading or hardly fit its neighbours; the last two are left out."""
+ONE_PAIR = "one pair"
+"""What became of a set: used, though it may tell no heading or hardly fit its neighbours; the others are left out."""
 
 EXTRAPOLATED, BETWEEN = 0, 1
 """Of an epoch: before the first or after the last set, where the correction is extrapolated; between two sets."""
@@ -87,7 +89,7 @@ class TieSet:
     shift : (2,) m east and north, and `heading`, degrees clockwise: what the result adds to position and heading there.
     before, after : mean distance of its pairs from the reference, m, as reported and rectified.
     misfit : largest misfit within the set, m.  predicted : how far off it would lie without itself, m (NaN: not known).
-    status : one of `USED`, `POSITION_ONLY`, `SUSPECT`, `BLUNDER`, `CONTRADICTING`.
+    status : one of `USED`, `POSITION_ONLY`, `SUSPECT`, `BLUNDER`, `CONTRADICTING`, `ONE_PAIR`.
     """
 
     name: str
@@ -105,7 +107,7 @@ class TieSet:
 
     @property
     def is_used(self) -> bool:
-        return self.status not in (BLUNDER, CONTRADICTING)
+        return self.status not in (BLUNDER, CONTRADICTING, ONE_PAIR)
 
 
 @dataclass(frozen=True)
@@ -117,7 +119,8 @@ class Rectified:
     trajectory : same epochs.
     sets : in the order of time.
     drift : the model of all tie points, from which the sigmas come.
-    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees; with the factor below.
+    plan_sigma, heading_sigma : (n,) of a coordinate, m, and degrees; with the factor below. Where another method than
+        "drift" was taken, what it differs from the best estimate is in them.
     sigma_factor : by how much the sets miss each other more than the model of the drift says; at least 1.
     status : (n,) `EXTRAPOLATED` or `BETWEEN`.
     heights : None where no ground was given.
@@ -161,16 +164,22 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
 
     Raises
     ------
-    InputError : no tie point lies within the trajectory's time.
-    InsufficientDataError : all sets contradict themselves, or the ground does not reach the course.
+    InputError : no tie point lies within the trajectory's time, or the paper's method lacks the origin's height.
+    InsufficientDataError : all sets contradict themselves, the paper's method has no set of two pairs, or the ground
+        does not reach the course.
     """
     settings = settings or RectifySettings()
+    if settings.method == "paper" and ground is not None and settings.sensor_height is None:
+        raise InputError("The paper's method needs the height of the trajectory's origin above the ground: give it, or "
+                         "leave out the ground.")
     ties = pairs_within(ties, trajectory, progress)
     names, number = ties.numbers()
     place = interpolate(trajectory, ties.time).place[:, :2]
-    keep, status = _consistent(ties, names, number, place, settings, progress)
+    paper = settings.method == "paper"
+    keep, status = (_first_two if paper else _consistent)(ties, names, number, place, settings, progress)
     progress.step(0.1)
-    model = _model(trajectory, ties, number, place, keep, status, names, settings, progress)
+    model = _model(trajectory, ties, number, place, keep, status, names,
+                   replace(settings, keep_blunders=settings.keep_blunders or paper), progress)
     progress.step(0.5)
     status[_weak(ties, number, place, keep, status, model.walk)] = POSITION_ONLY
     _warn_of_jumps(ties, number, keep, status, names, progress)
@@ -182,12 +191,14 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     progress.step(0.7)
     heights = None
     if ground is not None:
-        heights = course_heights(made, ground, settings.sensor_height, progress)
+        heights = (sampled_heights(made, ground, settings.sensor_height) if paper
+                   else course_heights(made, ground, settings.sensor_height, progress))
         if heights.left_out > 0.5 * heights.samples:
             progress.warn(f"{heights.left_out} of {heights.samples} samples of the ground along the course stand out "
                           "and are left out: check that it is the ground that was driven on.")
         made = Trajectory(made.time, made.place + np.outer(heights.error, [0.0, 0.0, 1.0]), made.angles)
-    sigma, factor = np.sqrt(model.variances(trajectory.time)), _sigma_factor(ties, number, place, keep, model)
+    variance = model.total_variances(trajectory.time) + _difference(trajectory, made, model) ** 2
+    sigma, factor = np.sqrt(variance), _sigma_factor(ties, number, place, keep, model)
     between = (trajectory.time >= model.first) & (trajectory.time <= model.last)
     sets = _sets(trajectory, made, ties, names, number, place, keep, status, model)
     progress.step(1.0)
@@ -219,6 +230,32 @@ def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np
     if not keep.any():
         raise InsufficientDataError(f"All {len(names)} sets of tie points contradict themselves: check which place "
                                     "belongs to which, and the coordinate reference system.")
+    return keep, status
+
+
+def _first_two(ties: TiePoints, names: list[str], number: np.ndarray, place: np.ndarray, settings: RectifySettings,
+               progress: Progress) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs and status as of `_consistent`, by Z 3.2: the first two pairs of each set, whether they fit or not."""
+    keep = np.zeros(len(ties), bool)
+    status = np.full(len(names), USED, dtype=object)
+    limit = _misfit_limit(ties, number, place, settings)
+    for k, name in enumerate(names):
+        own = np.flatnonzero(number == k)
+        if len(own) < 2:
+            progress.warn(f"Set {name} has one pair and is left out: the paper's method needs two.")
+            status[k] = ONE_PAIR
+            continue
+        if len(own) > 2:
+            progress.warn(f"Set {name} has {len(own)} pairs: the paper's method takes the first two.")
+        own = own[:2]
+        keep[own] = True
+        fit = float(misfit(place[own], ties.measured[own], ties.reference[own]).max())
+        if fit > limit:
+            progress.warn(f"Set {name} contradicts itself by {fit:.2f} m; the paper's method uses it all the same.")
+            status[k] = SUSPECT
+    if not keep.any():
+        raise InsufficientDataError("No set has two pairs: the paper's method needs sets of two; add pairs, or take "
+                                    "another method.")
     return keep, status
 
 
@@ -327,16 +364,29 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
         shift = np.column_stack([drift[:, :2], np.zeros(len(drift))])
         return Trajectory(trajectory.time, trajectory.place + shift, angles)
     epochs, drift = [], []
+    paper = settings.method == "paper"
     for k in np.unique(number[keep]):
         own = np.flatnonzero((number == k) & keep)
-        found = set_drift(place[own], ties.measured[own], ties.reference[own], model.walk.sigma,
-                          model.walk.heading_sigma)
-        epochs.append(int(np.abs(trajectory.time - ties.time[own].mean()).argmin()))
-        drift.append([*found.shift, found.rotation])
+        pairs = place[own], ties.measured[own], ties.reference[own]
+        if paper:
+            shift, rotation = two_pair_drift(*pairs)
+        else:
+            found = set_drift(*pairs, model.walk.sigma, model.walk.heading_sigma)
+            shift, rotation = found.shift, found.rotation
+        # What two pairs tell by eq. 13 to 17 holds at the first of them.
+        time = ties.time[own[0]] if paper else ties.time[own].mean()
+        epochs.append(int(np.abs(trajectory.time - time).argmin()))
+        drift.append([*shift, rotation])
     # Sets that fall on one epoch count together.
     once, which = np.unique(epochs, return_inverse=True)
     mean = np.array([np.mean([drift[k] for k in np.flatnonzero(which.ravel() == e)], axis=0) for e in range(len(once))])
-    return adjust_relative_motion(trajectory, once, mean, iterate=settings.method == "iterative")
+    return adjust_relative_motion(trajectory, once, mean, iterate=settings.method != "relative", equal_parts=paper)
+
+
+def _difference(before: Trajectory, made: Trajectory, model: RandomWalkDrift) -> np.ndarray:
+    """(n, 3) what a rectified trajectory differs from the model's drift: east and north, m, and rotation, radians."""
+    rotation = np.radians(before.angles[:, 2:] - made.angles[:, 2:])
+    return np.hstack([made.place[:, :2] - before.place[:, :2], rotation]) - model.at(before.time)
 
 
 def _mean(values: Iterable[float]) -> float:

@@ -12,7 +12,7 @@ from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights
-from .rectification import BLUNDER, CONTRADICTING, EXTRAPOLATED, POSITION_ONLY, SUSPECT, USED, Rectified
+from .rectification import BLUNDER, CONTRADICTING, EXTRAPOLATED, ONE_PAIR, POSITION_ONLY, SUSPECT, USED, Rectified
 
 MEANING = {
     USED: "used",
@@ -20,15 +20,17 @@ MEANING = {
     SUSPECT: "used, but far from where the other sets put it: check it",
     BLUNDER: "left out: the other sets put it elsewhere",
     CONTRADICTING: "left out: its pairs do not fit each other",
+    ONE_PAIR: "left out: the paper's method needs two pairs",
 }
 
 _METHOD = {
     "drift": "best estimate of the drift from all tie points together",
     "relative": "relative motions adjusted between sets, closed form (Z 3.1)",
     "iterative": "relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)",
+    "paper": "Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)",
 }
 _SET_COLOURS = {USED: "#1a9850", POSITION_ONLY: "#91cf60", SUSPECT: "#e09a2b", BLUNDER: "#d73027",
-                CONTRADICTING: "#d73027"}
+                CONTRADICTING: "#d73027", ONE_PAIR: "#d73027"}
 _MAX_POINTS = 3000
 _WIDTH = 900
 

@@ -6,6 +6,10 @@ closes the loop through the adjusted steps, the map motion C = T_e' T_e^-1 seen 
 each of the e - s steps takes its part. (The print leaves out primes and an inverse of eq. 8; as it stands it is no
 correction.) The part is taken of the motion's three numbers, so the loop is not closed at once and eq. 9 is repeated.
 
+Before the first ground truth and after each of them the course is moved rigidly. The algorithm box of Z 3.1 prints
+T_i dT with dT = T_g^-1 T_g' for it: taken as printed, the shift would be constant in the vehicle's axes and rotate
+with every bend, and the course would not keep its shape. It is read as dT T_i, dT = T_g' T_g^-1, a motion of the map.
+
 In closed form the parts are powers of C: T_k' = C^u T_k with u from 0 at s to 1 at e. That is what the iteration
 tends to, in one step.
 """
@@ -23,8 +27,8 @@ CLOSED, CLOSED_ROTATION = 1e-5, 1e-8
 MAX_ITERATIONS = 50
 
 
-def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np.ndarray,
-                           iterate: bool = False) -> Trajectory:
+def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np.ndarray, iterate: bool = False,
+                           equal_parts: bool = False) -> Trajectory:
     """The trajectory through ground truths, its relative motions changed as little as they must be (Z 3.1).
 
     Rigid before the first and after the last ground truth. Heights, roll and pitch stay.
@@ -34,6 +38,8 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
     epochs : (k,) numbers of epochs, increasing.  drift : (k, 3) what must be added there: east, north (m) and rotation
         anticlockwise (radians).
     iterate : the paper's iteration instead of the closed form.
+    equal_parts : every step takes the part 1 / (e - s) of eq. 8; else its part of the time, which is the same where
+        epochs are equally apart.
 
     Raises
     ------
@@ -47,6 +53,7 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
     kappa = np.radians(90.0 - trajectory.angles[:, 2])
     true_place = place[epochs] + drift[:, 0] + 1j * drift[:, 1]
     true_kappa = kappa[epochs] + drift[:, 2]
+    parameter = np.arange(len(trajectory), dtype=float) if equal_parts else trajectory.time
     first = epochs[0]
     place, kappa = _transformed(place, kappa, *_motion(place[first], kappa[first], true_place[0], true_kappa[0]))
     spread = _iterated if iterate else _powers
@@ -54,8 +61,7 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
         rotation, translation = _motion(place[end], kappa[end], to_place, to_kappa)
         between = slice(start, end + 1)
         after = _transformed(place[end:], kappa[end:], rotation, translation)
-        place[between], kappa[between] = spread(trajectory.time[between], place[between], kappa[between], to_place,
-                                                to_kappa)
+        place[between], kappa[between] = spread(parameter[between], place[between], kappa[between], to_place, to_kappa)
         place[end:], kappa[end:] = after
     place = place + origin
     return Trajectory(trajectory.time, np.column_stack([place.real, place.imag, trajectory.place[:, 2]]),
