@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
@@ -39,42 +41,48 @@ class RegisterMms(UrbanMapAlgorithm):
                         "survey. With it the correction is in space.", optional=True)
         self.add_calibration(optional=True)
         self.add_distance("PATCH_LENGTH", "Patch length", "Length of path that counts as rigid.", 0.5, 0.1, 10.0)
-        self.add_number("WINDOW_PATCHES", "Window length", "Patches of the shortest window.", 60, 4, 400,
-                        unit="patches", integer=True)
+        self.add_number("WINDOW_PATCHES", "Minimum window length", "Patches of the shortest window. By default 60; 30 "
+                        "with the paper's method in space.", None, 4, 400, unit="patches", integer=True, optional=True)
+        self.add_number("MAX_WINDOW_PATCHES", "Maximum window length", "Patches of the longest window, which is used "
+                        "as it is even where it has too few markings. By default 200; no limit with the paper's "
+                        "method.", None, 4, 100000, unit="patches", integer=True, optional=True, advanced=True)
         self.add_distance("FEATURE_GRID", "Feature grid", "Side of the cells in which markings are counted.", 1.0, 0.1,
                           10.0, advanced=True)
-        self.add_number("FEATURE_COUNT", "Feature count", "Cells with markings that a window should have.", 400, 1,
-                        100000, integer=True, unit="cells")
+        self.add_number("FEATURE_COUNT", "Feature count", "Cells with markings that a window should have. In space the "
+                        "paper's method counts marking points instead, 5 for each of these cells.", 400, 1, 100000,
+                        integer=True, unit="cells")
         self.add_distance("NDT_GRID", "NDT grid", "Side of the cells of the normal distributions.", 1.0, 0.1, 10.0,
                           advanced=True)
         self.add_number("ITERATIONS", "Iterations", "Most steps of each adjustment.", 30, 1, 1000, integer=True,
                         advanced=True)
-        self.add_distance("SUBSAMPLING", "Subsampling", "One point is used in each cell of this side.", 0.1, 0.01, 2.0,
-                          advanced=True)
-        self.add_distance("SEARCH", "Largest error", "How far off the survey may be in plan. Wider than half the "
+        self.add_distance("SUBSAMPLING", "Subsampling", "One point is used in each cell of this side. By default 0.1 "
+                          "m; 0.3 m with the paper's method.", None, 0.01, 2.0, optional=True, advanced=True)
+        self.add_distance("SEARCH", "Maximum error", "How far off the survey may be in plan. Wider than half the "
                           "distance between dashes invites a slip by one dash.", 4.0, 0.5, 20.0, advanced=True)
-        self.add_choice("METHOD", "Method", "Full, or the windows as in the paper to the letter: rigid, in one grid, "
-                        "each started from the one before, in plan only.", METHODS, "full", advanced=True)
+        self.add_choice("METHOD", "Method", "Full, or as in the paper to the letter: windows as rigid bodies, each "
+                        "started from the one before, and each patch moved by the matrix of its own window; no "
+                        "model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in "
+                        "chapter 4.", METHODS, "full", advanced=True)
         self.add_distance("REFERENCE_SIGMA", "Accuracy of the reference", "Standard deviation of the reference "
                           "markings' places; it is part of every standard deviation.", 0.01, 0.0, 10.0, advanced=True)
-        self.add_distance("TRUSTED_SIGMA", "Least trusted", "A patch whose standard deviation in plan is larger is not "
-                          "to be trusted.", 0.3, 0.01, 100.0, advanced=True)
+        self.add_distance("TRUSTED_SIGMA", "Maximum trusted standard deviation", "A patch whose standard deviation in "
+                          "plan is larger is not to be trusted.", 0.3, 0.01, 100.0, advanced=True)
         self.add_raster("IMAGE", "Aerial image", "Shown behind the markings in the report.", optional=True)
         self.add_workers()
         self.add_trajectory_output()
         self.add_layer_output("OUTPUT_PATCHES", "Patches", "One point a patch at its corrected place, with correction "
                               "(m, degrees), standard deviations, window, score, status and its reason.", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)
-        self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty over the way, pictures before "
-                             "and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
-        self.add_number_output("WAY", "Way driven", "Length of the path.", "m")
+        self.add_file_output("OUTPUT_REPORT", "Report", "Correction and its uncertainty along the path, pictures "
+                             "before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
+        self.add_number_output("WAY", "Path length", "Length of the driven path.", "m")
         self.add_number_output("MEAN_CORRECTION", "Mean correction", "In plan, over the path.", "m")
-        self.add_number_output("MAX_CORRECTION", "Largest correction", "In plan.", "m")
-        self.add_number_output("REGISTERED_SHARE", "Registered", "Share of the way that is registered, 0 to 1.")
-        self.add_number_output("BRIDGED_SHARE", "Bridged", "Share of the way that is bridged, 0 to 1.")
-        self.add_number_output("DISTRUSTED_SHARE", "Not to be trusted", "Share of the way not to be trusted, 0 to 1.")
+        self.add_number_output("MAX_CORRECTION", "Maximum correction", "In plan.", "m")
+        self.add_number_output("REGISTERED_SHARE", "Registered", "Share of the path that is registered, 0 to 1.")
+        self.add_number_output("BRIDGED_SHARE", "Bridged", "Share of the path that is bridged, 0 to 1.")
+        self.add_number_output("DISTRUSTED_SHARE", "Not to be trusted", "Share of the path not to be trusted, 0 to 1.")
         self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over the path.", "m")
-        self.add_number_output("MAX_SIGMA", "Largest standard deviation", "In plan.", "m")
+        self.add_number_output("MAX_SIGMA", "Maximum standard deviation", "In plan.", "m")
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.io.pointcloud import open_cloud
@@ -127,17 +135,22 @@ class RegisterMms(UrbanMapAlgorithm):
         def whole(name):
             return self.parameterAsInt(parameters, name, context)
 
-        sigma = number("REFERENCE_SIGMA")
-        given = {"patch_length": number("PATCH_LENGTH"), "window_patches": whole("WINDOW_PATCHES"),
-                 "max_window_patches": max(200, whole("WINDOW_PATCHES")), "feature_grid": number("FEATURE_GRID"),
-                 "feature_count": whole("FEATURE_COUNT"), "ndt_grid": number("NDT_GRID"),
-                 "iterations": whole("ITERATIONS"), "subsampling": number("SUBSAMPLING"), "search": number("SEARCH"),
-                 "reference_sigma": sigma}
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
-        windows = (RegistrationSettings.paper(**given) if paper else
-                   RegistrationSettings(**given, three_d=reference.has_heights))
-        return RegistrationRun(windows, CorrectionSettings(reference_sigma=sigma,
-                                                           trusted_sigma=number("TRUSTED_SIGMA")))
+        make = RegistrationSettings.paper if paper else RegistrationSettings
+        usual, sigma = make(three_d=reference.has_heights), number("REFERENCE_SIGMA")
+        given = {"patch_length": number("PATCH_LENGTH"), "feature_grid": number("FEATURE_GRID"),
+                 "feature_count": whole("FEATURE_COUNT"), "ndt_grid": number("NDT_GRID"),
+                 "iterations": whole("ITERATIONS"), "search": number("SEARCH"), "reference_sigma": sigma}
+        if usual.window_points is not None:
+            given["window_points"] = usual.feature_points * given["feature_count"]
+        for name, key, read in (("WINDOW_PATCHES", "window_patches", whole), ("SUBSAMPLING", "subsampling", number),
+                                ("MAX_WINDOW_PATCHES", "max_window_patches", whole)):
+            if parameters.get(name) is not None:
+                given[key] = read(name)
+        if "max_window_patches" not in given and usual.max_window_patches is not None:
+            given["max_window_patches"] = max(usual.max_window_patches, given.get("window_patches", 0))
+        return RegistrationRun(replace(usual, **given), CorrectionSettings(reference_sigma=sigma,
+                                                                           trusted_sigma=number("TRUSTED_SIGMA")))
 
     def _figures(self, made):
         import numpy as np
@@ -146,10 +159,12 @@ class RegisterMms(UrbanMapAlgorithm):
 
         length = np.hypot(made.correction.value[:, 0], made.correction.value[:, 1])
         sigma = made.correction.plan_sigma()
+        known = sigma[np.isfinite(sigma)]
         return {"WAY": float(made.correction.chainage[-1]), "MEAN_CORRECTION": float(length.mean()),
                 "MAX_CORRECTION": float(length.max()), "REGISTERED_SHARE": made.share(REGISTERED),
                 "BRIDGED_SHARE": made.share(BRIDGED), "DISTRUSTED_SHARE": made.share(DISTRUSTED),
-                "MEDIAN_SIGMA": float(np.median(sigma)), "MAX_SIGMA": float(sigma.max())}
+                "MEDIAN_SIGMA": float(np.median(known)) if len(known) else None,
+                "MAX_SIGMA": float(known.max()) if len(known) else None}
 
     def _write_patches(self, parameters, context, made, crs, progress):
         import shapely

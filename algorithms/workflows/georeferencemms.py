@@ -31,8 +31,8 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         self.add_from(RegisterMms, "MARKINGS", "GROUND")
         self.add_from(ApplyTrajectory, "IMAGES")
         self.add_from(RegisterMms, "IMAGE")
-        self.add_from(RegisterMms, "PATCH_LENGTH", "WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH", "WORKERS",
-                      advanced=True)
+        self.add_from(RegisterMms, "METHOD", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
+                      "SEARCH", "WORKERS", advanced=True)
         self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
         self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")
         self.add_from(RegisterMms, "OUTPUT_PATCHES", "OUTPUT_REPORT")
@@ -53,8 +53,9 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", "CALIBRATION", "WORKERS"), POINTS=points,
                        OUTPUT=self.temporary_file(context, "markings.laz"))
         registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
-                                               "WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH", "WORKERS",
-                                               "OUTPUT_PATCHES", "OUTPUT_REPORT"), POINTS=[markings["OUTPUT"]],
+                                               "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",
+                                               "WORKERS", "METHOD", "OUTPUT_PATCHES", "OUTPUT_REPORT"),
+                         POINTS=[markings["OUTPUT"]],
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
         moved = run("applytrajectory", **pick("TRAJECTORY", "IMAGES", "OUTPUT", "OUTPUT_IMAGES"), POINTS=points,
                     CORRECTED=registered["OUTPUT"])

@@ -96,6 +96,30 @@ def test_chain_gives_the_survey_itself(run, small_city, tmp_path):
     assert (tmp_path / "images.csv").is_file()
 
 
+@pytest.mark.parametrize("heights", [False, True])
+def test_the_papers_method_moves_each_patch_by_its_window(run, small_city, markings, read_layer, tmp_path, heights):
+    polygons = {"GROUND": str(small_city / "truth/ground.tif")} if heights else {}
+    reference_file = reference(small_city)
+    if not heights:
+        import processing
+
+        reference_file = processing.run("native:dropmzvalues", {
+            "INPUT": reference_file, "DROP_M_VALUES": True, "DROP_Z_VALUES": True,
+            "OUTPUT": str(tmp_path / "flat.gpkg")})["OUTPUT"]
+    result = run(ALGORITHM, given(small_city, POINTS=[markings], MARKINGS=reference_file, METHOD="paper", **polygons,
+                                  OUTPUT=str(tmp_path / "new.csv"), OUTPUT_PATCHES=str(tmp_path / "patches.gpkg"),
+                                  OUTPUT_REPORT=str(tmp_path / "report.html")))
+    assert result["BRIDGED_SHARE"] == 0 and 0 <= result["REGISTERED_SHARE"] <= 1
+    rows = read_layer(result["OUTPUT_PATCHES"])
+    assert {row.attributes["status"] for row in rows} <= {"registered", "not to be trusted"}
+    assert all((row.attributes["status"] == "registered") == (not row.attributes["reason"]) for row in rows)
+    text = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "between patches there are steps" in text and "Drift, times" not in text
+    names = ("z", "roll", "pitch")
+    before, after = (columns(path, names) for path in (small_city / "mms/survey_01_trajectory.csv", result["OUTPUT"]))
+    assert np.array_equal(before, after) != heights
+
+
 @pytest.mark.parametrize(("change", "words"), [
     ({"MARKINGS": "far"}, "no reference marking near the survey|could be registered"),
     ({"GROUND": "ellipsoid"}, "heights above the ellipsoid"),

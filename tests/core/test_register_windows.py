@@ -7,12 +7,16 @@ import numpy as np
 import pytest
 import shapely
 from pyproj import CRS
+from scipy.optimize import minimize
+from scipy.spatial import cKDTree
 from shapely import affinity
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
+from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration import register as register_module
+from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED
 from urbanmap_qgis.mobile.registration.records import (
     AMBIGUOUS,
     NO_MARKINGS,
@@ -22,8 +26,10 @@ from urbanmap_qgis.mobile.registration.records import (
     WindowResults,
 )
 from urbanmap_qgis.mobile.registration.register import register_windows
+from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
+from urbanmap_qgis.mobile.registration.start.patches import cut_patches
 from urbanmap_qgis.mobile.registration.start.reference import Reference
-from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points
+from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, rotations
 
 ORIGIN = np.array([-7000.0, -34000.0])
 HEADING = 37.0
@@ -255,10 +261,14 @@ def in_space(street, tmp_path, up):
     error = slow_error(true, up=up)
     error[:, 3:5] = [0.06, -0.05]
     reported = reported_trajectory(true, error)
+    return true, reported, seen(paint, true, reported), Reference.from_polygons(paint, level_ground(tmp_path))
+
+
+def level_ground(folder):
+    """Raster of the road's height."""
     grid = Grid(ORIGIN[0] - 60, ORIGIN[1] + 200, 1.0, 300, 200)
-    path = tmp_path / "ground.tif"
-    write_raster(path, np.full(grid.shape, 12.0, np.float32), grid, CRS.from_epsg(6677).to_wkt())
-    return true, reported, seen(paint, true, reported), Reference.from_polygons(paint, path)
+    write_raster(folder / "ground.tif", np.full(grid.shape, 12.0, np.float32), grid, CRS.from_epsg(6677).to_wkt())
+    return folder / "ground.tif"
 
 
 def test_in_space(street, tmp_path):
@@ -318,17 +328,112 @@ def test_cancel_and_progress(street):
                          progress=Progress(cancelled=lambda: True))
 
 
-def test_to_the_letter_windows_are_rigid_and_on_their_own():
+@pytest.fixture(scope="module")
+def short_street():
+    """60 m of street with an error of two decimetres: true and reported trajectory, paint, marking points."""
     true = true_trajectory(60.0)
-    error = slow_error(true, 0.2, -0.15, heading=0.0)
-    reported = reported_trajectory(true, error)
+    reported = reported_trajectory(true, slow_error(true, 0.2, -0.15, heading=0.1))
     paint = lines(60) + dashes(60, 5.0) + crossings(60, 30.0)
-    markings = seen(paint, true, reported)
+    return true, reported, paint, seen(paint, true, reported)
+
+
+def test_to_the_letter_windows_are_rigid_and_on_their_own(short_street):
+    true, reported, paint, markings = short_street
     paper = register_windows(markings, reported, Reference.from_polygons(paint), RegistrationSettings.paper())
     ours = register_windows(markings, reported, Reference.from_polygons(paint))
     letter, better = (np.hypot(*errors(r, true)[1].T).mean() for r in (paper, ours))
     assert letter < 0.25 and better < letter
     assert not paper.information.any()
+
+
+def plain_cost(points, reference, centre, settings):
+    """J eq. 5 to 7 and 10 to 12 written plainly: the cost of a shift and an angle by the closest Gaussian, and d1."""
+    cells = {}
+    for point in reference:
+        cells.setdefault(tuple(np.floor(point).astype(int)), []).append(point)
+    cells = [np.array(cell) for cell in cells.values() if len(cell) >= 3]
+    mean = np.array([cell.mean(axis=0) for cell in cells])
+    spread = np.array([np.cov(cell.T) for cell in cells])
+    values, vectors = np.linalg.eigh(spread)
+    values = np.maximum(values, 1e-3 * values[:, 1:])
+    inverse = np.einsum("nij,nj,nkj->nik", vectors, 1 / values, vectors)
+    c1, c2 = 10 * (1 - settings.outlier_share), settings.outlier_share
+    d3 = -np.log(c2)
+    d1 = -np.log(c1 + c2) - d3
+    d2 = -2 * np.log((-np.log(c1 * np.exp(-0.5) + c2) - d3) / d1)
+    tree = cKDTree(mean)
+
+    def cost(motion):
+        c, s = np.cos(motion[2]), np.sin(motion[2])
+        moved = (points - centre) @ np.array([[c, s], [-s, c]]) + centre + motion[:2]
+        nearest = tree.query(moved)[1]
+        off = moved - mean[nearest]
+        return (d1 * np.exp(-d2 / 2 * np.einsum("ni,nij,nj->n", off, inverse[nearest], off))).sum()
+
+    return cost, d1
+
+
+def test_the_first_window_of_the_letter_is_the_papers_formula(short_street):
+    _, reported, paint, markings = short_street
+    settings, reference = RegistrationSettings.paper(), Reference.from_polygons(paint)
+    made = register_windows(markings, reported, reference, settings)
+    patch = cut_patches(reported, 0.5).number_at(markings.time)
+    window = np.column_stack([markings.x, markings.y])[patch <= made.window_last[0]]
+    cell = np.floor((window - window.min(axis=0)) / 0.3).astype(int)
+    thin = np.array([window[(cell == one).all(axis=1)].mean(axis=0) for one in np.unique(cell, axis=0)])
+    low, high = window.min(axis=0) - 7, window.max(axis=0) + 7
+    pixels = reference.coverage(*low, *high).points()
+    cost, d1 = plain_cost(thin, pixels, made.place[0, :2], settings)
+    letter = np.r_[made.correction[0, :2], -np.radians(made.correction[0, 5])]
+    assert made.points[0] == len(thin)
+    assert made.score[0] == pytest.approx(cost(letter) / (d1 * len(thin)), rel=1e-6)
+    near = minimize(cost, letter, method="Nelder-Mead", options={
+        "xatol": 1e-6, "fatol": 1e-6, "initial_simplex": letter + np.vstack([[0, 0, 0], np.diag([0.05, 0.05, 5e-3])])})
+    assert letter == pytest.approx(near.x, abs=3e-3)
+    assert cost(letter) < 1.5 * cost(np.zeros(3)) < 0
+
+
+@pytest.mark.parametrize("three_d", [False, True])
+def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three_d):
+    _, reported, paint, markings = short_street
+    reference = Reference.from_polygons(paint, level_ground(tmp_path) if three_d else None)
+    run = RegistrationRun(RegistrationSettings.paper(three_d=three_d))
+    made = register_markings(markings, reported, reference, run)
+    windows, rng = made.windows, np.random.default_rng(3)
+    patch = cut_patches(reported, 0.5).number_at(reported.time)
+    movement = correction_between(made.reported, made.trajectory)
+    for number in (3, 40, 77):
+        # Away from the patch's ends, where poses are interpolated over the step to the next one.
+        time = reported.time[patch == number][1:-1]
+        points = windows.place[number] + rng.uniform(-10, 10, (len(time), 3))
+        change = np.nan_to_num(windows.correction[number])
+        if three_d:
+            before, after = rotations(np.stack([windows.angles[number], windows.angles[number] + change[3:]]))
+            matrix = after @ before.T
+        else:
+            angle = -np.radians(change[5])
+            matrix = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+        expected = (points - windows.place[number]) @ matrix.T + windows.place[number] + change[:3]
+        assert points + movement.at(points, time) == pytest.approx(expected, abs=1e-4)
+    assert np.isnan(made.correction.drift_factor) and set(made.correction.status) <= {REGISTERED, DISTRUSTED}
+    assert made.windows.three_d == three_d
+    if three_d:
+        own = cut_patches(reported, 0.5).number_at(markings.time)
+        inside = (own >= windows.window_first[60]) & (own <= windows.window_last[60])
+        assert windows.window_last[60] - windows.window_first[60] + 1 >= 30
+        assert windows.features[60] == inside.sum() >= 2000
+        assert np.abs(windows.correction[:, 3:5]).max() > 0
+
+
+def test_the_letter_carries_the_matrix_over_windows_without_markings(short_street):
+    _, reported, paint, markings = short_street
+    along = (np.column_stack([markings.x, markings.y]) - ORIGIN) @ (along_street(1.0, 0.0) - ORIGIN)
+    few = markings.take(along < 25)
+    run = RegistrationRun(RegistrationSettings.paper(window_patches=10, feature_count=5))
+    made = register_markings(few, reported, Reference.from_polygons(paint), run)
+    empty = np.flatnonzero(made.windows.status == NO_MARKINGS)
+    assert len(empty) > 10 and (made.correction.status[empty] == DISTRUSTED).all()
+    assert np.ptp(made.correction.value[empty][-5:, 5]) < 1e-9
 
 
 @pytest.mark.parametrize("bad", [{"patch_length": 0.0}, {"outlier_share": 1.0}, {"max_window_patches": 10},

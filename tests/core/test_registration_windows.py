@@ -63,8 +63,9 @@ def test_windows_grow_as_the_paper_says(extend_at_end):
     patches = 70
     patch = np.sort(rng.integers(0, patches, 2000) ** 2 // patches)  # sparse at the end
     x, y = 0.5 * patch + rng.uniform(0, 1, 2000), rng.uniform(0, 4, 2000)
-    settings = RegistrationSettings(window_patches=12, max_window_patches=60, feature_count=50)
-    windows = choose_windows(x, y, patch, patches, settings, extend_at_end)
+    settings = RegistrationSettings(window_patches=12, max_window_patches=60, feature_count=50,
+                                    extend_at_end=extend_at_end)
+    windows = choose_windows(x, y, patch, patches, settings)
     for number in range(patches):
         assert (windows.first[number], windows.last[number], windows.features[number]) == brute_window(
             x, y, patch, patches, settings, number, extend_at_end)

@@ -17,7 +17,10 @@ STATUS_NAMES = ("registered", "weak", "ambiguous", "no markings", "not converged
 
 _PAINTED = 0.1  # of the ground near markings
 MODES = 3
-"""AlternativePositions given for a window at most."""
+"""Positions given for a window at most."""
+
+CELLS = ("neighbours", "own", "closest")
+"""Which normal distributions a point scores in."""
 
 
 @dataclass(frozen=True)
@@ -59,14 +62,19 @@ class RegistrationSettings:
     ----------
     patch_length : m of driven path (J: 0.5).
     window_patches : patches of the smallest window (J: 60).
-    max_window_patches : patches of the longest window; where even that has too few features it is used as it is.
+    max_window_patches : patches of the longest window, which is used as it is even where it has too few features;
+        None sets no limit (J).
     feature_grid : m, side of the cells that are counted (J: 1). feature_count : cells asked for (J: 400).
     feature_points : points that make a cell count (J: 5).
+    window_points : marking points that a window should have, counted instead of cells (J chapter 4, which gives no
+        number); None counts cells (J 3.2.4.2).
+    extend_at_end : a window grows at its end only (J 3.2.4.2), not at both ends about its patch (J chapter 4).
     ndt_grid : m, finest grid but for `multi_resolution` (J: 1). iterations : Newton steps at most (J: 30).
     subsampling : m, one point a cell of this side (J chapter 4: 0.3).
     three_d : also height, roll and pitch, against the reference's heights (J chapter 4).
     multi_resolution : grids of 2, 1 and 0.5 times `ndt_grid` one after another, not `ndt_grid` alone.
-    neighbours : sum over the 3 x 3 (x 3) cells around a point, not the point's own cell alone.
+    cells : the normal distributions that a point scores in: "neighbours", the 3 x 3 (x 3) cells around it; "own", its
+        cell; "closest", the one with the closest mean (J eq. 11).
     start : find the start by correlation along the whole path, within `search` m. Without it windows start from
         the one before (J).
     search : m, largest error looked for.
@@ -80,16 +88,18 @@ class RegistrationSettings:
 
     patch_length: float = 0.5
     window_patches: int = 60
-    max_window_patches: int = 200
+    max_window_patches: int | None = 200
     feature_grid: float = 1.0
     feature_count: int = 400
     feature_points: int = 5
+    window_points: int | None = None
+    extend_at_end: bool = False
     ndt_grid: float = 1.0
     iterations: int = 30
     subsampling: float = 0.1
     three_d: bool = False
     multi_resolution: bool = True
-    neighbours: bool = True
+    cells: str = "neighbours"
     start: bool = True
     search: float = 4.0
     refinement: bool = True
@@ -100,13 +110,15 @@ class RegistrationSettings:
 
     def __post_init__(self) -> None:
         lengths = (self.patch_length, self.feature_grid, self.ndt_grid, self.subsampling, self.search)
-        counts = (self.window_patches, self.max_window_patches, self.feature_count, self.feature_points,
-                  self.iterations)
+        limits = [number for number in (self.max_window_patches, self.window_points) if number is not None]
+        counts = (self.window_patches, self.feature_count, self.feature_points, self.iterations, *limits)
         if not all(np.isfinite(lengths)) or min(lengths) <= 0 or min(counts) < 1:
             raise InputError("Lengths, grids and counts of the registration must be greater than 0.")
         if not 0 < self.outlier_share < 1:
             raise InputError("The expected share of outliers must lie between 0 and 1.")
-        if self.max_window_patches < self.window_patches:
+        if self.cells not in CELLS:
+            raise InputError(f"Points score in the cells {', '.join(CELLS)}, not {self.cells}.")
+        if self.max_window_patches is not None and self.max_window_patches < self.window_patches:
             raise InputError("The longest window must not be shorter than the smallest one.")
 
     @property
@@ -116,10 +128,18 @@ class RegistrationSettings:
 
     @classmethod
     def paper(cls, **changes: object) -> RegistrationSettings:
-        """The method to the letter: rigid windows in 2D, one grid, a point's own cell, start from the window before."""
-        plain = cls(subsampling=0.3, multi_resolution=False, neighbours=False, start=False, refinement=False,
-                    shared_windows=False)
-        return replace(plain, **changes)
+        """The method to the letter: rigid windows, each started from the one before, the closest cell for each point.
+
+        In plan (J 3.2.4): one grid, windows of 60 patches or more by occupied cells, which grow at their end. With
+        `three_d` (J chapter 4): grids of 2, 1 and 0.5 m, windows of 30 patches or more by marking points, about
+        their patch. J gives no number of points: that of 400 cells with 5 points each stands for it.
+        """
+        letter = cls(subsampling=0.3, multi_resolution=False, cells="closest", start=False, refinement=False,
+                     shared_windows=False, max_window_patches=None, extend_at_end=True)
+        if changes.get("three_d"):
+            letter = replace(letter, multi_resolution=True, window_patches=30, extend_at_end=False,
+                             window_points=letter.feature_count * letter.feature_points)
+        return replace(letter, **changes)
 
 
 @dataclass(frozen=True)
@@ -146,7 +166,8 @@ class WindowResults:
     score : (n,) mean likelihood score of the window's points, 0 to 1.
     overlap : (n,) share of the window's points that lie on reference markings after the correction.
     window_first, window_last : (n,) numbers of the first and last patch of the window, both included.
-    window_length : (n,) m. features : (n,) occupied cells. points : (n,) subsampled points in the window.
+    window_length : (n,) m. features : (n,) occupied cells, or marking points where these are counted.
+    points : (n,) subsampled points in the window.
     alias_ratio : (n,) score of the second best place in plan to that of the best, within the search; 0 if alone.
     margin : (n,) by how much the best way through the whole survey beats the best that takes another place
         here (log-likelihood of independent evidence; below about 3 is no proof; inf if there is no other place).

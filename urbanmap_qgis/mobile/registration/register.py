@@ -19,7 +19,7 @@ from ...progress import SILENT, Progress
 from ..trajectory import Trajectory
 from .matching.path_section import PathSection, adjust_section
 from .matching.results import InitialShifts, assemble
-from .matching.single_windows import register_single
+from .matching.rigid_windows import register_rigid_windows
 from .matching.windows import Windows, choose_windows
 from .records import MarkingPoints, RegistrationSettings, WindowResults
 from .start.correlation_start import CELL, OBSERVATION_AREA, best_path, centred, score_image, shift_scores
@@ -63,14 +63,13 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
         raise InsufficientDataError("No marking point was measured within the trajectory's time: check that both are "
                                     "of one survey.")
     markings = markings.take(usable)
-    windows = choose_windows(markings.x, markings.y, patches.number_at(markings.time), len(patches), settings,
-                             extend_at_end=not settings.shared_windows)
+    windows = choose_windows(markings.x, markings.y, patches.number_at(markings.time), len(patches), settings)
     points = thin_points(markings, trajectory, patches, settings.subsampling)
     progress.step(0.1)
     start = _start(points, patches, reference, settings, progress.part(0.1, 0.4), executor)
     progress.step(0.4)
     if not settings.shared_windows:
-        return register_single(points, patches, windows, start, reference, settings, progress.part(0.4, 1.0))
+        return register_rigid_windows(markings, patches, windows, start, reference, settings, progress.part(0.4, 1.0))
     sections = list(_sections(points, patches, windows, start))
     work = partial(adjust_section, reference=reference, settings=settings)
     adjusted = []

@@ -51,20 +51,29 @@ def _summary(report: Report, made: RegisteredSurvey) -> None:
              "Registered (% of the path)": 100 * made.share(REGISTERED), "Bridged (%)": 100 * made.share(BRIDGED),
              "Not to be trusted (%)": 100 * made.share(DISTRUSTED),
              "Correction in plan, mean and maximum (m)": f"{plan.mean():.3f}, {plan.max():.3f}",
-             "Standard deviation in plan, median and maximum (m)": f"{np.median(sigma):.3f}, {sigma.max():.3f}"}
+             "Standard deviation in plan, median and maximum (m)": _middle_and_largest(sigma)}
     if correction.three_d:
         up, sigma_up = correction.value[:, 2], correction.sigma()[:, 2]
         facts["Correction in height, mean and maximum (m)"] = (f"{up.mean():.3f}, "
                                                                f"{up[np.argmax(np.abs(up))]:.3f}")
-        facts["Standard deviation in height, median and maximum (m)"] = (f"{np.median(sigma_up):.3f}, "
-                                                                         f"{sigma_up.max():.3f}")
-    facts["Drift, times the expected one"] = correction.drift_factor
-    facts["Variance of the observations, times the stated one"] = correction.noise_factor
+        facts["Standard deviation in height, median and maximum (m)"] = _middle_and_largest(sigma_up)
+    if np.isfinite(correction.drift_factor):
+        facts["Drift, times the expected one"] = correction.drift_factor
+        facts["Variance of the observations, times the stated one"] = correction.noise_factor
     report.facts(facts)
+    if not np.isfinite(correction.drift_factor):
+        report.paragraph("Each patch is moved by its own window, as in the paper: between patches there are steps, "
+                         "nothing is bridged, and patches that are not to be trusted are moved all the same.")
     report.paragraph("Registered: found from markings around. Bridged: between or beyond registered parts, by how "
                      "trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard "
                      "deviations include what the reference itself is off by."
                      + ("" if correction.three_d else " Heights, roll and pitch were not touched."))
+
+
+def _middle_and_largest(sigma: np.ndarray) -> str:
+    """Median and maximum of standard deviations (n,), m, where they are known."""
+    known = sigma[np.isfinite(sigma)]
+    return f"{np.median(known):.3f}, {known.max():.3f}" if len(known) else "not known"
 
 
 def _profiles(report: Report, made: RegisteredSurvey) -> None:

@@ -19,6 +19,7 @@ from ..trajectory import Trajectory
 from .correction.adjustment import Correction, CorrectionSettings, adjust_correction, correct_trajectory
 from .correction.gauss_markov import path_parameters_of
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
+from .correction.patchwise import correct_patchwise, patchwise_correction
 from .correction.point_observations import PointObservations
 from .records import MarkingPoints, RegistrationSettings, WindowResults
 from .register import register_windows
@@ -110,19 +111,30 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     run = run or RegistrationRun()
     progress.message(f"Registering {len(markings):,} marking points.")
     windows = register_windows(markings, trajectory, reference, run.windows, progress.part(0.0, 0.8), executor)
+    if run.windows.shared_windows:
+        correction = _smooth_correction(windows, markings, trajectory, reference, run, progress.part(0.8, 1.0))
+        corrected = correct_trajectory(trajectory, correction)
+    else:
+        correction = patchwise_correction(windows, run.correction)
+        corrected = correct_patchwise(trajectory, windows, run.windows.patch_length)
+    made = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
+    if not made.share(REGISTERED):
+        raise InsufficientDataError("No part of the survey could be registered to the reference markings, so that "
+                                    "there is no result: check that both show the same roads, and the maximum error.")
+    _tell(made, progress)
+    return made
+
+
+def _smooth_correction(windows: WindowResults, markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
+                       run: RegistrationRun, progress: Progress) -> Correction:
+    """One smooth correction from the windows' results and the points themselves."""
     path_parameter = path_parameters_of(trajectory, run.correction.time_weight)
     points = None
-    if run.windows.shared_windows and run.windows.refinement:
+    if run.windows.refinement:
         points = PointObservations.of(markings, trajectory, path_parameter, run.correction.node_length, reference,
                                       run.windows).about
     settings = replace(run.correction, search=run.windows.search) if run.windows.start else run.correction
-    correction = adjust_correction(windows, trajectory, settings, points, progress.part(0.8, 1.0))
-    made = RegisteredSurvey(correct_trajectory(trajectory, correction), trajectory, markings, windows, correction)
-    if not made.share(REGISTERED):
-        raise InsufficientDataError("No part of the survey could be registered to the reference markings, so that "
-                                    "there is no result: check that both show the same roads, and the largest error.")
-    _tell(made, progress)
-    return made
+    return adjust_correction(windows, trajectory, settings, points, progress)
 
 
 def survey_markings(cloud: PointCloud, trajectory: Trajectory, settings: ExtractionSettings,
@@ -155,14 +167,17 @@ def _read_markings(cloud: PointCloud, trajectory: Trajectory, progress: Progress
 def _tell(made: RegisteredSurvey, progress: Progress) -> None:
     """Say what was reached, and warn of what must not be trusted."""
     correction = made.correction
-    sigma = 100 * float(np.median(correction.plan_sigma()))
-    progress.message(f"{100 * made.share(REGISTERED):.0f} % of the way is registered, "
-                     f"{100 * made.share(BRIDGED):.0f} % bridged; standard deviation {sigma:.1f} cm (median).")
+    sigma = correction.plan_sigma()
+    known = sigma[np.isfinite(sigma)]
+    spread = (f"standard deviation {100 * np.median(known):.1f} cm (median)" if len(known) else
+              "how accurate it is is not known")
+    progress.message(f"{100 * made.share(REGISTERED):.0f} % of the path is registered, "
+                     f"{100 * made.share(BRIDGED):.0f} % bridged; {spread}.")
     if made.share(DISTRUSTED) > 0:
         spans = [item for item in unregistered_sections(made) if item.status == STATUS_NAMES[DISTRUSTED]]
         longest = max(spans, key=lambda item: item.end - item.start)
-        progress.warn(f"{100 * made.share(DISTRUSTED):.0f} % of the way is not to be trusted, the longest stretch from "
-                      f"{longest.start:.0f} to {longest.end:.0f} m ({longest.reason}): see the patches' layer.")
+        progress.warn(f"{100 * made.share(DISTRUSTED):.0f} % of the path is not to be trusted, the longest section "
+                      f"from {longest.start:.0f} to {longest.end:.0f} m ({longest.reason}): see the patches' layer.")
 
 
 def unregistered_sections(made: RegisteredSurvey) -> list[UnregisteredSection]:
@@ -179,7 +194,8 @@ def unregistered_sections(made: RegisteredSurvey) -> list[UnregisteredSection]:
             found.append(UnregisteredSection(
                 float(correction.chainage[first] - half), float(correction.chainage[end - 1] + half),
                 float(correction.time[first]), float(correction.time[end - 1]),
-                STATUS_NAMES[correction.status[first]], str(correction.reason[first]), float(sigma[part].max())))
+                STATUS_NAMES[correction.status[first]], str(correction.reason[first]),
+                float(np.fmax.reduce(sigma[part]))))
     return found
 
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 _MIN_RATIO = 1e-3  # least ratio of a covariance's variances, so that lines and planes can be inverted (Magnusson 2009)
 _MIN_POINTS = 3
@@ -39,6 +42,11 @@ class NdtMap:
     def __len__(self) -> int:
         return len(self.mean)
 
+    @cached_property
+    def tree(self) -> cKDTree:
+        """Tree of the means."""
+        return cKDTree(self.mean)
+
     def cells_of(self, points: np.ndarray) -> np.ndarray:
         """(m,) flat cell of each point (m, d), given from `origin`; points outside fall on an outermost, empty cell."""
         flat = np.zeros(len(points), dtype=np.int64)
@@ -47,10 +55,23 @@ class NdtMap:
             flat = flat * size + np.clip(index, 0, size - 1).astype(np.int64)
         return flat
 
-    def neighbour_steps(self, neighbours: bool) -> np.ndarray:
-        """Steps from a flat cell to itself and, with `neighbours`, to the 8 (26) around it."""
-        if not neighbours:
-            return np.zeros(1, dtype=np.int64)
+    def distributions(self, local: np.ndarray, cells: str) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Rows of points (m, d), given from `origin`, with the numbers of distributions that they score in.
+
+        `cells` : "neighbours", "own" or "closest", see `RegistrationSettings`.
+        """
+        if cells == "closest":
+            yield np.arange(len(local)), self.tree.query(local)[1]
+            return
+        flat, last = self.cells_of(local), len(self.number) - 1
+        for step in self._neighbour_steps() if cells == "neighbours" else (0,):
+            number = self.number[np.clip(flat + step, 0, last)]
+            here = np.flatnonzero(number >= 0)
+            if len(here):
+                yield here, number[here]
+
+    def _neighbour_steps(self) -> np.ndarray:
+        """Steps from a flat cell to itself and to the 8 (26) around it."""
         steps = []
         for offset in itertools.product((-1, 0, 1), repeat=self.dimensions):
             flat = 0

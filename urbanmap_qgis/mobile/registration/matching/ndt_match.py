@@ -47,29 +47,24 @@ class PointTerms:
     hessian: np.ndarray
 
 
-def ndt_terms(ndt: NdtMap, points: np.ndarray, mixture: Mixture, neighbours: bool = True, bound: bool = False
+def ndt_terms(ndt: NdtMap, points: np.ndarray, mixture: Mixture, cells: str = "neighbours", bound: bool = False
               ) -> PointTerms:
-    """Score of points (m, d) in the map with its exact first and second derivatives (J eq. 11, summed over cells).
+    """Score of points (m, d) in the map with its exact first and second derivatives (J eq. 11).
+
+    `cells` : "closest" as in eq. 11; "own" or "neighbours", summed over these cells.
 
     With `bound` the second derivatives are those of the parabola that touches the score from below: never curved
     upwards, so that a step to its top never makes the score worse.
     """
     d = ndt.dimensions
     local = points - ndt.origin
-    flat = ndt.cells_of(local)
     value, gradient = np.zeros(len(points)), np.zeros((d, len(points)))
     pairs = [(a, b) for a in range(d) for b in range(a, d)]
     hessian = {pair: np.zeros(len(points)) for pair in pairs}
     if not len(ndt):
         return _terms(value, gradient, hessian)
     sharp = mixture.sharpness
-    last = len(ndt.number) - 1
-    for step in ndt.neighbour_steps(neighbours):
-        number = ndt.number[np.clip(flat + step, 0, last)]
-        here = np.flatnonzero(number >= 0)
-        if not len(here):
-            continue
-        number = number[here]
+    for here, number in ndt.distributions(local, cells):
         off = [local[here, a] - ndt.mean[number, a] for a in range(d)]
         inverse = {pair: ndt.inverse[number, pair[0], pair[1]] for pair in pairs}
         weighted = [sum(inverse[min(a, b), max(a, b)] * off[b] for b in range(d)) for a in range(d)]
@@ -202,7 +197,7 @@ _STEP_LIMIT = 0.5  # of a cell
 
 
 def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: Mixture, iterations: int = 30,
-                 neighbours: bool = True) -> Match:
+                 cells: str = "neighbours") -> Match:
     """Move points (m, d) so that their score in the map is largest: Newton's method with line search (J eq. 12)."""
     pose = start
     count = 3 if ndt.dimensions == 2 else 6
@@ -211,7 +206,7 @@ def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: M
 
     def at(pose: RigidMotion) -> Derivatives:
         moved = pose.moved(points)
-        return rigid_derivatives(moved, pose.centre + pose.translation, ndt_terms(ndt, moved, mixture, neighbours))
+        return rigid_derivatives(moved, pose.centre + pose.translation, ndt_terms(ndt, moved, mixture, cells))
 
     now = at(pose)
     for done in range(iterations):

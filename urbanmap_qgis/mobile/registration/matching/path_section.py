@@ -8,11 +8,10 @@ from functools import partial
 
 import numpy as np
 
-from ....errors import InputError
 from ..records import RegistrationSettings
 from ..start.correlation_start import OBSERVATION_AREA
 from ..start.patch_points import PatchPoints
-from ..start.reference import Coverage, GroundPart, Reference
+from ..start.reference import Coverage, GroundPart, Reference, require_same_datum
 from .correction_curve import CorrectionCurve, curve_covariance, curve_step
 from .ndt_map import NdtMap, build_ndt
 from .ndt_match import Mixture, ndt_terms
@@ -33,7 +32,6 @@ _SOFT = 2.0
 _USUAL_EXCESS, _MIN_VARIANCE = 0.08, 1e-3
 _HEIGHT_SIGMA = 0.05  # m, of a point's height against the ground
 _HEIGHT_ROBUST = 0.15  # m
-_OTHER_DATUM = 5.0  # m
 _MIN_EXCESS = 0.02
 _EVENED = 5  # patches to either side
 _ON_MARKING = 0.5
@@ -219,7 +217,7 @@ def _ndt_sums(scene: _Scene, grid: float) -> Callable[[CorrectionCurve], PatchSu
 
 
 def _sums_of_ndt(scene: _Scene, ndt: NdtMap, mixture: Mixture, moved: np.ndarray) -> PatchSums:
-    terms = ndt_terms(ndt, moved[:, :ndt.dimensions], mixture, scene.settings.neighbours, bound=True)
+    terms = ndt_terms(ndt, moved[:, :ndt.dimensions], mixture, scene.settings.cells, bound=True)
     axes = range(ndt.dimensions)
     gradient = tuple(terms.gradient[:, a] * scene.point_weight if a in axes else None for a in range(3))
     hessian = {(a, b): terms.hessian[:, a, b] * scene.point_weight for a in axes for b in axes if a <= b}
@@ -267,11 +265,8 @@ def _level(curve: CorrectionCurve, scene: _Scene) -> CorrectionCurve:
     known = np.isfinite(off)
     if not known.any():
         return curve
+    require_same_datum(off)
     middle = float(np.median(off[known]))
-    if abs(middle) > _OTHER_DATUM:
-        raise InputError(f"The survey lies {abs(middle):.1f} m {'below' if middle > 0 else 'above'} the reference's "
-                         "ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the "
-                         "two.")
     translation = curve.translation.copy()
     translation[:, 2] = middle
     return CorrectionCurve(curve.chainage, curve.stop_time, translation, curve.rotation)

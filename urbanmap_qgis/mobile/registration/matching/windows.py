@@ -59,36 +59,59 @@ class _Occupied:
             self.first += 1
 
 
-def choose_windows(x: np.ndarray, y: np.ndarray, patch: np.ndarray, patches: int, settings: RegistrationSettings,
-                   extend_at_end: bool = False) -> Windows:
+class _Counted:
+    """Number of points in a range of patches."""
+
+    def __init__(self, patch: np.ndarray, patches: int):
+        self._before = np.concatenate([[0], np.cumsum(np.bincount(patch, minlength=patches))])
+        self.first, self.last, self.features = 0, -1, 0
+
+    def move(self, first: int, last: int) -> None:
+        """Make the range that of the patches `first` to `last`."""
+        self.first, self.last = first, last
+        self.features = int(self._before[last + 1] - self._before[first])
+
+
+def choose_windows(x: np.ndarray, y: np.ndarray, patch: np.ndarray, patches: int,
+                   settings: RegistrationSettings) -> Windows:
     """The window of each patch.
 
     Parameters
     ----------
     x, y : (m,) marking points, m. patch : (m,) their patches.
-    extend_at_end : add patches at the end of the window only (J); otherwise at both ends in turn, so that the patch
-        stays in its middle.
 
     A window starts with `window_patches` round its patch and grows until `feature_count` cells of `feature_grid` hold
-    `feature_points` points or more, or it is `max_window_patches` long.
+    `feature_points` points or more (or, with `window_points`, until it has so many points), or it is
+    `max_window_patches` long. It grows at its end with `extend_at_end` (J 3.2.4.2), otherwise at both ends in turn, so
+    that the patch stays in its middle.
     """
-    column = np.floor((x - (x.min() if len(x) else 0.0)) / settings.feature_grid).astype(np.int64)
-    row = np.floor((y - (y.min() if len(y) else 0.0)) / settings.feature_grid).astype(np.int64)
-    _, cell = np.unique(row * (column.max(initial=0) + 1) + column, return_inverse=True)
-    occupied = _Occupied(patch, cell.reshape(-1), patches, settings.feature_points)
+    occupied = _counter(x, y, patch, patches, settings)
+    enough = settings.feature_count if settings.window_points is None else settings.window_points
+    longest = settings.max_window_patches or 2 * (patches + settings.window_patches)
     first, last = np.empty(patches, dtype=np.int64), np.empty(patches, dtype=np.int64)
     features = np.empty(patches, dtype=np.int64)
     more = 0
     for number in range(patches):
         more = max(more - 2, 0)  # the next window holds this one less two patches, so it cannot be shorter
         while True:
-            size = min(settings.window_patches + more, settings.max_window_patches)
-            before = settings.window_patches // 2 + (0 if extend_at_end else more // 2)
+            size = min(settings.window_patches + more, longest)
+            before = settings.window_patches // 2 + (0 if settings.extend_at_end else more // 2)
             start = number - min(before, size - 1)
             occupied.move(max(start, 0), min(start + size, patches) - 1)
-            whole = occupied.first == 0 and occupied.last == patches - 1
-            if occupied.features >= settings.feature_count or size == settings.max_window_patches or whole:
+            whole = occupied.last == patches - 1 and (occupied.first == 0 or settings.extend_at_end)
+            if occupied.features >= enough or size == longest or whole:
                 break
             more += 1
         first[number], last[number], features[number] = occupied.first, occupied.last, occupied.features
     return Windows(first, last, features)
+
+
+def _counter(x: np.ndarray, y: np.ndarray, patch: np.ndarray, patches: int,
+             settings: RegistrationSettings) -> _Occupied | _Counted:
+    """What counts the features of a window."""
+    if settings.window_points is not None:
+        return _Counted(patch, patches)
+    column = np.floor((x - (x.min() if len(x) else 0.0)) / settings.feature_grid).astype(np.int64)
+    row = np.floor((y - (y.min() if len(y) else 0.0)) / settings.feature_grid).astype(np.int64)
+    _, cell = np.unique(row * (column.max(initial=0) + 1) + column, return_inverse=True)
+    return _Occupied(patch, cell.reshape(-1), patches, settings.feature_points)

@@ -25,6 +25,9 @@ COARSEST = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to register to."""
 
 
+_OTHER_DATUM = 5.0  # m: no survey is off so far in height, other datums are
+
+
 @dataclass(frozen=True)
 class Coverage:
     """How much of each cell is marking.
@@ -147,6 +150,21 @@ class GroundPart:
         if self.grid is None:
             return self.reference.heights(x, y)
         return sample(self.grid, self.heights, x, y).astype(np.float64)
+
+
+def require_same_datum(off: np.ndarray) -> None:
+    """Refuse heights of another datum, by the ground's heights less those of points (n,), m; NaN where unknown.
+
+    Raises
+    ------
+    InputError : the middle difference is more than 5 m.
+    """
+    known = off[np.isfinite(off)]
+    middle = float(np.median(known)) if len(known) else 0.0
+    if abs(middle) > _OTHER_DATUM:
+        raise InputError(f"The survey lies {abs(middle):.1f} m {'below' if middle > 0 else 'above'} the reference's "
+                         "ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the "
+                         "two.")
 
 
 def _checked_ground(path: str | os.PathLike | None) -> str | None:
