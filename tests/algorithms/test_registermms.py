@@ -98,7 +98,10 @@ def test_chain_gives_the_survey_itself(run, small_city, tmp_path):
 
 @pytest.mark.parametrize("heights", [False, True])
 def test_the_papers_method_moves_each_patch_by_its_window(run, small_city, markings, read_layer, tmp_path, heights):
-    polygons = {"GROUND": str(small_city / "truth/ground.tif")} if heights else {}
+    # The letter finds heights that are a few centimetres off: cells of a level road are thin.
+    true, got = (columns(path, ("z",)) for path in (small_city / "truth/survey_01_trajectory.csv",
+                                                    small_city / "mms/survey_01_trajectory.csv"))
+    polygons = {"GROUND": lifted(small_city, tmp_path, float((got - true).mean()))} if heights else {}
     reference_file = reference(small_city)
     if not heights:
         import processing
@@ -157,14 +160,14 @@ def later(city, folder):
     return str(folder / "later.csv")
 
 
-def lifted(city, folder):
-    """The ground with heights above an ellipsoid."""
+def lifted(city, folder, by=37.0):
+    """The ground, by default with heights above an ellipsoid."""
     import rasterio
 
     with rasterio.open(city / "truth/ground.tif") as source:
         heights, profile = source.read(1), source.profile
     with rasterio.open(folder / "lifted.tif", "w", **profile) as target:
-        target.write(np.where(heights == profile["nodata"], heights, heights + 37.0).astype(heights.dtype), 1)
+        target.write(np.where(heights == profile["nodata"], heights, heights + by).astype(heights.dtype), 1)
     return str(folder / "lifted.tif")
 
 
