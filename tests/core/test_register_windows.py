@@ -27,7 +27,7 @@ from urbanmap_qgis.mobile.registration.records import (
 )
 from urbanmap_qgis.mobile.registration.register import register_windows
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings
-from urbanmap_qgis.mobile.registration.start.patches import cut_patches
+from urbanmap_qgis.mobile.registration.start.patches import divide_path
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, rotations
 
@@ -377,7 +377,7 @@ def test_the_first_window_of_the_letter_is_the_papers_formula(short_street):
     _, reported, paint, markings = short_street
     settings, reference = RegistrationSettings.paper(), Reference.from_polygons(paint)
     made = register_windows(markings, reported, reference, settings)
-    patch = cut_patches(reported, 0.5).number_at(markings.time)
+    patch = divide_path(reported, 0.5).number_at(markings.time)
     window = np.column_stack([markings.x, markings.y])[patch <= made.window_last[0]]
     cell = np.floor((window - window.min(axis=0)) / 0.3).astype(int)
     thin = np.array([window[(cell == one).all(axis=1)].mean(axis=0) for one in np.unique(cell, axis=0)])
@@ -400,7 +400,7 @@ def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three
     run = RegistrationRun(RegistrationSettings.paper(three_d=three_d))
     made = register_markings(markings, reported, reference, run)
     windows, rng = made.windows, np.random.default_rng(3)
-    patch = cut_patches(reported, 0.5).number_at(reported.time)
+    patch = divide_path(reported, 0.5).number_at(reported.time)
     movement = correction_between(made.reported, made.trajectory)
     for number in (3, 40, 77):
         # Away from the patch's ends, where poses are interpolated over the step to the next one.
@@ -418,7 +418,7 @@ def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three
     assert np.isnan(made.correction.drift_factor) and set(made.correction.status) <= {REGISTERED, DISTRUSTED}
     assert made.windows.three_d == three_d
     if three_d:
-        own = cut_patches(reported, 0.5).number_at(markings.time)
+        own = divide_path(reported, 0.5).number_at(markings.time)
         inside = (own >= windows.window_first[60]) & (own <= windows.window_last[60])
         assert windows.window_last[60] - windows.window_first[60] + 1 >= 30
         assert windows.features[60] == inside.sum() >= 2000

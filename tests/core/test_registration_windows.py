@@ -7,7 +7,7 @@ from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.mobile.registration.matching.windows import choose_windows
 from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
 from urbanmap_qgis.mobile.registration.start.patch_points import thin_points
-from urbanmap_qgis.mobile.registration.start.patches import cut_patches
+from urbanmap_qgis.mobile.registration.start.patches import divide_path
 from urbanmap_qgis.mobile.trajectory import Trajectory
 
 
@@ -24,7 +24,7 @@ def true_trajectory(length, wait_at=None, wait=10.0):
 
 def test_a_wait_makes_no_patches_and_its_seconds_count_apart():
     plain, waiting = true_trajectory(80.0), true_trajectory(80.0, wait_at=40.0, wait=30.0)
-    without, with_wait = cut_patches(plain, 0.5), cut_patches(waiting, 0.5)
+    without, with_wait = divide_path(plain, 0.5), divide_path(waiting, 0.5)
     assert abs(len(without) - len(with_wait)) <= 1
     assert without.stop_time[-1] == 0
     assert with_wait.stop_time[-1] == pytest.approx(30.0, abs=1.5)
@@ -38,7 +38,7 @@ def test_a_vehicle_that_stands_is_told():
     time = np.arange(0, 10, 0.1)
     still = Trajectory(time, np.zeros((100, 3)), np.zeros((100, 3)))
     with pytest.raises(InsufficientDataError):
-        cut_patches(still, 0.5)
+        divide_path(still, 0.5)
 
 
 def brute_window(x, y, patch, patches, settings, number, extend_at_end):
@@ -75,7 +75,7 @@ def test_windows_grow_as_the_paper_says(extend_at_end):
 
 def test_thinning_keeps_one_point_a_cell_and_each_pass_apart():
     trajectory = true_trajectory(40.0)
-    patches = cut_patches(trajectory, 0.5)
+    patches = divide_path(trajectory, 0.5)
     x, y = np.array([0.01, 0.05, 0.32, 0.01]) + 500, np.array([0.02, 0.08, 0.35, 0.02]) + 700
     time = trajectory.time[0] + np.array([1.0, 1.01, 1.0, 4.0])  # the last one on another stretch
     one = np.ones(4)
@@ -89,5 +89,5 @@ def test_thinning_keeps_one_point_a_cell_and_each_pass_apart():
 def test_thinning_nothing():
     trajectory = true_trajectory(40.0)
     none = np.zeros(0)
-    thin = thin_points(MarkingPoints(none, none, none, none, none, none), trajectory, cut_patches(trajectory, 0.5), 0.1)
+    thin = thin_points(MarkingPoints(none, none, none, none, none, none), trajectory, divide_path(trajectory, 0.5), 0.1)
     assert len(thin) == 0

@@ -24,7 +24,7 @@ from .matching.windows import Windows, choose_windows
 from .records import MarkingPoints, RegistrationSettings, WindowResults
 from .start.correlation_start import CELL, OBSERVATION_AREA, best_path, centred, score_image, shift_scores
 from .start.patch_points import PatchPoints, thin_points
-from .start.patches import Patches, cut_patches
+from .start.patches import Patches, divide_path
 from .start.reference import Reference
 
 BLOCK = 5
@@ -57,7 +57,7 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
     if settings.three_d and not reference.has_heights:
         raise InputError("A registration in 3D needs the ground's heights: give a ground raster or marking polygons "
                          "with z.")
-    patches = cut_patches(trajectory, settings.patch_length)
+    patches = divide_path(trajectory, settings.patch_length)
     usable = trajectory.within(markings.time) & np.isfinite(markings.x + markings.y + markings.z)
     if not usable.any():
         raise InsufficientDataError("No marking point was measured within the trajectory's time: check that both are "

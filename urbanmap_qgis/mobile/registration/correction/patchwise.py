@@ -11,7 +11,7 @@ import numpy as np
 from ....errors import InsufficientDataError
 from ...trajectory import Trajectory, attitude_angles, rotations
 from ..records import AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED, WEAK, WindowResults
-from ..start.patches import cut_patches
+from ..start.patches import divide_path
 from .adjustment import Correction, CorrectionSettings
 from .patch_status import DISTRUSTED, REGISTERED, plan_sigma
 
@@ -49,7 +49,7 @@ def patchwise_correction(windows: WindowResults, settings: CorrectionSettings) -
 
 def correct_patchwise(trajectory: Trajectory, windows: WindowResults, patch_length: float) -> Trajectory:
     """The trajectory with each patch moved rigidly: p' = R (p - c) + c + T, c the patch's middle (J eq. 9)."""
-    patch = cut_patches(trajectory, patch_length).number_at(trajectory.time)
+    patch = divide_path(trajectory, patch_length).number_at(trajectory.time)
     change = np.nan_to_num(windows.correction)
     centre, before = windows.place[patch], rotations(windows.angles)
     rotation = (rotations(windows.angles + change[:, 3:]) @ np.swapaxes(before, 1, 2))[patch]

@@ -54,7 +54,7 @@ class Patches:
         return np.clip((self.chainage_at(time) / self.length).astype(np.int64), 0, len(self) - 1)
 
 
-def cut_patches(trajectory: Trajectory, length: float) -> Patches:
+def divide_path(trajectory: Trajectory, length: float) -> Patches:
     """Patches of `length` m along the driven path; a vehicle that waits makes none.
 
     Raises
