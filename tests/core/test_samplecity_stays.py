@@ -1,0 +1,30 @@
+"""The city of a seed stays as it is: the figures that the documentation states are measured on it."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.figures import stays
+from urbanmap_qgis.progress import SILENT
+from urbanmap_qgis.samplecity import write
+from urbanmap_qgis.samplecity.truth.stage import write_truth
+
+SIZE, SEED = 60.0, 1
+
+
+@pytest.fixture(autouse=True)
+def scene_made_anew():
+    """Each test alone notices what changes the scene."""
+    write._scene.cache_clear()
+
+
+@pytest.mark.parametrize("name", list(write.SENSORS))
+def test_what_a_sensor_measures_stays(name, tmp_path):
+    summary = write._run(name, tmp_path, (SIZE, "canyon", SEED), SILENT)
+    stays(f"samplecity_{name}", {"files": tmp_path, "summary": summary})
+
+
+@pytest.mark.parametrize("scene", ["canyon", "few markings", "repainted", "elevated road"])
+def test_the_truth_stays(scene, tmp_path):
+    summary = write_truth(write._scene(SIZE, scene, SEED), tmp_path)
+    stays(f"samplecity_truth_{scene.replace(' ', '_')}", {"files": tmp_path, "summary": summary})
