@@ -23,9 +23,10 @@ import rasterio
 import shapely
 
 FOLDER = Path(__file__).resolve().parent / "core" / "figures"
-QUANTILES = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0)
+QUANTILES = (0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99)
 NUMBER = re.compile(r"-?\d+\.?\d*(?:[eEdD][-+]?\d+)?")
 TOLERANCE = 2e-4  # of the spread: what other releases of numpy and scipy may change
+COLUMNS = 16  # arrays of no more columns (coordinates, tables) are taken column by column
 ENVELOPES = (0, 32, 48, 48, 64)  # bytes of a GeoPackage geometry's envelope, by its code
 
 
@@ -82,11 +83,15 @@ def arrays(result, place: str = ""):
         for number, field in enumerate(dataclasses.fields(result)):
             yield from arrays(getattr(result, field.name), f"{place}.{number}")
     elif isinstance(result, shapely.Geometry):
-        yield place, shapely.get_coordinates(result, include_z=True)
+        yield from arrays(shapely.get_coordinates(result, include_z=True), place)
+    elif isinstance(result, tuple) and all(isinstance(item, (int, float)) for item in result):
+        yield from ((f"{place}|{number}", [float(item)]) for number, item in enumerate(result))
     elif isinstance(result, (list, tuple)) or (isinstance(result, np.ndarray) and result.dtype == object):
         yield from merged(result, place)
     elif isinstance(result, (np.ndarray, np.generic)) and result.dtype.kind in "US":
         yield place, [float(sum(map(ord, str(word)))) for word in np.ravel(result)]
+    elif isinstance(result, np.ndarray) and result.ndim == 2 and result.shape[1] <= COLUMNS:
+        yield from ((f"{place}|{column}", result[:, column]) for column in range(result.shape[1]))
     elif isinstance(result, (np.ndarray, np.generic, bool, int, float)):
         yield place, np.asarray(result, dtype=float).ravel()
 
@@ -126,18 +131,14 @@ def arrays_of_path(path: Path, place: str):
         yield from arrays_of_database(path, place)
     else:
         text = gzip.decompress(path.read_bytes()) if path.suffix == ".gz" else path.read_bytes()
-        yield from arrays_of_text(text.decode("utf-8"), place)
+        is_table = path.suffixes[0] == ".csv"
+        yield from (columns_of_text if is_table else arrays)(text.decode("utf-8"), place)
 
 
-def arrays_of_text(text: str, place: str):
-    """Columns of a table with a head, or all numbers of another text."""
-    head, _, body = text.partition("\n")
-    names = head.split(",")
-    if len(names) < 3 or any(NUMBER.fullmatch(name) for name in names):
-        yield from arrays(text, place)
-        return
-    rows = [line.split(",") for line in body.splitlines()]
-    for number, name in enumerate(names):
+def columns_of_text(text: str, place: str):
+    """Columns of a table of comma-separated values with a head."""
+    head, *rows = (line.split(",") for line in text.splitlines())
+    for number, name in enumerate(head):
         yield f"{place}:{name}", [float(found) for row in rows for found in NUMBER.findall(row[number])]
 
 

@@ -7,6 +7,7 @@ import pytest
 from tests.figures import stays
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity import write
+from urbanmap_qgis.samplecity.truth import geotiff
 from urbanmap_qgis.samplecity.truth.stage import write_truth
 
 SIZE, SEED = 60.0, 1
@@ -19,7 +20,10 @@ def scene_made_anew():
 
 
 @pytest.mark.parametrize("name", list(write.SENSORS))
-def test_what_a_sensor_measures_stays(name, tmp_path):
+def test_what_a_sensor_measures_stays(name, tmp_path, monkeypatch):
+    lossless = {"compress": "deflate"}  # what JPEG loses is the affair of GDAL's release
+    write_tiff = geotiff._write
+    monkeypatch.setattr(geotiff, "_write", lambda path, bands, place, _: write_tiff(path, bands, place, lossless))
     summary = write._run(name, tmp_path, (SIZE, "canyon", SEED), SILENT)
     stays(f"samplecity_{name}", {"files": tmp_path, "summary": summary})
 

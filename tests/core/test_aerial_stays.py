@@ -1,0 +1,85 @@
+"""What the aerial part makes of the sample city stays as it is (see tests/figures.py)."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.figures import stays
+from urbanmap_qgis.aerial.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.frames import find_frames
+from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.marking_filter import CleanSettings
+from urbanmap_qgis.aerial.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
+from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
+from urbanmap_qgis.aerial.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
+from urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, orthorectify
+from urbanmap_qgis.aerial.road_markings import MarkingSettings
+from urbanmap_qgis.terrain.cloth import ClothSettings
+from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
+
+LOSSY = 5e-3  # the frames are JPEG, which releases of GDAL decode with other roundings
+
+
+@pytest.fixture(scope="module")
+def flight(small_city):
+    """Camera and frames of the small city."""
+    folder = small_city / "aerial"
+    poses = read_exterior(folder / "exterior.csv")
+    return read_camera(folder / "camera.json"), find_frames(sorted(folder.glob("frame_*.tif")), poses)
+
+
+@pytest.fixture(scope="module")
+def heights(small_city, tmp_path_factory):
+    """Surface and ground of the small city."""
+    folder = tmp_path_factory.mktemp("heights")
+    surfaces_from_files([small_city / "als" / "als.laz"], folder / "dsm.tif", folder / "ground.tif")
+    return folder / "dsm.tif", folder / "ground.tif"
+
+
+@pytest.fixture(scope="module")
+def mosaic(flight, heights, tmp_path_factory):
+    """Orthophoto, count of frames, what was made, and the shifts between frames."""
+    folder = tmp_path_factory.mktemp("mosaic")
+    files, shifts = MosaicFiles(folder / "ortho.tif", folder / "count.tif"), []
+    made = orthorectify(flight[1], flight[0], ElevationInputs(heights[1], heights[0]), files, shifts=shifts)
+    return folder, made, shifts
+
+
+@pytest.mark.parametrize("source", ["automatic", "classes"])
+def test_surface_and_ground_stay(small_city, tmp_path, source):
+    file = small_city / "als" / ("als_classified.laz" if source == "classes" else "als.laz")
+    settings = SurfaceSettings(1.0, source, ClothSettings(), ground_in_gaps=source == "classes")
+    made = surfaces_from_files([file], tmp_path / "dsm.tif", tmp_path / "ground.tif", tmp_path / "mesh.ply", settings)
+    (tmp_path / "mesh.ply").unlink()
+    stays(f"surface_{source}", {"made": made, "files": tmp_path})
+
+
+@pytest.mark.parametrize("settings", [OcclusionSettings(), PAPER_OCCLUSION], ids=["default", "paper"])
+def test_occlusion_stays(flight, heights, tmp_path, settings, request):
+    camera, frames = flight
+    made = occlusion_map(camera, frames[0].pose, *heights, tmp_path / "hidden.tif", settings)
+    stays(f"occlusion_{request.node.callspec.id}", {"made": made, "files": tmp_path})
+
+
+def test_orthophoto_stays(mosaic):
+    folder, made, shifts = mosaic
+    stays("orthophoto", {"made": made, "shifts": shifts, "files": folder}, LOSSY)
+
+
+def test_orthophoto_of_the_paper_stays(flight, heights, tmp_path):
+    settings = OrthoSettings(0.25, PixelSelection.of("paper", False), 5.0, PAPER_OCCLUSION)
+    made = orthorectify(flight[1], flight[0], ElevationInputs(heights[1], heights[0]),
+                        MosaicFiles(tmp_path / "ortho.tif", tmp_path / "count.tif"), settings)
+    stays("orthophoto_paper", {"made": made, "files": tmp_path}, LOSSY)
+
+
+@pytest.mark.parametrize("clean", [CleanSettings(), None], ids=["clean", "paper"])
+def test_markings_stay(mosaic, tmp_path, clean, request):
+    settings = MarkingSettings(2.5, 17.0, clean is None, clean)
+    found = markings_from_orthophoto(mosaic[0] / "ortho.tif", tmp_path / "mask.tif", SearchArea(None, None, None),
+                                     settings)
+    quality = OrthophotoQuality(None, frame_count_shares(mosaic[0] / "count.tif"), False, 17.0)
+    write_marking_report(tmp_path / "report.html", mosaic[0] / "ortho.tif", found, quality, {"A": "1"})
+    report = (tmp_path / "report.html").read_text(encoding="utf-8").partition("base64")[0]
+    (tmp_path / "report.html").unlink()
+    stays(f"markings_{request.node.callspec.id}", {"found": found, "report": report, "files": tmp_path}, LOSSY)

@@ -1,0 +1,58 @@
+"""What the mobile part makes of the sample city stays as it is (see tests/figures.py)."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.figures import stays
+from urbanmap_qgis.mobile.accuracy_report import write_accuracy_report
+from urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
+from urbanmap_qgis.mobile.calibration import read_calibration
+from urbanmap_qgis.mobile.control import accuracy, in_survey_time, read_control, residuals
+from urbanmap_qgis.mobile.ground import classify_ground_files
+from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
+from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
+from urbanmap_qgis.mobile.markings.marking_stage import markings_to_file
+from urbanmap_qgis.mobile.pose_correction import correction_between
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+
+@pytest.fixture(scope="module")
+def survey(small_city):
+    """Points, reported and true trajectory, control points and calibration of the first survey."""
+    points = small_city / "mms" / "survey_01.laz"
+    reported = read_trajectory(small_city / "mms" / "survey_01_trajectory.csv").trajectory
+    true = read_trajectory(small_city / "truth" / "survey_01_trajectory.csv").trajectory
+    control, _ = in_survey_time(read_control(small_city / "truth" / "control_survey_01.csv"), reported)
+    return points, reported, true, control, read_calibration(small_city / "mms" / "calibration.json")
+
+
+def test_ground_points_stay(survey, tmp_path):
+    made = classify_ground_files([survey[0]], tmp_path / "ground.laz")
+    stays("mobile_ground", {"made": made, "files": tmp_path})
+
+
+@pytest.mark.parametrize("calibrated", [True, False])
+def test_marking_points_stay(survey, tmp_path, calibrated):
+    points, reported, _, _, calibration = survey
+    made = markings_to_file([points], tmp_path / "markings.laz", reported, calibration if calibrated else None)
+    write_curve_report(tmp_path / "report.html", made, ["survey"])
+    stays(f"mobile_markings_{'calibrated' if calibrated else 'plain'}", {
+        "facts": facts_of(made), "doubts": list(doubts(made)), "files": tmp_path})
+
+
+def test_moved_points_stay(survey, small_city, tmp_path):
+    points, reported, true, _, _ = survey
+    moved = apply_correction([points], reported, true, tmp_path / "moved.laz")
+    apply_to_images(small_city / "mms" / "survey_01_images.csv", reported, true, tmp_path / "images.csv", moved)
+    stays("mobile_moved", {"made": moved, "files": tmp_path})
+
+
+def test_accuracy_and_landmark_update_stay(survey, tmp_path):
+    _, reported, true, control, _ = survey
+    updated = update_by_landmarks(reported, control.take(slice(0, None, 3)))
+    errors = {"reported": residuals(control), "updated": residuals(control, correction_between(reported, updated)),
+              "true": residuals(control, correction_between(reported, true))}
+    write_accuracy_report(tmp_path / "report.html", control, errors, {"A": "1"}, 2)
+    stays("mobile_accuracy", {"updated": updated, "errors": errors, "files": tmp_path,
+                              "figures": {name: accuracy(values) for name, values in errors.items()}})
