@@ -23,7 +23,7 @@ from .partition_lines import (
 )
 from .piece_labels import choose_roofs
 from .plan_arrangement import Arrangement, arrange, dissolve
-from .small_roofs import cut_patches, roof_patch
+from .small_roofs import insert_roof_patches, roof_patch
 
 GUESSED_CELL_WEIGHT = 1.0
 """Weight of a cell without data, which took the label of its nearest neighbour."""
@@ -223,7 +223,7 @@ def _with_lost_roofs(polygons: list, label_of: np.ndarray, given: np.ndarray, ce
         return polygons, label_of, given
     axes = main_axes(outline)
     patches = [(roof, roof_patch(cells.xy[cells.roof == roof], cells.side, axes)) for roof in lost]
-    polygons, label_of = dissolve(*cut_patches(polygons, label_of, patches, outline), outline)
+    polygons, label_of = dissolve(*insert_roof_patches(polygons, label_of, patches, outline), outline)
     given = given.copy()
     for roof, patch in patches:
         shapely.prepare(patch)

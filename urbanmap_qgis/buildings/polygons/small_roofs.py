@@ -42,8 +42,8 @@ def _largest_part(xy: np.ndarray, cell: float) -> np.ndarray:
     return xy[group == np.bincount(group).argmax()]
 
 
-def cut_patches(polygons: list, labels: np.ndarray, patches: list[tuple[int, shapely.Geometry]],
-                outline: shapely.Geometry) -> tuple[np.ndarray, np.ndarray]:
+def insert_roof_patches(polygons: list, labels: np.ndarray, patches: list[tuple[int, shapely.Geometry]],
+                        outline: shapely.Geometry) -> tuple[np.ndarray, np.ndarray]:
     """Pieces of a plan with patches cut into it: pieces that share exact nodes, and the label of each.
 
     Parameters
