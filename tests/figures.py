@@ -25,7 +25,7 @@ import shapely
 FOLDER = Path(__file__).resolve().parent / "core" / "figures"
 QUANTILES = (0.01, 0.1, 0.25, 0.5, 0.75, 0.9, 0.99)
 NUMBER = re.compile(r"-?\d+\.?\d*(?:[eEdD][-+]?\d+)?")
-TOLERANCE = 2e-4  # of the spread: what other releases of numpy and scipy may change
+TOLERANCE = 2e-4  # of the spread (of the size where there is none): what other releases of numpy may change
 COLUMNS = 16  # arrays of no more columns (coordinates, tables) are taken column by column
 ENVELOPES = (0, 32, 48, 48, 64)  # bytes of a GeoPackage geometry's envelope, by its code
 
@@ -63,7 +63,8 @@ def alike(stored: list[float], now: list[float], tolerance: float) -> bool:
     if len(stored) == 2:
         return stored == now
     counts, rest = np.abs(np.subtract(stored[:2], now[:2])), np.abs(np.subtract(stored[2:], now[2:]))
-    limit = tolerance * max(stored[3], 1e-9) + 1e-9 * np.max(np.abs(stored[2:]))
+    size = np.max(np.abs(stored[2:]))
+    limit = tolerance * (stored[3] if stored[3] > 1e-9 * size else size) + 1e-9 * max(size, 1.0)
     return bool((counts <= tolerance * stored[0]).all() and (rest <= limit).all())
 
 

@@ -28,7 +28,6 @@ from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 WKT = CRS.from_epsg(6677).to_wkt()
-LOSSY = 5e-3  # the frames are JPEG
 
 
 @pytest.fixture(scope="module")
