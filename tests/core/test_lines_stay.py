@@ -21,7 +21,7 @@ from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.gps_time import time_shift
 from urbanmap_qgis.mobile.lines.georeferencing import ScanSettings, georeference_scans
-from urbanmap_qgis.mobile.lines.rectification import RectifySettings, rectify
+from urbanmap_qgis.mobile.lines.rectification import METHODS, RectifySettings, rectify
 from urbanmap_qgis.mobile.lines.rectification_report import write_report
 from urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 from urbanmap_qgis.mobile.lines.tie_points import read_tie_points
@@ -67,7 +67,7 @@ def test_georeferenced_scans_stay(small_city, drive, tmp_path):
     stays("lines_scans", {"made": placed, "files": tmp_path})
 
 
-@pytest.mark.parametrize("method", ["drift", "relative", "iterative"])
+@pytest.mark.parametrize("method", METHODS)
 def test_rectified_trajectory_stays(small_city, drive, tmp_path, method):
     ties = read_tie_points(small_city / "lines" / "tie_points.csv")
     settings = RectifySettings(method)
