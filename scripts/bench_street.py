@@ -22,7 +22,8 @@ from urbanmap_qgis.io.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
-from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.register import register_windows
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference

@@ -28,8 +28,9 @@ from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.control import ControlPoints, accuracy, in_survey_time, read_control, residuals
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings, WindowResults
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings, WindowResults
 from urbanmap_qgis.mobile.registration.register import register_windows
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference

@@ -86,7 +86,7 @@ def street(make_cloud, tmp_path_factory):
         parts = []
         for k, scanner in enumerate(SCANNERS):
             off = rotation_of(TRUE) if k else np.eye(3)
-            points, time, body, distance = hits(trajectory, scanner, off, 10 * number + k)
+            _, time, body, distance = hits(trajectory, scanner, off, 10 * number + k)
             pose = interpolate(trajectory, time)
             nominal = np.einsum("ij,nj->ni", off.T, body) * distance[:, None] + scanner.lever_arm
             placed = pose.place + np.einsum("nij,nj->ni", rotations(pose.angles), nominal)
@@ -140,6 +140,6 @@ def test_passes_that_lie_apart_are_refused(street, make_cloud, tmp_path):
     cloud = laspy.read(files[1][0])
     moved = make_cloud(tmp_path / "moved.laz", np.array(cloud.x), np.array(cloud.y), np.array(cloud.z) + 1.0,
                        gps_time=np.array(cloud.gps_time), point_source_id=np.array(cloud.point_source_id))
-    lifted = Trajectory(second.time, second.place + [0.0, 0.0, 1.0], second.angles)
+    lifted = Trajectory(second.time, second.place + np.array([0.0, 0.0, 1.0]), second.angles)
     with pytest.raises(InputError, match="m apart"):
         calibrate_scanners([files[0], [moved]], [first, lifted], Calibration(SCANNERS))

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.matching.windows import choose_windows
-from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.start.patch_points import thin_points
 from urbanmap_qgis.mobile.registration.start.patches import divide_path
 from urbanmap_qgis.mobile.trajectory import Trajectory

@@ -10,6 +10,7 @@ from pyproj.exceptions import CRSError
 
 from ...errors import InputError
 
+SPEED_OF_LIGHT = 299792458.0  # m/s
 SEMI_MAJOR, FLATTENING = 6378137.0, 1 / 298.257223563
 """The ellipsoid of WGS 84."""
 

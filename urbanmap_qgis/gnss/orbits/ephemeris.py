@@ -14,7 +14,7 @@ import numpy as np
 
 from ...errors import InputError
 from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, NavigationRecords, read_navigation_files
-from ..signals.tables import SPEED_OF_LIGHT
+from .earth_fixed import SPEED_OF_LIGHT
 from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
 
 EARTH_ROTATION_RATE = 7.2921151467e-5

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ..orbits.earth_fixed import SPEED_OF_LIGHT
 from ..rinex.gnss_time import DAY
 from ..rinex.navigation import Ionosphere
 from ..rinex.observation_file import MEGAHERTZ
-from .tables import SPEED_OF_LIGHT
 
 _L1 = MEGAHERTZ["G"]["1"]
 _B1 = MEGAHERTZ["C"]["2"]

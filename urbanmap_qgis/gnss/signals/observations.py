@@ -16,7 +16,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...mobile.trajectory import Trajectory, body_to_map, gaps
 from ...progress import SILENT, Progress
-from ..orbits.earth_fixed import EarthPlaces, MapFrame, directions, elevation_azimuth
+from ..orbits.earth_fixed import SPEED_OF_LIGHT, EarthPlaces, MapFrame, directions, elevation_azimuth
 from ..orbits.ephemeris import (
     NO_EPHEMERIS,
     UNHEALTHY,
@@ -30,7 +30,7 @@ from ..rinex.gnss_time import STANDARD_OFFSET, UNIX_START, WEEK, leap_seconds, s
 from ..rinex.observation_file import Observations, read_observations
 from .antenna_height import estimate_height, grouped_median, strong_scatter, strong_signals
 from .atmosphere import ionosphere, nearest_model, troposphere
-from .tables import SPEED_OF_LIGHT, SYSTEM_NAMES, Epochs, Signals, SignalSettings
+from .tables import SYSTEM_NAMES, Epochs, Signals, SignalSettings
 
 HEIGHT_LIMIT = 12.0
 """Heights that differ from what the satellites say by more than this, m, are taken for a mix-up of heights."""

@@ -7,8 +7,6 @@ from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 
-SPEED_OF_LIGHT = 299792458.0
-
 SYSTEM_NAMES = {"G": "GPS", "R": "GLONASS", "E": "Galileo", "C": "BeiDou", "J": "QZSS"}
 """Systems by the letter of RINEX."""
 

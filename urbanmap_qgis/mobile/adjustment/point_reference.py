@@ -8,7 +8,7 @@ import numpy as np
 from scipy.ndimage import grey_closing
 
 from ...geometry.grid import Grid
-from ..registration.records import MarkingPoints
+from ..markings.records import MarkingPoints
 from ..registration.start.reference import Coverage, GroundPart
 
 CELL = 0.1

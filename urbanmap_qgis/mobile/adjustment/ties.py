@@ -15,10 +15,10 @@ from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
+from ..markings.records import MarkingPoints
 from ..passes import BlockPositions
 from ..registration.correction.gauss_markov import path_parameters_of
 from ..registration.correction.patch_status import REGISTERED
-from ..registration.records import MarkingPoints
 from ..registration.stage import RegisteredSurvey, RegistrationRun, register_markings
 from ..registration.start.reference import Reference
 from ..trajectory import Trajectory, interpolate

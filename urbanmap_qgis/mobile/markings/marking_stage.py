@@ -19,10 +19,10 @@ from ...progress import SILENT, Progress
 from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
 from ...terrain.surface import ground_source
 from ..calibration import Calibration
-from ..registration.records import MarkingPoints
 from ..trajectory import Trajectory
 from .intensity_calibration import IntensityCurve, RangeHistogram, calibrated, fit_curve
 from .marking_points import MarkingPointSettings, Noise, marking_points, roughness
+from .records import MarkingPoints
 from .survey_points import RECORD, SurveyPoints, require_points
 
 CALIBRATED, WEIGHT = "calibrated_intensity", "marking_weight"

@@ -16,12 +16,13 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...progress import SILENT, Progress
+from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
 from .matching.path_section import PathSection, adjust_section
 from .matching.results import InitialShifts, assemble
 from .matching.rigid_windows import register_rigid_windows
 from .matching.windows import Windows, choose_windows
-from .records import MarkingPoints, RegistrationSettings, WindowResults
+from .records import RegistrationSettings, WindowResults
 from .start.correlation_start import CELL, OBSERVATION_AREA, best_path, centred, score_image, shift_scores
 from .start.patch_points import PatchPoints, thin_points
 from .start.patches import Patches, divide_path

@@ -15,13 +15,14 @@ from ...progress import SILENT, Progress
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
+from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
 from .correction.adjustment import Correction, CorrectionSettings, adjust_correction, correct_trajectory
 from .correction.gauss_markov import path_parameters_of
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .correction.patchwise import correct_patchwise, patchwise_correction
 from .correction.point_observations import PointObservations
-from .records import MarkingPoints, RegistrationSettings, WindowResults
+from .records import RegistrationSettings, WindowResults
 from .register import register_windows
 from .start.reference import Reference
 

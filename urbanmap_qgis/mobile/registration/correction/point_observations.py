@@ -12,11 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...markings.records import MarkingPoints
 from ...trajectory import Trajectory, interpolate
 from ..matching.patch_sums import PatchSums, by_patch, sum_points
 from ..matching.results import angle_rates
 from ..matching.subpixel import MarkingField, field_terms
-from ..records import MarkingPoints, RegistrationSettings
+from ..records import RegistrationSettings
 from ..start.correlation_start import OBSERVATION_AREA
 from ..start.patch_points import PatchPoints, thin_points
 from ..start.patches import Patches

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....progress import Progress
-from ..records import AMBIGUOUS, REGISTERED, WEAK, MarkingPoints, RegistrationSettings, WindowResults
+from ...markings.records import MarkingPoints
+from ..records import AMBIGUOUS, REGISTERED, WEAK, RegistrationSettings, WindowResults
 from ..start.correlation_start import CELL, OBSERVATION_AREA
 from ..start.patches import Patches
 from ..start.reference import Reference, require_same_datum

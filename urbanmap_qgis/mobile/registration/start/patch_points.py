@@ -6,8 +6,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ...markings.records import MarkingPoints
 from ...trajectory import Trajectory, interpolate
-from ..records import MarkingPoints
 from .patches import Patches
 
 _GROUP = 10  # patches that are thinned together: what is seen again later stays
