@@ -17,7 +17,9 @@ from ..geometry.solid_faces import face_normal
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
-from .outlines.footprint import Footprints
+from .fit_points import candidate_points
+from .model_status import BLOCK, GROUND_UNKNOWN, LOST_ROOFS, NOT_MODELLED, OK, SIMPLIFIED, ModelFacts, judge, quality
+from .outlines.footprint import Footprints, has_curved_walls
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import checked_sloped_solids, is_sloped
 from .planes.roof_type import roof_type
@@ -31,9 +33,14 @@ LEVEL_LOD, SLOPED_LOD = "1.3", "2.2"
 STOREY = 2.5
 """Height (m) given to a building whose ground is not known, below its lowest roof."""
 
-OK, BLOCK, SIMPLIFIED, GROUND_UNKNOWN, NOT_MODELLED = (
-    "ok", "plain block", "simplified", "ground unknown", "not modelled")
-"""Status of a model: sound; one height for all; detail left out as it made no valid solid; base assumed; none."""
+MIN_CELLS = 10
+"""Cells of a plan from which the share without points is told."""
+
+NEIGHBOUR_RANGE, NEIGHBOURS = 100.0, 5
+"""Distance (m) within which, and number of nearest outlines from which, an unknown ground height is taken."""
+
+KNOWN, FROM_NEIGHBOURS, ASSUMED = "", "taken from its neighbours", f"assumed {STOREY} m under its lowest roof"
+"""Where a base height comes from."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +64,9 @@ class BuildingModel:
     solids : closed solids, one for each part that stands alone; empty where there is no model.
     base : height of the ground face, m.
     roofs : number of roofs.
-    status, reason : one of the words above, and why.
+    status, reason : one of `model_status.STATUSES`, and why.
     fit : figures of fit to the points; None where no points were given.
+    quality : 0 to 1, see `model_status.quality`.
     density : roof points a m2 of the plan, NaN where no points were given.
     unseen : share of the plan without roof points, NaN where no points were given.
     lod : level of detail, "2.2" with roofs on their planes, "1.3" with level ones.
@@ -76,6 +84,15 @@ class BuildingModel:
     unseen: float = float("nan")
     lod: str = LEVEL_LOD
     roof_type: str = ""
+    quality: float = float("nan")
+
+
+@dataclass(frozen=True)
+class FitPoints:
+    """Points (n, 3) that can be roof, m, and whether a roof took each (n,)."""
+
+    xyz: np.ndarray
+    on_roof: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -88,7 +105,8 @@ class ModelPiece:
     base: np.ndarray
     roofs: list[RoofInput]
     sloped: bool
-    points: list[np.ndarray] | None = field(default=None)
+    source: np.ndarray
+    points: list[FitPoints] | None = field(default=None)
 
 
 def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None = None,
@@ -111,8 +129,9 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
         raise InputError("No roof has a building_id that the outlines have: give the outlines that the roofs "
                          "were made with.")
     models: list[BuildingModel | None] = [None] * len(footprints)
+    base, source = bases_with_neighbours(footprints, base)
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
-    pieces = _pieces(footprints, roofs, base, cloud, sloped, progress)
+    pieces = _pieces(footprints, roofs, base, source, cloud, sloped, progress)
     for rows, made in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, made):
             models[row] = model
@@ -120,7 +139,24 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     return models
 
 
-def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None,
+def bases_with_neighbours(footprints: Footprints, base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Base heights (n,), unknown ones taken from the nearest outlines that have one, and where each comes from."""
+    base, source = np.array(base, float), np.full(len(base), KNOWN, object)
+    known = np.flatnonzero(np.isfinite(base) & footprints.usable)
+    centres = shapely.get_coordinates(shapely.centroid(footprints.polygons[known]))
+    for row in np.flatnonzero(~np.isfinite(base)):
+        source[row] = ASSUMED
+        if len(known) and footprints.polygons[row] is not None:
+            centre = shapely.get_coordinates(shapely.centroid(footprints.polygons[row]))[0]
+            distance = np.hypot(*(centres - centre).T)
+            near = np.argsort(distance, kind="stable")[:NEIGHBOURS]
+            near = near[distance[near] <= NEIGHBOUR_RANGE]
+            if len(near):
+                base[row], source[row] = float(np.median(base[known[near]])), FROM_NEIGHBOURS
+    return base, source
+
+
+def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: np.ndarray, cloud: PointCloud | None,
             sloped: bool, progress: Progress):
     """Blocks of buildings, with their points where a cloud is given."""
     order = np.argsort(roofs.building_id, kind="stable")
@@ -131,15 +167,15 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: P
         return RoofInput(*(getattr(roofs, name)[rows] for name in RoofInput.__dataclass_fields__))
 
     done = 0
-    for rows, points in _blocks(footprints, cloud, progress.part(0.0, 0.3)):
+    for rows, points in _blocks(footprints, base, cloud, progress.part(0.0, 0.3)):
         yield rows, ModelPiece(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows], base[rows],
-                               [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, points)
+                               [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, source[rows], points)
         done += len(rows)
         progress.part(0.3, 1.0).step(done / len(footprints))
 
 
-def _blocks(footprints: Footprints, cloud: PointCloud | None, progress: Progress):
-    """Rows of the footprints and the roof points (n, 3) of each, block by block."""
+def _blocks(footprints: Footprints, base: np.ndarray, cloud: PointCloud | None, progress: Progress):
+    """Rows of the footprints and the points that can be roof of each, block by block."""
     if cloud is None:
         for rows in np.array_split(np.arange(len(footprints)), max(len(footprints) // BUILDINGS_AT_ONCE, 1)):
             yield rows, None
@@ -148,7 +184,19 @@ def _blocks(footprints: Footprints, cloud: PointCloud | None, progress: Progress
         require_dimension(cloud, name, "Segment roofs")
     layout = PointLayout(cloud)
     for rows, blocks in iter_building_blocks(cloud, layout, footprints.ids, progress):
-        yield rows, [np.column_stack(coordinates(layout, records[records["roof_id"] > 0])) for records in blocks]
+        yield rows, [_fit_points(layout, records, footprints.polygons[row], base[row])
+                     for row, records in zip(rows, blocks)]
+
+
+def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geometry | None, base: float) -> FitPoints:
+    """The points of one building that its model is measured against."""
+    x, y, z = coordinates(layout, records)
+    on_roof = records["roof_id"] > 0
+    use = on_roof
+    if outline is not None and not on_roof.all():
+        several = np.asarray(layout.view(records).number_of_returns) > 1
+        use = candidate_points(x, y, z, on_roof, several, outline, base)
+    return FitPoints(np.column_stack([x, y, z])[use], on_roof[use])
 
 
 def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list[BuildingModel]]:
@@ -157,23 +205,29 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
     for place, number in enumerate(block.ids.tolist()):
         points = None if block.points is None else block.points[place]
         made.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place],
-                                   float(block.base[place]), points, block.sloped))
+                                   float(block.base[place]), points, block.sloped, block.source[place]))
     return rows, made
 
 
 def model_building(number: int, outline: shapely.Geometry | None, note: str, roofs: RoofInput, base: float,
-                   points: np.ndarray | None = None, sloped: bool = False) -> BuildingModel:
-    """The model of one building from its roofs, sloped or level, with its figures of fit to `points` (n, 3)."""
+                   points: FitPoints | None = None, sloped: bool = False, source: str = KNOWN) -> BuildingModel:
+    """The model of one building from its roofs, sloped or level, with its figures of fit to `points`.
+
+    `source` : where the base height comes from; without a base it is assumed.
+    """
     if not len(roofs.height):
         reason = note or "no roof was found in its points"
-        return BuildingModel(number, (), base, 0, NOT_MODELLED, reason)
+        return BuildingModel(number, (), base, 0, NOT_MODELLED, reason, quality=0.0)
     status, reason = OK, note
     if (roofs.roof_id == 0).all():
         status, reason = BLOCK, f"too few points for roofs; {note}".rstrip("; ")
+    if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
+        base = math.nan
     if not np.isfinite(base):
-        base = float(roofs.height.min()) - STOREY
+        base, source = float(roofs.height.min()) - STOREY, ASSUMED
+    if source != KNOWN:
         status = GROUND_UNKNOWN if status == OK else status
-        reason = f"its ground is not known, the base is put {STOREY} m under its lowest roof"
+        reason = "; ".join(filter(None, (reason, f"its ground is not known, {source}")))
     try:
         solids, problems, lod = (), [""], SLOPED_LOD
         if sloped:
@@ -189,10 +243,27 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
         if problems:
             solids, status, reason = _simplified(outline, roofs, base, problems)
     except InsufficientDataError as error:
-        return BuildingModel(number, (), base, 0, NOT_MODELLED, str(error))
+        return BuildingModel(number, (), base, 0, NOT_MODELLED, str(error), quality=0.0)
     model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason, lod=lod,
                           roof_type=roof_type(roof_cells(solids)) if solids else "")
-    return model if points is None or not solids else _measured(model, points)
+    if not solids:
+        return replace(model, quality=0.0)
+    return _judged(model if points is None else _measured(model, points), outline, roofs)
+
+
+def _judged(model: BuildingModel, outline: shapely.Geometry | None, roofs: RoofInput) -> BuildingModel:
+    """The model with the status and the quality that its facts give."""
+    fit = model.fit
+    top = max(float(solid.vertices[:, 2].max()) for solid in model.solids)
+    area = ground_area(model.solids)
+    facts = ModelFacts(top - model.base, area, area if outline is None else outline.area,
+                       fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
+                       fit.rmse_z95 if fit else math.nan,
+                       any(str(status).startswith(LOST_ROOFS) for status in roofs.status),
+                       outline is not None and has_curved_walls(outline))
+    status, reason = judge(model.status, model.reason, facts)
+    figure = quality(status, fit.rmse_z95, fit.not_explained, model.unseen) if fit else math.nan
+    return replace(model, status=status, reason=reason, quality=figure)
 
 
 def _checked_solids(outline: shapely.Geometry | None, polygons: np.ndarray, heights: np.ndarray, ids: np.ndarray,
@@ -215,13 +286,14 @@ def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
     return solids, SIMPLIFIED, f"one height for all roofs, as the detailed solid is not valid ({problems[0]})"
 
 
-def _measured(model: BuildingModel, points: np.ndarray) -> BuildingModel:
+def _measured(model: BuildingModel, points: FitPoints) -> BuildingModel:
     """The model with its figures of fit."""
     cells, walls = roof_cells(model.solids), wall_rectangles(model.solids)
-    fit = model_fit(points[:, 0], points[:, 1], points[:, 2], cells, walls)
+    fit = model_fit(*points.xyz.T, cells, walls, points.on_roof)
     plan = shapely.union_all([cell.polygon for cell in cells])
-    density = len(points) / plan.area
-    return replace(model, fit=fit, density=density, unseen=unseen_share(plan, points, density))
+    roof = points.xyz[points.on_roof]
+    density = len(roof) / plan.area
+    return replace(model, fit=fit, density=density, unseen=unseen_share(plan, roof, density))
 
 
 def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> float:
@@ -235,7 +307,8 @@ def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> 
     x, y = np.meshgrid(*grid.centres())
     shapely.prepare(plan)
     within = shapely.contains_xy(plan, x, y)
-    return float(1.0 - hit[within].mean()) if within.any() else 0.0
+    # On a few cells the share would be chance.
+    return float(1.0 - hit[within].mean()) if within.sum() >= MIN_CELLS else 0.0
 
 
 def roof_cells(solids: tuple[Solid, ...]) -> list[RoofCell]:

@@ -11,13 +11,15 @@ import shapely
 from ..geometry.solid import volume
 from ..io.report import Report
 from ..io.svg import plan_map
-from .model_stage import BLOCK, GROUND_UNKNOWN, NOT_MODELLED, OK, SIMPLIFIED, BuildingModel, ground_area
+from .model_stage import BuildingModel, ground_area
+from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
 
 COLUMNS: tuple[tuple[str, str], ...] = (
     ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),
     ("height", "real"), ("area", "real"), ("volume", "real"), ("points", "int"), ("density", "real"),
     ("rmse_z", "real"), ("rmse_z95", "real"), ("median_dz", "real"), ("rmse_3d", "real"), ("p95", "real"),
     ("coverage", "real"), ("unseen", "real"), ("lod", "text"), ("roof_type", "text"),
+    ("not_explained", "real"), ("quality", "real"),
 )
 """Names and kinds of the columns, in order."""
 
@@ -29,7 +31,7 @@ def model_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
     """Columns of `COLUMNS`, one entry a model; NaN where a figure is not known.
 
     base: height of the ground face; height: highest roof above it; area and volume of the solids; the rest is
-    `quality.ModelFit`, density (points a m2) and unseen (share of the plan without points).
+    `quality.ModelFit`, density (points a m2), unseen (share of the plan without points) and `model_status.quality`.
     """
     rows = [_row(model) for model in models]
     return {name: [row[name] for row in rows] for name, _ in COLUMNS}
@@ -45,8 +47,9 @@ def _row(model: BuildingModel) -> dict:
         "volume": sum(volume(solid) for solid in model.solids) if model.solids else nan,
         "points": fit.points if fit else 0, "density": model.density, "unseen": model.unseen,
         "lod": model.lod if model.solids else "", "roof_type": model.roof_type,
+        "quality": model.quality,
         **{name: getattr(fit, name) if fit else nan
-           for name in ("rmse_z", "rmse_z95", "median_dz", "rmse_3d", "p95", "coverage")},
+           for name in ("rmse_z", "rmse_z95", "median_dz", "rmse_3d", "p95", "coverage", "not_explained")},
     }
 
 
@@ -65,22 +68,23 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
     report.section("Result")
     report.facts({
         "Buildings": len(status),
-        "Modelled, sound": int((status == OK).sum()),
-        "Modelled, ground assumed": int((status == GROUND_UNKNOWN).sum()),
-        "Simplified to one height": int((status == SIMPLIFIED).sum()),
-        "Plain blocks": int((status == BLOCK).sum()),
-        "Without a model": int((status == NOT_MODELLED).sum()),
         "Roofs": int(sum(columns["roofs"])),
         "Mean RMSE of roof heights (m)": _mean(columns["rmse_z"]),
         "Mean RMSE of the best 95 % (m)": _mean(columns["rmse_z95"]),
         "Mean point to model distance, RMSE (m)": _mean(columns["rmse_3d"]),
     })
+    report.facts({"Mean quality, 0 to 1": _mean(columns["quality"])})
+    report.table(("status", "buildings", "what it says"),
+                 [(word, number, STATUSES[word]) for word, number in counts(columns["status"]).items() if number])
     if (status == NOT_MODELLED).any():
         report.warning(f"{int((status == NOT_MODELLED).sum())} buildings have no model; they keep their rows, with "
                        "the reason, in the result.")
     report.section("Quality")
-    report.paragraph("Distances of the roof points to the models. Flat roofs are modelled as they are; sloped roofs "
-                     "become level ones, so that their height differences show the slope, not an error of survey.")
+    report.paragraph("Distances to the models of all points that can be roof, whether or not a roof was made of them. "
+                     "Level roofs (lod 1.3) in place of sloped ones show the slope as height differences.")
+    report.histogram(np.array(columns["quality"], float), "quality, 0 to 1", "Buildings by quality", upper=1.0)
+    report.histogram(100 * np.array(columns["not_explained"], float), "% of the points",
+                     "Buildings by points that the model does not explain")
     report.histogram(np.array(columns["rmse_z95"], float), "RMSE of height, best 95 % (m)", "Buildings by height error",
                      upper=2.0)
     report.histogram(np.array(columns["p95"], float), "95th percentile of distance (m)",
@@ -94,8 +98,8 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
         report.figure(plan_map(plans, np.array(columns["rmse_z95"], float), (0.15, 0.3, 0.6, 1.0), "m", labels),
                       "RMSE of height, best 95 %, of each building; the worst are numbered. North is up.")
     report.section(f"The worst {len(worst)}")
-    names = ("building_id", "status", "roofs", "points", "rmse_z95", "p95")
-    heads = ("building", "status", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
+    names = ("building_id", "status", "quality", "roofs", "points", "rmse_z95", "p95")
+    heads = ("building", "status", "quality", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
     report.table(heads, [[*(columns[name][row] for name in names), _why(columns, row)] for row in worst])
     report.section("Settings")
     report.facts({name: value for name, value in settings.items() if value not in (None, "")})
@@ -103,10 +107,9 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
 
 
 def _worst(columns: Mapping[str, Sequence]) -> np.ndarray:
-    """Rows of the buildings to look at first: those without a model, then those that fit worst."""
-    p95 = np.array(columns["p95"], float)
-    missing = np.array(columns["status"], dtype=object) == NOT_MODELLED
-    return np.lexsort((np.array(columns["building_id"]), -np.where(np.isfinite(p95), p95, -1.0), ~missing))[:WORST]
+    """Rows of the buildings to look at first: those without a model, then those of the lowest quality."""
+    figure = np.array(columns["quality"], float)
+    return np.lexsort((np.arange(len(figure)), np.where(np.isfinite(figure), figure, 2.0)))[:WORST]
 
 
 def _why(columns: Mapping[str, Sequence], row: int) -> str:
@@ -114,7 +117,7 @@ def _why(columns: Mapping[str, Sequence], row: int) -> str:
     causes = [columns["reason"][row]] if columns["reason"][row] else []
     unseen, density = columns["unseen"][row], columns["density"][row]
     coverage, rmse = columns["coverage"][row], columns["rmse_z95"][row]
-    if unseen > 0.2:
+    if MAX_UNSEEN >= unseen > 0.2:
         causes.append(f"{100 * unseen:.0f} % of its plan has no roof points")
     if density < 2.0:
         causes.append(f"only {density:.1f} points a m²")

@@ -22,6 +22,7 @@ from .planes.plane_partition import partition_planes
 from .polygons.outline_from_points import outline_from_points
 from .polygons.roof_plan import partition_roofs
 from .polygons.roof_polygon import PaperParameters, paper_roof_polygons
+from .quality import PARAPET_REACH
 
 SEGMENT_ROOFS = "Segment roofs"
 
@@ -29,6 +30,10 @@ CELL = (0.25, 1.0)
 """Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""
 
 BLOCK_STATUS, LOST_ROOFS = "plain block", "lost roofs"
+
+MIN_INNER_POINTS, FLAT_SPREAD, MIN_PARAPET = 10, 0.15, 0.5
+"""A flat roof inside a parapet: so many points well inside, of no more spread (m, robust standard deviation), and so
+much (m) below the middle of all its points."""
 
 LOST_AREA = 4.0
 """Area (m2) inside the outline from which a roof that has no polygon is missed."""
@@ -205,7 +210,7 @@ def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, po
         own = roof == roof_id
         shapely.prepare(polygon)
         own[own] = shapely.contains_xy(polygon, x[own], y[own])
-        height = _height(z[own], parameters) if own.any() else levels[roof_id]
+        height = _inner_height(polygon, x[own], y[own], z[own], parameters) if own.any() else levels[roof_id]
         top = float(z[own].max()) if own.any() else height
         _add(table, number, roof_id, polygon, height, top, z[own], float(partition.coverage[place]),
              float(partition.boundary_rms[place]), status)
@@ -261,6 +266,22 @@ def _cell_heights(grid: Grid, x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np
 def _height(z: np.ndarray, parameters: PolygonParameters) -> float:
     """Height of a roof from its points, m."""
     return float(z.max() if parameters.height == MAXIMUM else np.median(z))
+
+
+def _inner_height(polygon: shapely.Polygon, x: np.ndarray, y: np.ndarray, z: np.ndarray,
+                  parameters: PolygonParameters) -> float:
+    """Height of a roof from its points, m. A flat roof inside a parapet has the height of its inner points."""
+    height = _height(z, parameters)
+    if parameters.height == MAXIMUM:
+        return height
+    inner = shapely.buffer(polygon, -PARAPET_REACH)
+    shapely.prepare(inner)
+    own = z[shapely.contains_xy(inner, x, y)]
+    if len(own) < MIN_INNER_POINTS:
+        return height
+    level = float(np.median(own))
+    flat = 1.4826 * float(np.median(np.abs(own - level))) < FLAT_SPREAD
+    return level if flat and height - level >= MIN_PARAPET else height
 
 
 def _outline_each(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,

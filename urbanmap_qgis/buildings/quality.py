@@ -11,6 +11,16 @@ BEST_SHARE = 0.95
 """Share of the points, those that fit best, that the trimmed RMSE is taken over."""
 
 
+EXPLAINED = 0.5
+"""Distance (m) to the nearest surface of the model up to which it explains a point."""
+
+PARAPET_HEIGHT, PARAPET_REACH = 1.5, 1.0
+"""A point up to so much over a roof (m) and so near to its edge (m) is its parapet, which the model leaves out."""
+
+WALL_POINT = 0.3
+"""Distance (m) of a point that no roof took from a wall up to which it is a point of that wall."""
+
+
 @dataclass(frozen=True)
 class RoofCell:
     """One roof of a model: its plan polygon and its height (m) at `place`, rising from there by `gradient` (m a m)."""
@@ -32,13 +42,14 @@ class ModelFit:
 
     Attributes
     ----------
-    points : roof points used.
+    points : points that can be roof, used for the figures.
     rmse_z : root mean square height difference of the points over a roof.
     rmse_z95 : the same of the 95 % that fit best.
     median_dz : median of the absolute height difference.
     rmse_3d : root mean square distance to the nearest surface of the model.
     p95 : 95th percentile of that distance.
     coverage : share of the points that lie over or under a roof of the model.
+    not_explained : share of the points farther than `EXPLAINED` from every surface of the model, parapets left out.
     """
 
     points: int
@@ -48,25 +59,41 @@ class ModelFit:
     rmse_3d: float
     p95: float
     coverage: float
+    not_explained: float = float("nan")
 
 
-def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell],
-              walls: np.ndarray) -> ModelFit:
+def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell], walls: np.ndarray,
+              on_roof: np.ndarray | None = None) -> ModelFit:
     """Fit of points (n,) to a model of level or sloped roofs and vertical walls.
 
     `walls` (w, 6): x and y of a wall's two ends, its lowest and its highest z; or (w, 8): lowest at both ends, highest
-    at both ends.
+    at both ends. `on_roof` (n,): whether a roof took the point; of the others those on walls have no height error.
     """
     if not len(x) or not cells:
-        return ModelFit(len(x), *[np.nan] * 5, 0.0 if len(x) else np.nan)
+        return ModelFit(len(x), *[np.nan] * 5, 0.0 if len(x) else np.nan, 1.0 if len(x) else np.nan)
     dz = height_differences(x, y, z, cells)
     over = np.isfinite(dz)
+    if on_roof is not None and len(walls) and not on_roof.all():
+        other = np.flatnonzero(~on_roof)
+        over[other[_wall_distances(x[other], y[other], z[other], walls).min(axis=1) < WALL_POINT]] = False
     distance = surface_distances(x, y, z, cells, walls)
     absolute = np.sort(np.abs(dz[over]))
     best = absolute[:max(int(np.ceil(BEST_SHARE * len(absolute))), 1)]
     median = float(np.median(absolute)) if len(absolute) else np.nan
-    return ModelFit(len(x), _rms(absolute), _rms(best), median, _rms(distance),
-                    float(np.percentile(distance, 95)), float(over.mean()))
+    return ModelFit(len(x), _rms(absolute), _rms(best), median, _rms(distance), float(np.percentile(distance, 95)),
+                    float(np.isfinite(dz).mean()), float(_not_explained(x, y, dz, distance, cells).mean()))
+
+
+def _not_explained(x: np.ndarray, y: np.ndarray, dz: np.ndarray, distance: np.ndarray,
+                   cells: list[RoofCell]) -> np.ndarray:
+    """Mask (n,) of the points that neither a surface of the model nor a parapet on one of its roofs explains."""
+    far = distance > EXPLAINED
+    low = np.flatnonzero(far & (dz > 0) & (dz <= PARAPET_HEIGHT))
+    if len(low):
+        edges = shapely.union_all([shapely.boundary(cell.polygon) for cell in cells])
+        shapely.prepare(edges)
+        far[low] = ~shapely.dwithin(edges, shapely.points(x[low], y[low]), PARAPET_REACH)
+    return far
 
 
 def height_differences(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]) -> np.ndarray:

@@ -12,6 +12,9 @@ from ...errors import InputError
 GRID_SIZE = 0.001
 """Outlines are wall_snap_candidates to this grid (m), so that all later steps see the same coordinates."""
 
+MIN_BEND, MAX_BEND, LONGEST_CHORD, CURVED_SHARE = 3.0, 35.0, 5.0, 0.25
+"""A curved wall: bends between these angles (degrees) at edges shorter than this (m), on this share of the length."""
+
 
 @dataclass(frozen=True)
 class Footprints:
@@ -97,6 +100,22 @@ def _clean(geometry: shapely.Geometry | None) -> tuple[shapely.Geometry | None, 
     if plan is None:
         return None, "the outline has no area"
     return plan, note
+
+
+def has_curved_walls(outline: shapely.Geometry) -> bool:
+    """Whether a quarter of an outline's length, or more, lies in short edges that turn the same way step by step."""
+    for ring in shapely.get_rings(outline):
+        edge = np.diff(shapely.get_coordinates(ring), axis=0)
+        length = np.hypot(*edge.T)
+        edge, length = edge[length > 0], length[length > 0]
+        before = np.roll(edge, 1, axis=0)
+        bend = np.degrees(np.arctan2(before[:, 0] * edge[:, 1] - before[:, 1] * edge[:, 0],
+                                     (before * edge).sum(axis=1)))
+        small = (np.abs(bend) > MIN_BEND) & (np.abs(bend) < MAX_BEND) & (length < LONGEST_CHORD)
+        same = np.sign(bend) == np.sign(np.roll(bend, -1))
+        if length[small & np.roll(small, -1) & same].sum() >= CURVED_SHARE * length.sum():
+            return True
+    return False
 
 
 def _polygonal(geometry: shapely.Geometry) -> shapely.Geometry | None:

@@ -106,11 +106,13 @@ class RegionGraph:
         return result
 
     def absorb_small(self, smallest: float, height_limit: float,
-                     narrow: Collection[int] = ()) -> None:
+                     narrow: Collection[int] = (), parapets: Collection[int] = ()) -> None:
         """Join regions of fewer than `smallest` cells to the neighbour closest in height, smallest first.
 
         The heights of a region that stands off by more than `height_limit` m are left out of the joined
-        region. A small region without neighbours stays. Regions of `narrow` are joined whatever their size.
+        region. A small region without neighbours stays. Regions of `narrow` are joined whatever their size, and
+        never take a wide one in: a ring of parapets may have more cells than the roof within. The heights of
+        `parapets`, some of the narrow ones, are always left out.
         """
         queue = [(self.area[r], r) for r in self.regions() if self.area[r] < smallest or r in narrow]
         heapq.heapify(queue)
@@ -120,8 +122,9 @@ class RegionGraph:
                 continue
             gap, _, best = min((abs(self.mean(r) - self.mean(o)), -self.neighbours[r][o][0], o)
                                for o in self.neighbours[r])
-            keep, gone = (best, r) if self.area[best] >= area else (r, best)
-            self.merge(keep, gone, with_heights=gap <= height_limit or not self.n[gone])
+            takes = best not in narrow if r in narrow else self.area[best] >= area
+            keep, gone = (best, r) if takes or self.area[best] >= area else (r, best)
+            self.merge(keep, gone, with_heights=gone not in parapets and (gap <= height_limit or not self.n[gone]))
             if self.area[keep] < smallest:
                 heapq.heappush(queue, (self.area[keep], keep))
 

@@ -31,6 +31,9 @@ MAX_PARAPET_WIDTH = 2.0
 """Narrower strips that stand a little above their roof are its parapet, m."""
 
 
+FLAT_SPREAD = 0.1
+"""Standard deviation (m) of cell heights up to which a region is a flat roof; level pieces of slopes have 0.15."""
+
 MIN_INSIDE = 0.25
 """Share of a roof inside the outline below which it is a neighbour's, unless it continues a roof inside."""
 
@@ -129,7 +132,8 @@ def roof_levels(surface: RoofSurface, z: np.ndarray, density: float, outline_are
     labels = _join(labels, height, peaks, smallest, parameters)
     if parameters.height_rmse is not None:
         labels = _refine(labels, height, parameters)
-    labels = _without_slivers(labels, height, smallest, surface.grid.cell, parameters)
+    labels, parapet = _without_slivers(labels, height, smallest, surface.grid.cell, parameters)
+    measured = measured & ~parapet if (measured & ~parapet).any() else measured
     labels = _of_this_building(labels, height, surface.inside, smallest, parameters)
     return RoofLevels(labels, height, measured, peaks)
 
@@ -193,22 +197,30 @@ def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) 
 
 
 def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, cell: float,
-                     parameters: RoofParameters) -> np.ndarray:
-    """Connected roofs; small ones and strips narrower than a roof are joined to their neighbours."""
+                     parameters: RoofParameters) -> tuple[np.ndarray, np.ndarray]:
+    """Connected roofs; small ones and strips narrower than a roof are joined to their neighbours.
+
+    With a mask of the cells of parapets: their heights are not those of the roof that they were joined to.
+    """
     labels = label_regions(labels, background=0, connectivity=1)
     graph = RegionGraph(labels, height)
     width = _widths(labels, graph.size) * cell
     strip = (width < MAX_PARAPET_WIDTH) | (_strip_widths(labels, graph.size) * cell < MAX_PARAPET_WIDTH)
-    narrow = {r for r in graph.regions() if width[r] < parameters.min_roof_width
-              or (strip[r] and _is_parapet(graph, r, parameters))}
-    graph.absorb_small(smallest, parameters.distinct_step, narrow)
-    return graph.lookup()[labels]
+    raised = {r for r in graph.regions() if strip[r] and _is_parapet(graph, r, parameters)}
+    narrow = raised | {r for r in graph.regions() if width[r] < parameters.min_roof_width}
+    parapets = {r for r in raised if _is_parapet(graph, r, parameters, FLAT_SPREAD)}
+    graph.absorb_small(smallest, parameters.distinct_step, narrow, parapets)
+    return graph.lookup()[labels], np.isin(labels, list(parapets))
 
 
-def _is_parapet(graph: RegionGraph, region: int, parameters: RoofParameters) -> bool:
-    """Whether a narrow region rises from a neighbour by a parapet's height, with a step and not as a slope."""
+def _is_parapet(graph: RegionGraph, region: int, parameters: RoofParameters, spread: float = math.inf) -> bool:
+    """Whether a narrow region rises from a neighbour by a parapet's height, with a step and not as a slope.
+
+    `spread` : standard deviation of the heights that the neighbour may have, m.
+    """
     return any(0 < graph.mean(region) - graph.mean(other) <= parameters.max_parapet
                and graph.step(region, other) >= parameters.distinct_step / 2
+               and graph.squared_error(other) <= spread**2 * graph.n[other]
                for other in graph.neighbours[region])
 
 

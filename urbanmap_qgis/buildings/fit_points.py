@@ -1,0 +1,42 @@
+"""The points that a model is measured against: all that can be roof, whether or not a roof was made of them."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from .roofs.roof_levels import RoofParameters
+from .roofs.roof_surface import roof_surface
+
+MAX_ROUGHNESS = 0.3
+"""Deviation (m) from the plane around it up to which a point that no roof took can still be one."""
+
+MIN_HEIGHT = 2.0
+"""Height (m) over the ground below which such a point is no roof."""
+
+
+def candidate_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, on_roof: np.ndarray, several: np.ndarray,
+                     outline: shapely.Geometry, ground: float) -> np.ndarray:
+    """Mask (n,) of a building's points that can be roof.
+
+    Points of roofs, and those in the outline that lie on a smooth surface well above the ground and are not trees:
+    a model that left a part of its building out must not be measured on the rest alone.
+
+    Parameters
+    ----------
+    x, y, z : (n,) m. on_roof : (n,) whether a roof took the point. several : (n,) whether its pulse had several
+        returns. ground : height of the ground, m; NaN where unknown.
+    """
+    shapely.prepare(outline)
+    inside = shapely.contains_xy(outline, x, y)
+    high = z >= ground + MIN_HEIGHT if np.isfinite(ground) else np.ones(len(z), bool)
+    left = inside & high & ~on_roof
+    if not left.any():
+        return on_roof.copy()
+    use = np.flatnonzero(high)
+    density = max(np.count_nonzero(inside & high), 1) / max(outline.area, 1.0)
+    surface = roof_surface(x[use], y[use], z[use], outline, density, several[use])
+    smooth = (surface.roughness <= MAX_ROUGHNESS) & ~surface.trees(RoofParameters().max_roughness)
+    result = on_roof.copy()
+    result[use] |= left[use] & smooth.ravel()[surface.cell_of_point]
+    return result
