@@ -48,7 +48,14 @@ EDGE = "#5a4a42"
 
 MODEL_STATUS = {
     "ok": ("ok", "#e9dcc6"),
+    "small": ("small", "#d9d2e9"),
+    "few points": ("few points", "#c9b8d8"),
+    "partly unseen": ("part of the plan without points", "#b3b8c4"),
+    "partly modelled": ("part of the outline without model", "#9aa5b8"),
     "ground unknown": ("ground assumed", "#8fc1d9"),
+    "low": ("low", "#6fb7a8"),
+    "lost roofs": ("lost roofs", "#f6d55c"),
+    "points not explained": ("points not explained", "#e8743b"),
     "simplified": ("simplified", "#f2c14e"),
     "plain block": ("plain block", "#f08a4b"),
 }

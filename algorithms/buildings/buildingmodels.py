@@ -46,7 +46,8 @@ class BuildingModels(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Building models", "MultiPolygonZ, one feature a building with all faces of "
                               "its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, "
                               "density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, "
-                              "unseen (shares), lod, roof_type.")
+                              "unseen (shares), lod, roof_type, not_explained (share of the points that can be roof "
+                              "and lie far from the model), quality (0 to 1).")
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "MultiPolygonZ, one feature a surface, with building_id, "
                               "roof_id and surface_type: roof, outer wall, inner wall, ground.", optional=True)
         self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with solids, surface types and the "
@@ -64,6 +65,7 @@ class BuildingModels(UrbanMapAlgorithm):
         import numpy as np
 
         from ...urbanmap_qgis.buildings.model_stage import build_models
+        from ...urbanmap_qgis.buildings.model_status import GROUND_UNKNOWN, OK
         from ...urbanmap_qgis.buildings.model_table import model_columns
         from ...urbanmap_qgis.io.obj import write_obj
 
@@ -82,6 +84,15 @@ class BuildingModels(UrbanMapAlgorithm):
         if modelled < len(models):
             progress.warn(tr("{0} of {1} buildings have no model; the field “reason” says why.").format(
                 len(models) - modelled, len(models)))
+        assumed = sum(bool(model.base_source) for model in models)
+        if assumed:
+            progress.warn(tr("{0} of {1} buildings ({2} %) have no ground under them: their bases are taken from "
+                             "neighbours or assumed; give a ground elevation or a field with the base height.").format(
+                                 assumed, len(models), round(100 * assumed / len(models))))
+        doubtful = sum(bool(model.solids) and model.status not in (OK, GROUND_UNKNOWN) for model in models)
+        if doubtful:
+            progress.warn(tr("{0} of {1} models have a flaw; the fields “status” and “reason” say which.").format(
+                doubtful, modelled))
         figures = np.array(columns["rmse_z95"], float)
         with ExitStack() as unfinished:
             files = self._write_files(parameters, context, buildings, models, columns, progress.part(0.85, 0.9),

@@ -7,12 +7,12 @@ from xml.etree import ElementTree
 
 import pytest
 
-from urbanmap_qgis.buildings import model_stage
+from urbanmap_qgis.buildings import model_status
 from urbanmap_qgis.buildings.outlines import displacement
 from urbanmap_qgis.geometry import solid
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
-STATUS = [model_stage.OK, model_stage.GROUND_UNKNOWN, model_stage.SIMPLIFIED, model_stage.BLOCK]
+STATUS = [status for status in model_status.STATUSES if status != model_status.NOT_MODELLED]
 LAYERS = {
     "segmented_buildings": ("MultiPolygon", "status:string shift_status:string shift_x:double shift_y:double"),
     "roof_polygons": ("PolygonZ", "building_id:integer height:double"),
@@ -90,7 +90,7 @@ def test_every_output_style_is_there():
 
 
 def test_each_status_of_a_model_has_its_own_colour(styled):
-    colours = symbols_of(styled("building_models", [(word,) for word in [*STATUS, model_stage.NOT_MODELLED]]))
+    colours = symbols_of(styled("building_models", [(word,) for word in [*STATUS, model_status.NOT_MODELLED]]))
     assert None not in colours
     assert len(set(colours)) == len(colours)
 

@@ -66,6 +66,7 @@ class BuildingModel:
     roofs : number of roofs.
     status, reason : one of `model_status.STATUSES`, and why.
     fit : figures of fit to the points; None where no points were given.
+    base_source : where the base comes from: `KNOWN`, `FROM_NEIGHBOURS` or `ASSUMED`.
     quality : 0 to 1, see `model_status.quality`.
     density : roof points a m2 of the plan, NaN where no points were given.
     unseen : share of the plan without roof points, NaN where no points were given.
@@ -85,6 +86,7 @@ class BuildingModel:
     lod: str = LEVEL_LOD
     roof_type: str = ""
     quality: float = float("nan")
+    base_source: str = KNOWN
 
 
 @dataclass(frozen=True)
@@ -245,7 +247,7 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     except InsufficientDataError as error:
         return BuildingModel(number, (), base, 0, NOT_MODELLED, str(error), quality=0.0)
     model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason, lod=lod,
-                          roof_type=roof_type(roof_cells(solids)) if solids else "")
+                          roof_type=roof_type(roof_cells(solids)) if solids else "", base_source=source)
     if not solids:
         return replace(model, quality=0.0)
     return _judged(model if points is None else _measured(model, points), outline, roofs)
