@@ -17,6 +17,7 @@ from pyproj.exceptions import CRSError
 from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
 from .atomic import written_beside
+from .las_check import check_las, decoding
 
 CHUNK_POINTS = 1_000_000
 """Points held in memory at a time while reading."""
@@ -93,8 +94,9 @@ def _header(path: Path) -> laspy.LasHeader:
     """Header of one file, or the sentence that tells the user why not."""
     if not path.is_file():
         raise InputError(f"The point cloud {path} does not exist.")
+    check_las(path)
     try:
-        with laspy.open(path) as reader:
+        with decoding(path), laspy.open(path) as reader:
             return reader.header
     except _READ_ERRORS as error:
         raise InputError(f"{path.name} cannot be read as LAS or LAZ ({error}): it may be truncated or of "
@@ -139,7 +141,7 @@ def iter_chunks(cloud: PointCloud, progress: Progress = SILENT,
     for path, header in zip(cloud.paths, cloud.headers):
         read = 0
         try:
-            with laspy.open(path) as reader:
+            with decoding(path), laspy.open(path) as reader:
                 for chunk in reader.chunk_iterator(chunk_points):
                     read += len(chunk)
                     yield chunk
