@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import math
 import os
 from dataclasses import dataclass, field
@@ -13,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
+from ..io.guard import first_not_finite, read_json, read_text, reads
 
 _COLUMNS = ("image", "x", "y", "z", "omega", "phi", "kappa")
 _NEWTON_STEPS = 12
@@ -155,6 +155,7 @@ def angles_from_usual_order(omega: float, phi: float, kappa: float) -> tuple[flo
     return omega_phi_kappa(third @ second @ first)
 
 
+@reads("a camera file")
 def read_camera(path: str | os.PathLike) -> FrameCamera:
     """The camera of a JSON file (design: frames).
 
@@ -163,10 +164,7 @@ def read_camera(path: str | os.PathLike) -> FrameCamera:
     InputError : the file is no JSON, or a value is missing or not a number.
     """
     path = Path(path)
-    try:
-        values = json.loads(path.read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError) as error:
-        raise InputError(f"{path.name} cannot be read as a camera file: it must be JSON.") from error
+    values = read_json(path, "a camera file")
     if not isinstance(values, dict):
         raise InputError(f"{path.name} holds no camera: it must be a JSON object with focal_length_mm and so on.")
     focal = _number(values, "focal_length_mm", path)
@@ -182,7 +180,7 @@ def read_camera(path: str | os.PathLike) -> FrameCamera:
 
 def _number(values: dict, name: str, path: Path, default: float | None = None) -> float:
     value = values.get(name, default)
-    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(float(value)):
         raise InputError(f"{name} is missing in {path.name} or is not a number: add it.")
     return float(value)
 
@@ -253,6 +251,7 @@ def frame_rays(camera: FrameCamera, pose: ExteriorOrientation, column: np.ndarra
     return d / np.linalg.norm(d, axis=-1, keepdims=True) @ pose.rotation
 
 
+@reads("an exterior orientation")
 def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str = "papers") -> list[ExteriorOrientation]:
     """Poses of a CSV file with the columns image, x, y, z, omega, phi, kappa (further ones are ignored).
 
@@ -283,10 +282,7 @@ def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str =
 
 def _exterior_rows(path: Path) -> tuple[list[str], np.ndarray]:
     """Image names and (n, 6) x, y, z, omega, phi, kappa as they stand in the file."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, ValueError) as error:
-        raise InputError(f"{path.name} cannot be read: it must be a CSV file in UTF-8.") from error
+    text = read_text(path, "an exterior orientation (CSV)")
     header = text.partition("\n")[0]
     delimiter = max(",;\t", key=header.count)
     rows = csv.DictReader(io.StringIO(text), delimiter=delimiter, skipinitialspace=True)
@@ -310,8 +306,9 @@ def _exterior_rows(path: Path) -> tuple[list[str], np.ndarray]:
     if not names:
         raise InputError(f"{path.name} lists no image.")
     table = np.array(numbers)
-    if not np.isfinite(table).all():
-        raise InputError(f"{path.name} holds a value that is not a number: correct it.")
+    bad = first_not_finite(table)
+    if bad is not None:
+        raise InputError(f"{path.name} holds a value that is not a number for {names[bad]}: correct it.")
     return names, table
 
 

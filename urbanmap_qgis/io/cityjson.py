@@ -11,7 +11,6 @@ import os
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Fac
 from ..geometry.solid_faces import face_normal
 from ..progress import SILENT, Progress
 from .atomic import written_beside
+from .guard import first_not_finite, read_json, reads
 
 _UNITS = 10_000
 """Vertices are whole numbers of 1/10000 m."""
@@ -245,6 +245,7 @@ def _plain(value: Any) -> Any:
     return str(value)
 
 
+@reads("CityJSON")
 def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
     """Read the city objects of a CityJSON file (1.0, 1.1, 2.0) and the outer shells of their solids.
 
@@ -254,12 +255,7 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
     ------
     InputError : the file is missing, is not CityJSON, or names a vertex it does not have.
     """
-    try:
-        content = json.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read ({error.strerror}): check the name.") from error
-    except ValueError as error:
-        raise InputError(f"{path} is not JSON: give a CityJSON file.") from error
+    content = read_json(path, "CityJSON")
     if not isinstance(content, dict) or content.get("type") != "CityJSON":
         raise InputError(f"{path} is not a CityJSON file: its type is not 'CityJSON'.")
     try:
@@ -267,6 +263,9 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
         transform = content.get("transform")
         if transform:
             vertices = vertices * np.asarray(transform["scale"]) + np.asarray(transform["translate"])
+        bad = first_not_finite(vertices)
+        if bad is not None:
+            raise InputError(f"{path} is damaged: its vertex {bad} has no finite coordinates.")
         return tuple(
             ReadObject(key, item["type"], item.get("attributes", {}),
                        tuple(solid for geometry in item.get("geometry", []) for solid in _solids(geometry, vertices)))

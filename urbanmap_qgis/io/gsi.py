@@ -20,6 +20,7 @@ from ..progress import SILENT, Progress
 from .gsi_gml import Harvest, Outlines, read_source
 from .gsi_outlines import Buildings, buildings_from_lines, concatenated, one_of_each, repaired, without_known
 from .gsi_sources import Listing, PathLike, list_sources
+from .guard import reads
 from .plane_rectangular import ZONE_NAMES, zone_epsg, zone_numbers
 
 JGD2000, JGD2011 = "EPSG:4612", "EPSG:6668"
@@ -53,6 +54,7 @@ class GsiBuildings:
         return len(self.geometries)
 
 
+@reads("GSI building outlines")
 def read_gsi_buildings(path: PathLike | Sequence[PathLike], progress: Progress = SILENT) -> GsiBuildings:
     """Read GSI building outlines to polygons in longitude and latitude.
 

@@ -21,6 +21,9 @@ ATTRIBUTES = ("gml_id", "fid", "lfSpanFr", "lfSpanTo", "devDate", "orgGILvl", "o
               "source")
 
 _CHUNK = 2**18
+_LONGEST_PROLOG = 2**22
+_LARGEST_OBJECT = 2**26
+_NOT_MARKUP = re.compile(r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)", re.DOTALL)
 _DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._:-]+)["']""")
 # Windows programs write "Shift_JIS" and mean its superset, with characters such as U+2460 or U+9AD9.
 _SUPERSETS = {"shift_jis": "cp932", "shift-jis": "cp932", "sjis": "cp932", "x-sjis": "cp932",
@@ -90,12 +93,15 @@ def read_source(source: XmlSource, harvest: Harvest, progress: Progress = SILENT
     with opened(source) as stream:
         parser = XMLPullParser(events=("start", "end"))
         objects = _objects(parser, source, harvest)
-        read = 0
+        read = since = 0
         try:
             for text, size in _decoded(stream, source.name):
                 read += size
                 parser.feed(text)
-                next(objects)
+                since = 0 if next(objects) else since + size
+                if since > _LARGEST_OBJECT:
+                    raise InputError(f"{source.name} has an object of more than {_LARGEST_OBJECT >> 20} MB, which no "
+                                     "building is: download it again.")
                 progress.step(read / max(source.size, read, 1))
             parser.close()
             next(objects)
@@ -111,22 +117,27 @@ def _decoded(stream: IO[bytes], name: str) -> Iterator[tuple[str, int]]:
     The XML parser itself knows no Shift_JIS; given text it passes over the declared encoding.
     """
     decoder, prolog = None, True
-    tail = ""
+    start = ""
     while True:
         data = stream.read(_CHUNK)
         if decoder is None:
             decoder = _decoder(data, name)
         try:
             text = decoder.decode(data, final=not data)
-        except UnicodeDecodeError as error:
-            raise InputError(f"{name} holds bytes that are not valid {error.encoding}: "
+        except UnicodeError as error:
+            encoding = getattr(error, "encoding", "text in the encoding that it declares")
+            raise InputError(f"{name} holds bytes that are not valid {encoding}: "
                              "download it again or correct its declared encoding.") from error
         if prolog:
-            if "<!DOCTYPE" in tail + text:
+            start += text
+            if len(start) > _LONGEST_PROLOG:
+                raise InputError(f"{name} has no object in its first {_LONGEST_PROLOG >> 20} MB: download it again "
+                                 "from the GSI.")
+            plain = _NOT_MARKUP.sub("", start)
+            if "<!DOCTYPE" in plain:
                 raise InputError(f"{name} has a document type declaration, which GSI data never has: "
                                  "download it again from the GSI.")
-            prolog = re.search(r"<[A-Za-z]", text) is None
-            tail = text[-len("<!DOCTYPE"):]
+            prolog = re.search(r"<[^!?\s]", plain) is None
         if text:
             yield text, len(data)
         if not data:
@@ -142,15 +153,19 @@ def _decoder(start: bytes, name: str) -> codecs.IncrementalDecoder:
     else:
         encoding = declared.group(1).decode("ascii").lower()
     try:
-        return codecs.getincrementaldecoder(_SUPERSETS.get(encoding, encoding))()
+        known = codecs.lookup(_SUPERSETS.get(encoding, encoding))
+        if not known._is_text_encoding or known.incrementaldecoder is None:
+            raise LookupError(encoding)
+        return known.incrementaldecoder()
     except LookupError as error:
         raise InputError(f"{name} declares the unknown encoding {encoding}: save it as UTF-8.") from error
 
 
-def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iterator[None]:
-    """Take in the objects that the parser has finished; to be advanced after each piece fed."""
+def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iterator[int]:
+    """Take in the objects that the parser has finished and give their number; to be advanced after each piece fed."""
     depth, root = 0, None
     while True:
+        finished = 0
         for event, element in parser.read_events():
             if event == "start":
                 if root is None:
@@ -164,15 +179,18 @@ def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iter
                 if depth == 1:
                     _take(element, source.short_name, harvest)
                     root.clear()
-        yield
+                    finished += 1
+        yield finished
 
 
-def _ignored(parser: XMLPullParser) -> Iterator[None]:
+def _ignored(parser: XMLPullParser) -> Iterator[int]:
     """Read on only to learn whether the XML is whole."""
     while True:
+        events = 0
         for _, element in parser.read_events():
             element.clear()
-        yield
+            events += 1
+        yield events
 
 
 def _take(element: Element, source: str, harvest: Harvest) -> None:

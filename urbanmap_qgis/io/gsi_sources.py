@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import tempfile
 import zipfile
 import zlib
@@ -22,6 +21,7 @@ PathLike = Union[str, os.PathLike]
 _OBJECT_TYPE = re.compile(r"FG-GML-.*?-([A-Z][A-Za-z]+)-\d{8}", re.IGNORECASE)
 _BUILDING_TYPES = {"blda", "bldl", "all"}
 _DEEPEST_ZIP = 4  # the site packs a zip of map sheets at most twice; deeper is a mistake or a bomb
+_LARGEST_ZIP = 2**31
 _SPOOL_BYTES = 32 * 2**20
 
 
@@ -114,10 +114,20 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
         spool = stack.enter_context(tempfile.SpooledTemporaryFile(_SPOOL_BYTES))  # noqa: SIM115
         with _explained(label):
             with archive.open(info) as packed:
-                shutil.copyfileobj(packed, spool, 2**20)
+                _copy(packed, spool, label)
             spool.seek(0)
             inner = stack.enter_context(zipfile.ZipFile(_seekable(spool)))
         _list_zip(inner, label, listing, stack, depth + 1)
+
+
+def _copy(packed: IO[bytes], spool: IO[bytes], label: str) -> None:
+    """Unpack a zip of a zip, as far as one can be that the GSI packs."""
+    done = 0
+    while piece := packed.read(2**20):
+        done += len(piece)
+        if done > _LARGEST_ZIP:
+            raise InputError(f"{label} holds more than {_LARGEST_ZIP >> 30} GB: unpack it first.")
+        spool.write(piece)
 
 
 def _seekable(spool: tempfile.SpooledTemporaryFile) -> IO[bytes]:

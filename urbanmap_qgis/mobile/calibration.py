@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -11,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
+from ..io.guard import read_json, reads
 from .trajectory import Trajectory, body_to_map
 
 _MAX_LEVER_ARM = 20.0
@@ -61,6 +61,7 @@ class Calibration:
     cameras: tuple[MountedCamera, ...] = ()
 
 
+@reads("a calibration")
 def read_calibration(path: str | os.PathLike) -> Calibration:
     """Read a calibration file (JSON with `scanners` and `camera` or `cameras`).
 
@@ -69,10 +70,7 @@ def read_calibration(path: str | os.PathLike) -> Calibration:
     InputError : it is no such file, or an entry is missing or no number.
     """
     name = Path(path).name
-    try:
-        content = json.loads(Path(path).read_text(encoding="utf-8-sig"))
-    except (OSError, ValueError) as error:
-        raise InputError(f"{name} cannot be read as a calibration (JSON): {error}.") from error
+    content = read_json(path, "a calibration")
     if not isinstance(content, dict) or not any(key in content for key in ("scanners", "camera", "cameras")):
         raise InputError(f"{name} is no calibration: it needs an entry “scanners” or “cameras”.")
     cameras = content.get("cameras", [content["camera"]] if "camera" in content else [])
@@ -90,7 +88,7 @@ def _scanner(entry: Mapping, name: str) -> MountedScanner:
     source = entry.get("point_source_id", entry.get("id"))
     try:
         source = int(source)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         source = None
     return MountedScanner(*_mount(entry, name), source, _number(entry, "max_range", name, np.inf))
 
@@ -115,13 +113,13 @@ def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
 
 def _number(entry: Mapping, key: str, name: str, default: float) -> float:
     value = entry.get(key, default)
-    if not _is_number(value):
+    if not _is_number(value) and not (key not in entry and value == np.inf):
         raise InputError(f"{name}: “{key}” of {entry.get('id', 'an entry')} is no number.")
     return float(value)
 
 
 def _is_number(value: object) -> bool:
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and not np.isnan(value)
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and bool(np.isfinite(float(value)))
 
 
 def scanner_of(calibration: Calibration, point_source_id: int) -> MountedScanner:

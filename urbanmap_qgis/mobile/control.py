@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError, InsufficientDataError
+from ..io.guard import read_text, reads
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection
 from .trajectory import Trajectory
@@ -68,6 +69,7 @@ class Accuracy:
     bias: np.ndarray
 
 
+@reads("control points")
 def read_control(path: str | os.PathLike) -> ControlPoints:
     """Read control points from CSV with the columns `COLUMNS`; heights may be missing.
 
@@ -75,11 +77,8 @@ def read_control(path: str | os.PathLike) -> ControlPoints:
     ------
     InputError : it cannot be read, a column is missing, or a value is no number.
     """
-    try:
-        text = Path(path).read_text(encoding="utf-8-sig")
-        rows = list(csv.DictReader(io.StringIO(text), delimiter=";" if text.split("\n", 1)[0].count(";") > 4 else ","))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{Path(path).name} cannot be read as control points (CSV): {error}.") from error
+    text = read_text(path, "control points (CSV)")
+    rows = list(csv.DictReader(io.StringIO(text), delimiter=";" if text.split("\n", 1)[0].count(";") > 4 else ","))
     columns = {name: [row.get(name) for row in rows] for name in (rows[0] if rows else ()) if name}
     return control_from_columns(columns, Path(path).name)
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.atomic import written_beside
+from ..io.guard import first_not_finite, read_text, reads
 from .trajectory import Trajectory, attitude_angles, interpolate, rotations, unwrapped
 
 COLUMNS = ("id", "time", "x", "y", "z", "roll", "pitch", "heading")
@@ -34,6 +35,7 @@ class ImagePoses:
     others: dict[str, tuple[str, ...]]
 
 
+@reads("image poses")
 def read_image_poses(path: str | os.PathLike) -> ImagePoses:
     """Read image poses.
 
@@ -42,10 +44,7 @@ def read_image_poses(path: str | os.PathLike) -> ImagePoses:
     InputError : a column is missing, or a value is no number.
     """
     name = Path(path).name
-    try:
-        rows = list(csv.DictReader(io.StringIO(Path(path).read_text(encoding="utf-8-sig"))))
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{name} cannot be read as image poses (CSV): {error}.") from error
+    rows = list(csv.DictReader(io.StringIO(read_text(path, "image poses (CSV)"))))
     missing = [column for column in COLUMNS if not rows or column not in rows[0]]
     if missing:
         raise InputError(f"{name} has no column {', '.join(missing)} or no row: image poses need {','.join(COLUMNS)}.")
@@ -53,6 +52,9 @@ def read_image_poses(path: str | os.PathLike) -> ImagePoses:
         table = np.array([[float(row[column]) for column in COLUMNS[1:]] for row in rows])
     except (TypeError, ValueError) as error:
         raise InputError(f"{name} holds a value that is no number ({error}): correct it.") from error
+    bad = first_not_finite(table)
+    if bad is not None:
+        raise InputError(f"{name} has no number in row {bad + 2}: correct or remove it.")
     others = {key: tuple(row[key] for row in rows) for key in rows[0] if key and key not in COLUMNS}
     return ImagePoses(tuple(row["id"] for row in rows), table[:, 0], table[:, 1:4], unwrapped(table[:, 4:7]), others)
 

@@ -14,6 +14,7 @@ from pyproj import CRS, Proj, Transformer
 
 from ..errors import InputError
 from ..io.atomic import written_beside
+from ..io.guard import first_not_finite, read_text, reads
 from ..io.pointcloud import plan_crs
 from .trajectory import Trajectory, gaps, jumps, unwrapped
 
@@ -54,6 +55,7 @@ class TrajectoryFile:
     crs_wkt: str | None = None
 
 
+@reads("a trajectory")
 def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None) -> TrajectoryFile:
     """Read a trajectory: CSV with `time,x,y,z,roll,pitch,heading`, or Applanix SBET (`.out`, `.sbet`).
 
@@ -68,10 +70,7 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None) -> Traj
     path = Path(path)
     if path.suffix.lower() in SBET_SUFFIXES:
         return _read_sbet(path, crs_wkt)
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path.name} cannot be read as a trajectory (CSV): {error}.") from error
+    text = read_text(path, "a trajectory (CSV)")
     first = text.split("\n", 1)[0]
     delimiter = max(",;\t ", key=first.count)
     if delimiter == " " or first.count(delimiter) < len(COLUMNS) - 1:
@@ -163,9 +162,16 @@ def _read_sbet(path: Path, crs_wkt: str | None) -> TrajectoryFile:
     records = np.fromfile(path, _SBET)
     if not (np.abs(records["latitude"]) < 1.6).all() or not (np.abs(records["longitude"]) < 6.3).all():
         raise InputError(f"{path.name} is no SBET file: its latitudes are no angles in radians.")
+    bad = first_not_finite(records.view("<f8").reshape(len(records), -1))
+    if bad is not None:
+        raise InputError(f"{path.name} has no number in record {bad + 1}: export it again, or remove the record.")
     x, y, convergence = _projected(records, crs_wkt)
     table = np.column_stack([records["time"], x, y, records["altitude"], *np.degrees([records["roll"],
                              records["pitch"]]), np.degrees(records["heading"]) - convergence])
+    bad = first_not_finite(table)
+    if bad is not None:
+        raise InputError(f"{path.name} lies outside the coordinate reference system of the survey at record {bad + 1}: "
+                         "choose the right one.")
     order, notes = _order(table, path.name)
     made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names})
     return TrajectoryFile(made.trajectory, "sbet", made.notes, made.columns, (), "", crs_wkt)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InputError
+from ...io.guard import reads
 from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, NavigationRecords, read_navigation_files
 from .earth_fixed import SPEED_OF_LIGHT
 from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
@@ -119,6 +120,7 @@ class SatelliteStates:
     status: np.ndarray
 
 
+@reads("navigation files")
 def read_navigation(paths: Sequence[str | os.PathLike]) -> Navigation:
     """Read navigation files (RINEX 2.11, 3.x) and precise orbits (SP3), in any mixture.
 

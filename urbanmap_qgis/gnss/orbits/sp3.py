@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
+from ...io.guard import reads
 from ..rinex.gnss_time import calendar_seconds, known_scale, to_gps
 from ..rinex.text_lines import read_bytes
 
@@ -48,6 +49,7 @@ def is_sp3(path: str | os.PathLike) -> bool:
     return data[:1] == b"#" and data[1:2] in b"acd" and data[2:3] in b"PV"
 
 
+@reads("SP3 orbits")
 def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
     """Read an SP3-c or SP3-d file, plain or gzipped.
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ...errors import InputError
+from ...io.guard import reads
 from .gnss_time import BEIDOU_OFFSET, calendar_seconds, leap_seconds, nearest_week, to_gps
 from .text_lines import RinexFile, read_rinex
 
@@ -121,6 +122,7 @@ class NavigationRecords:
     notes: tuple[str, ...]
 
 
+@reads("RINEX navigation")
 def read_navigation_files(paths: Sequence[str | os.PathLike]) -> NavigationRecords:
     """Read RINEX navigation files of any systems, plain or gzipped, and put them together.
 

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
+from ...io.guard import reads
 from ...progress import SILENT, Progress
 from .gnss_time import calendar_seconds, known_scale, to_gps
 from .text_lines import RinexFile, read_rinex
@@ -72,6 +73,7 @@ class _Rows:
     types: np.ndarray
 
 
+@reads("RINEX observations")
 def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress: Progress = SILENT) -> Observations:
     """Read the code observations of a RINEX file, plain or gzipped.
 

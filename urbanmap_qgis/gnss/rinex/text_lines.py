@@ -10,7 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
+from ...io.guard import reads
 
+_LARGEST = 2**30
 _PIECE = 1 << 16
 _MAGIC_GZIP, _MAGIC_COMPRESS, _MAGIC_ZIP = b"\x1f\x8b", b"\x1f\x9d", b"PK\x03\x04"
 
@@ -82,12 +84,16 @@ def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
 
 def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
     """Content of gzip data of one or more members, and whether it ended as it should."""
-    parts = []
+    parts, total = [], 0
     while data[:2] == _MAGIC_GZIP:
         stream = zlib.decompressobj(31)
         try:
             for first in range(0, len(data), _PIECE):
-                parts.append(stream.decompress(data[first:first + _PIECE]))
+                parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
+                total += len(parts[-1])
+                if total >= _LARGEST:
+                    raise InputError(f"{name} holds more than {_LARGEST >> 20} MB when unpacked: give the files of one "
+                                     "drive at a time.")
                 if stream.eof:
                     break
         except zlib.error as error:
@@ -100,6 +106,7 @@ def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
     return b"".join(parts), True
 
 
+@reads("RINEX")
 def read_rinex(path: str | os.PathLike) -> RinexFile:
     """Read a RINEX file of version 2 or 3 and cut it into lines.
 

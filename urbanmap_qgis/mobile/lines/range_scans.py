@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
+from ...io.guard import first_not_finite, reads
 from ...io.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 
@@ -38,6 +39,7 @@ SUFFIXES = (".csv", ".txt", ".csv.gz", ".txt.gz", ".parquet", ".las", ".laz")
 
 _CHUNK_BYTES = 16_000_000
 _CHUNK_ROWS = 1_000_000
+_LONGEST_LINE = 2**24
 _DAMAGED = (OSError, EOFError, UnicodeDecodeError)
 
 
@@ -66,6 +68,7 @@ class RangeScans:
                           self.scanner[keep])
 
 
+@reads("range scans")
 def read_scans(paths: Sequence[str | os.PathLike], radians: bool = False,
                progress: Progress = SILENT) -> Iterator[RangeScans]:
     """The returns of files, chunk by chunk, file after file.
@@ -84,6 +87,10 @@ def read_scans(paths: Sequence[str | os.PathLike], radians: bool = False,
     readers = [_reader(path) for path in files]
     for number, (path, reader) in enumerate(zip(files, readers)):
         for chunk in reader(path, progress.part(number / len(files), (number + 1) / len(files))):
+            bad = first_not_finite(np.column_stack([chunk.time, chunk.angle]))
+            if bad is not None:
+                raise InputError(f"{path.name} has a return without a time or an angle that is a number (return "
+                                 f"{bad + 1} of those read at a time): correct it or export the scans again.")
             yield _in_degrees(chunk) if radians else chunk
 
 
@@ -165,6 +172,8 @@ def _whole_lines(stream) -> Iterator[bytes]:
         block = rest + block
         cut = block.rfind(b"\n") + 1
         rest = block[cut:]
+        if len(rest) > _LONGEST_LINE:
+            raise ValueError("a line without an end")
         if cut:
             yield block[:cut]
     if rest.strip():

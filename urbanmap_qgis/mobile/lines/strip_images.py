@@ -13,6 +13,7 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError
 from rasterio.windows import Window
 
 from ...errors import InputError
+from ...io.guard import reads
 from ...io.raster import own_gdal
 from ..calibration import Calibration, MountedCamera
 from .line_camera import LineCamera, StripImage
@@ -118,6 +119,7 @@ def _opened(path: Path):
         raise InputError(f"{path.name} cannot be read as an image: check the file.") from error
 
 
+@reads("a table of times")
 def read_times(path: str | os.PathLike, columns: int, image: str = "the image") -> np.ndarray:
     """Times (columns,) of an image's columns from a table `column,time` (s), in any order.
 

@@ -16,6 +16,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...io.guard import read_text, reads
 from ...progress import SILENT, Progress
 from ..gps_time import shift_between
 from ..trajectory import Trajectory, gaps
@@ -60,6 +61,7 @@ class TiePoints:
         return [str(name) for name in names[order]], rank[number.ravel()]
 
 
+@reads("tie points")
 def read_tie_points(path: str | os.PathLike) -> TiePoints:
     """Tie points of a CSV with the columns `COLUMNS`, separated by comma, semicolon or tabulator.
 
@@ -68,10 +70,7 @@ def read_tie_points(path: str | os.PathLike) -> TiePoints:
     InputError : it cannot be read, a column is missing, or a value is no number.
     """
     path = Path(path)
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path.name} cannot be read as tie points (CSV): {error}.") from error
+    text = read_text(path, "tie points (CSV)")
     header = text.split("\n", 1)[0]
     rows = [row for row in csv.reader(text.splitlines(), delimiter=max(",;\t", key=header.count)) if any(row)]
     if not rows or any(len(row) != len(rows[0]) for row in rows):
