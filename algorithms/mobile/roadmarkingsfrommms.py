@@ -9,6 +9,7 @@ from ..framework.parameters import HTML_FILTER
 from ..framework.point_outputs import check_points_output
 from ..framework.workers import workers
 
+METHODS = ("full", "paper")
 GROUND_SOURCES = ("automatic", "classes", "cloth")
 
 
@@ -24,7 +25,7 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         "intensities are divided by it. Points brighter than the ground round them are marking points, if they form "
         "strokes; kerbs, feet of walls and wide bright surfaces are left out.\n"
         "Ground is taken by class 2 where at least 1 % of the points have it, otherwise found by the cloth filter. The "
-        "survey is worked on along the driven way: passes through the same place are not mixed, and what was measured "
+        "survey is worked on along the path: passes through the same place are not mixed, and what was measured "
         "while the vehicle stood for more than a second is left out. The files may be larger than memory."
     )
 
@@ -33,15 +34,21 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                         "coordinate system.")
         self.add_trajectory()
         self.add_calibration(optional=True)
-        self.add_distance("MAX_RANGE", "Largest range", "Points farther from the scanner, in metres, are left out. The "
+        self.add_distance("MAX_RANGE", "Maximum range", "Points farther from the scanner, in metres, are left out. The "
                           "range up to which the curve holds (R2) may be shorter.", 25.0, 1.0, 200.0, advanced=True)
         self.add_distance("BLOCK_SIZE", "Block size", "Side in metres of the block whose mean a marking exceeds.", 2.5,
                           0.5, 20.0, advanced=True)
+        self.add_choice("METHOD", "Method", "Full, or as in the paper to the letter: the adaptive threshold of block "
+                        "and grey contrast alone, on an image of 12 cm; contrast, stroke width and length do not count "
+                        "then, and kerbs, feet of walls and specks stay.", METHODS, "full", advanced=True)
+        self.add_number("GREY_CONTRAST", "Grey contrast", "With the paper's method: by how many grey levels of 256 a "
+                        "marking exceeds the weighted mean of its block (c). White is the intensity that 0.1 % of the "
+                        "ground exceeds.", 17.0, 1.0, 200.0, advanced=True)
         self.add_number("CONTRAST", "Contrast", "How much brighter than the ground a marking is, as a share of the "
                         "ground's intensity.", 0.35, 0.05, 5.0, advanced=True)
-        self.add_distance("MAX_WIDTH", "Largest stroke width", "What is wider in both directions, in metres, is no "
+        self.add_distance("MAX_WIDTH", "Maximum stroke width", "What is wider in both directions, in metres, is no "
                           "marking but ground.", 0.8, 0.2, 5.0, advanced=True)
-        self.add_distance("MIN_LENGTH", "Smallest length", "Shorter pieces, in metres, are left out.", 0.4, 0.0, 10.0,
+        self.add_distance("MIN_LENGTH", "Minimum length", "Shorter pieces, in metres, are left out.", 0.4, 0.0, 10.0,
                           advanced=True)
         self.add_choice("GROUND_SOURCE", "Ground points", "How ground points are told. Automatic: by class where at "
                         "least 1 % of the points have a ground class, otherwise by the cloth filter.", GROUND_SOURCES,
@@ -70,8 +77,8 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         self.add_number_output("FIT_SCATTER", "Scatter of asphalt", "Standard deviation of single asphalt points round "
                                "the curve, as a share of it (of the same scanner).")
         self.add_number_output("SCANNERS", "Scanners", "Scanners with a curve.")
-        self.add_number_output("FARTHEST_RANGE", "Farthest range", "R2: range up to which points are used.", "m")
-        self.add_number_output("MARKED_WAY", "Way with markings", "Share of the driven way, by 20 m, with marking "
+        self.add_number_output("FARTHEST_RANGE", "Maximum range used", "R2: range up to which points are used.", "m")
+        self.add_number_output("MARKED_WAY", "Path with markings", "Share of the path, by 20 m, with marking "
                                "points, 0 to 1.")
         self.add_number_output("LEFT_OUT", "Points left out", "Points at times for which the trajectory has no place, "
                                "or at which the vehicle stood.")
@@ -109,6 +116,7 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
     def _settings(self, parameters, context):
         from ...urbanmap_qgis.mobile.markings.marking_points import MarkingPointSettings
         from ...urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+        from ...urbanmap_qgis.mobile.markings.plain_threshold import PlainThreshold
         from ...urbanmap_qgis.terrain.cloth import ClothSettings
 
         def number(name: str) -> float:
@@ -118,5 +126,8 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                                        max_width=number("MAX_WIDTH"), min_length=number("MIN_LENGTH"))
         cloth = ClothSettings(number("CLOTH_RESOLUTION"), number("CLOTH_THRESHOLD"),
                               self.parameterAsInt(parameters, "ITERATIONS", context))
-        return ExtractionSettings(number("MAX_RANGE"), marking, cloth,
+        plain = None
+        if self.parameterAsString(parameters, "METHOD", context) == "paper":
+            plain = PlainThreshold(number("BLOCK_SIZE"), number("GREY_CONTRAST"))
+        return ExtractionSettings(number("MAX_RANGE"), marking, cloth, plain,
                                   self.parameterAsString(parameters, "GROUND_SOURCE", context))

@@ -50,7 +50,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
 
         run = self.child_runner(context, feedback, 3)
         points = self.parameterAsFileList(parameters, "POINTS", context)
-        markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", "CALIBRATION", "WORKERS"), POINTS=points,
+        markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", "CALIBRATION", "METHOD", "WORKERS"), POINTS=points,
                        OUTPUT=self.temporary_file(context, "markings.laz"))
         registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
                                                "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",

@@ -41,6 +41,14 @@ def test_markings_and_the_page_of_the_fit(run, inputs, small_city, tmp_path):
     assert "<svg" in page and "Scanner 1" in page
 
 
+def test_the_papers_threshold_keeps_more(run, inputs, tmp_path):
+    full = run(ALGORITHM, inputs)
+    paper = run(ALGORITHM, {**inputs, "METHOD": "paper", "OUTPUT": str(tmp_path / "paper.laz")})
+    assert paper["MARKING_POINTS"] != full["MARKING_POINTS"] and paper["FARTHEST_RANGE"] == full["FARTHEST_RANGE"]
+    weight = np.asarray(laspy.read(paper["OUTPUT"])["marking_weight"])
+    assert (weight == 1).all()
+
+
 def test_the_page_and_the_calibration_may_be_left_out(run, inputs, tmp_path):
     del inputs["CALIBRATION"], inputs["OUTPUT_CURVE"]
     result = run(ALGORITHM, {**inputs, "MAX_RANGE": 12.0, "CONTRAST": 0.6, "MIN_LENGTH": 1.0})

@@ -134,6 +134,15 @@ def calibrated(intensity: np.ndarray, ranges: np.ndarray, curve: IntensityCurve,
     return np.where(ranges <= curve.farthest, values, np.nan)
 
 
+def brightness_counts(histogram: RangeHistogram, curve: IntensityCurve) -> tuple[np.ndarray, np.ndarray]:
+    """Brightness (asphalt: 1) of each filled cell of a histogram within R2, (k,), and its number of points (k,)."""
+    row, level = np.nonzero(histogram.counts)
+    ranges = (row + 0.5) * BIN
+    value = calibrated(np.exp(RangeHistogram.level_values()[level]), ranges, curve, 1.0)
+    known = np.isfinite(value)
+    return value[known], histogram.counts[row, level][known]
+
+
 def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
     """The curve that the asphalt of a histogram follows.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from functools import partial
@@ -20,8 +20,9 @@ from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
 from ...terrain.surface import ground_source
 from ..calibration import Calibration
 from ..trajectory import Trajectory
-from .intensity_calibration import IntensityCurve, RangeHistogram, calibrated, fit_curve
-from .marking_points import MarkingPointSettings, Noise, marking_points, roughness
+from .intensity_calibration import IntensityCurve, RangeHistogram, brightness_counts, calibrated, fit_curve
+from .marking_points import MarkingAnswer, MarkingPointSettings, Noise, marking_points, roughness
+from .plain_threshold import WHITE_SHARE, PlainThreshold, plain_marking_points
 from .records import MarkingPoints
 from .survey_points import RECORD, SurveyPoints, require_points
 
@@ -45,12 +46,14 @@ class ExtractionSettings:
     ----------
     max_range : m; farther points are left out, whatever the intensity curve allows (R2).
     marking : how points are told. cloth : the ground filter, where the points are not classified.
+    plain : the paper's threshold, which then tells them instead.
     ground : "automatic", "classes" or "cloth".
     """
 
     max_range: float = 25.0
     marking: MarkingPointSettings = field(default_factory=MarkingPointSettings)
     cloth: ClothSettings = JAVANMARDI
+    plain: PlainThreshold | None = None
     ground: str = "automatic"
 
     def __post_init__(self) -> None:
@@ -214,7 +217,9 @@ class _Run:
         """The marking points of all stretches."""
         progress.message("Finding the markings.")
         owned: list[np.ndarray] = []
-        work = partial(_markings_of_stretch, noise=self._noise(), settings=self.settings.marking)
+        plain = self.settings.plain
+        work = (partial(_markings_of_stretch, noise=self._noise(), settings=self.settings.marking) if plain is None else
+                partial(_plain_markings_of_stretch, white=self._white(), settings=plain))
 
         def pieces() -> Iterator[tuple[np.ndarray, ...]]:
             for records, own in self.survey.stretches(ground, self.length, _MARGIN):
@@ -230,6 +235,15 @@ class _Run:
             owned[step] = owned[step][:0]
             progress.step(min((step + 1) / self.pieces, 1.0))
         return self._result(found)
+
+    def _white(self) -> float:
+        """The brightness (asphalt: 1) that all but 0.1 % of the ground's points stay below."""
+        values, counts = zip(*(brightness_counts(self.histograms[number], curve)
+                               for number, curve in self.curves.items()))
+        value, count = np.concatenate(values), np.concatenate(counts)
+        order = np.argsort(value)
+        running = np.cumsum(count[order])
+        return float(value[order][np.searchsorted(running, WHITE_SHARE * running[-1])])
 
     def _noise(self) -> Noise:
         """Scatter of heights, and of asphalt's brightness over all scanners."""
@@ -286,13 +300,26 @@ def _ground_of_stretch(piece: tuple[np.ndarray, np.ndarray], settings: ClothSett
 def _markings_of_stretch(piece: tuple[np.ndarray, ...], noise: Noise,
                          settings: MarkingPointSettings) -> tuple[np.ndarray, ...]:
     """Rows among a stretch's own points that are paint, with weight, contrast and brightness."""
+    return _answer_of_own(piece, settings.reach, lambda x, y, z, brightness: marking_points(
+        x, y, z, brightness, noise, settings))
+
+
+def _plain_markings_of_stretch(piece: tuple[np.ndarray, ...], white: float,
+                               settings: PlainThreshold) -> tuple[np.ndarray, ...]:
+    """The same by the paper's threshold."""
+    return _answer_of_own(piece, settings.reach, lambda x, y, _z, brightness: plain_marking_points(
+        x, y, brightness, white, settings))
+
+
+def _answer_of_own(piece: tuple[np.ndarray, ...], reach: float,
+                   find: Callable[..., MarkingAnswer]) -> tuple[np.ndarray, ...]:
+    """What `find` answers for a stretch's own points, from the points within `reach` m of them."""
     x, y, z, brightness, own = piece
     if not own.any():
         return np.empty(0, int), *(np.empty(0, np.float32) for _ in range(3))
     box = x[own].min(), x[own].max(), y[own].min(), y[own].max()
-    reach = settings.reach
     near = ((x >= box[0] - reach) & (x <= box[1] + reach) & (y >= box[2] - reach) & (y <= box[3] + reach))
-    answer = marking_points(x[near], y[near], z[near], brightness[near], noise, settings)
+    answer = find(x[near], y[near], z[near], brightness[near])
     mine = own[near]
     rows = np.flatnonzero(answer.paint[mine])
     return rows, answer.weight[mine][rows], answer.contrast[mine][rows], brightness[own][rows]
