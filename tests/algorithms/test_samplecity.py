@@ -34,7 +34,7 @@ def test_a_small_city_whose_files_qgis_opens(run, tmp_path):
 @pytest.mark.parametrize(("parameters", "words"), [
     ({"SIZE": -5}, "60 to 600 m, not -5"),
     ({"SIZE": 10_000}, "60 to 600 m"),
-    ({"SCENE": "moon"}, "SCENE"),
+    ({"SCENE": "moon"}, "Scene: moon is none of"),
     ({"OUTPUT": "full"}, "not empty"),
     ({"OUTPUT": "full/mine.txt"}, "is a file"),
     ({"OUTPUT": "missing/city"}, "does not exist"),
