@@ -41,7 +41,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
         self.add_distance("HEIGHT", "Height", "Height in metres above the ground of each model up to which measured "
                           "walls are taken.", 20.0, 1.0, 500.0)
         self.add_distance("MAX_OFFSET", "Maximum offset", "Maximum distance in metres by which a wall moves to the "
-                          "measured one.", 1.5, 0.01, 10.0, advanced=True)
+                          "measured one.", 2.0, 0.01, 10.0, advanced=True)
         self.add_number("MAX_TURN", "Maximum rotation", "Maximum angle between a wall and the measured one.", 5.0, 0.1,
                         20.0, unit="°", advanced=True)
         self.add_number("LEAST_SHARE", "Minimum share measured", "Minimum share of a wall's length, 0 to 1, that must "

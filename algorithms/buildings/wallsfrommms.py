@@ -123,4 +123,4 @@ class WallsFromMms(UrbanMapAlgorithm):
 
         return WallSettings(FacadeSettings(number("MAX_HEIGHT"), number("REACH")),
                             PlaneSettings(number("TOLERANCE"), number("MIN_AREA"), number("GAP")),
-                            ContourSettings(number("MIN_AREA"), number("MIN_OPENING")))
+                            ContourSettings(number("MIN_AREA"), number("MIN_OPENING"), max_gap=number("GAP")))

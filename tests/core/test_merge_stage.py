@@ -125,8 +125,42 @@ def test_courtyards_and_corners():
     assert len(lowest_plan(building).interiors) == 1
 
 
+def test_pieces_of_one_plane_are_summed():
+    """37 % of an edge in three pieces, each too short to move it; a piece of another depth is not one of them."""
+    pieces = [((1, -0.4), (3.4, -0.4)), ((8, -0.41), (10.4, -0.39)), ((16, -0.4), (18.6, -0.4))]
+    walls = [wall(*ends, number=number) for number, ends in enumerate(pieces)]
+    building = one([model((box(0, 0, 20, 10), 30.0))], walls)
+    south = next(edge for edge in building.edges if edge.match.status == "moved")
+    assert south.match.measured == pytest.approx(0.37) and south.match.offset == pytest.approx(0.4, abs=0.01)
+    assert building.volume == pytest.approx(200 * 30 + 20 * 0.4 * 20, rel=1e-3)
+    assert one([model((box(0, 0, 20, 10), 30.0))], walls[:2]).status == UNCHANGED
+    apart = [walls[0], wall((8, 0.3), (10.4, 0.3), number=1), walls[2]]
+    assert one([model((box(0, 0, 20, 10), 30.0))], apart).status == UNCHANGED
+
+
+def test_bays_and_recesses_of_one_edge_are_followed():
+    """An edge of 20 m whose facade steps: 0.5 m behind, a bay 0.6 m before, and 0.5 m behind again."""
+    walls = [wall((0, 0.5), (8, 0.5)), wall((8, -0.6), (13, -0.6), number=1), wall((13, 0.5), (20, 0.5), number=2)]
+    building = one([model((box(0, 0, 20, 10), 30.0))], walls)
+    moved = [edge for edge in building.edges if edge.match.status == "moved"]
+    assert building.status == MERGED and sorted(round(edge.length, 1) for edge in moved) == [5.0, 7.0, 8.0]
+    plan = lowest_plan(building)
+    assert plan.area == pytest.approx(200 - 15 * 0.5 + 5 * 0.6, abs=0.1)
+    corners = {tuple(np.round(place - (X0, Y0), 2) + 0.0) for place in shapely.get_coordinates(plan)}
+    assert {(8.0, 0.5), (8.0, -0.6), (13.0, -0.6), (13.0, 0.5)} <= corners
+    assert building.volume == pytest.approx(20 * plan.area + 10 * 200 + 0.0, rel=0.01)
+
+
+def test_walls_over_each_other_make_no_step():
+    """A balcony before the middle of a facade that was measured all along: the facade has the place."""
+    walls = [wall((0, 0.4), (20, 0.4)), wall((8, -0.9), (12, -0.9), low=6.0, high=9.0, number=1)]
+    building = one([model((box(0, 0, 20, 10), 30.0))], walls)
+    assert [edge.length for edge in building.edges if edge.match.status == "moved"] == [pytest.approx(20.0)]
+    assert lowest_plan(building).area == pytest.approx(200 - 8.0, abs=0.05)
+
+
 @pytest.mark.parametrize(("walls", "settings", "status", "words"), [
-    ([((0, -2.0), (20, -2.0))], {}, "too far", "2.00 m outside"),
+    ([((0, -2.5), (20, -2.5))], {}, "too far", "2.50 m outside"),
     ([((0, -0.9), (20, 0.9))], {"max_rotation": 3.0}, "too far", "rotated"),
     ([((0, -0.4), (3, -0.4))], {}, "not seen", "no measured wall"),
     ([((0, 0.004), (20, 0.004))], {}, "fits", ""),

@@ -88,6 +88,27 @@ def test_what_was_seen_and_what_stands_in_front():
     assert behind.hidden == 0
 
 
+def test_pieces_near_each_other_are_one_contour_and_the_gap_is_told():
+    """Three pieces of 3 m with gaps of 1 m, as trunks leave them: one contour of 11 m; 2 m apart they are three."""
+    rng = np.random.default_rng(8)
+    plane = plane_towards(120)
+    made = {}
+    for gap in (1.0, 2.5):
+        along = np.concatenate([start + rng.uniform(0, 3, 3000) for start in (0, 3 + gap, 6 + 2 * gap)])
+        flat = np.column_stack([along, rng.uniform(0, 5, len(along))])
+        made[gap] = wall_contours(plane, points_on(plane, flat), ContourSettings(max_gap=1.5))
+    (whole,), apart = made[1.0], made[2.5]
+    assert np.ptp(np.array(whole.polygon.bounds)[[0, 2]]) == pytest.approx(11.0, abs=0.2) and len(apart) == 3
+    assert whole.filled == pytest.approx(2 * 5 / 55, abs=0.03) and whole.points > 8700
+    seen = wall_coverage(plane, [whole], plane.point[2], plane.point[2] + 5.0, np.zeros((0, 3)))
+    assert seen.coverage == pytest.approx(45 / 55, abs=0.05)
+    # Pieces too small by themselves are a wall together.
+    small = np.concatenate([flat[(flat[:, 1] < 0.8)] for flat in [np.column_stack([
+        np.concatenate([start + rng.uniform(0, 3, 3000) for start in (0, 4, 8)]), rng.uniform(0, 5, 9000)])]])
+    assert len(wall_contours(plane, points_on(plane, small), ContourSettings(min_area=4.0, max_gap=1.5))) == 1
+    assert not wall_contours(plane, points_on(plane, small), ContourSettings(min_area=4.0, max_gap=0.0))
+
+
 def test_plane_coordinates_are_lengths():
     plane = plane_towards(77, 5)
     flat = np.array([[0.0, 0.0], [3.0, 4.0], [-2.0, 1.0]])

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import sqlite3
+import subprocess
+import sys
+from pathlib import Path
 
 import laspy
 import numpy as np
@@ -157,3 +161,65 @@ def test_a_lower_limit_gives_lower_walls_and_workers_change_nothing(small_city, 
     assert 0 < max(wall_columns(low)["height"]) < 9.0
     assert [wall.contour.wkb for wall in low] == [wall.contour.wkb for wall in again]
     assert len(low) <= len(found[0])
+
+
+def street(planes, per_m2=60.0, seed=0):
+    """Points of upright walls (start, end, low, high) over a level street at 0 m."""
+    rng = np.random.default_rng(seed)
+    parts = [np.column_stack([rng.uniform(-5, 25, 4000), rng.uniform(-9, -3, 4000), rng.normal(0, 0.01, 4000)])]
+    for (ax, ay), (bx, by), low, high in planes:
+        length = np.hypot(bx - ax, by - ay)
+        share, z = rng.uniform(0, 1, (2, int(per_m2 * length * (high - low))))
+        normal = np.array([by - ay, ax - bx]) / length
+        off = rng.normal(0, 0.005, len(share))
+        x, y = ax + share * (bx - ax) + off * normal[0], ay + share * (by - ay) + off * normal[1]
+        parts.append(np.column_stack([x, y, low + z * (high - low)]))
+    return np.concatenate(parts) + np.array([-7000.0, -34000.0, 20.0])
+
+
+def statuses(tmp_path, planes, outline, **settings):
+    """Status of each wall by its depth behind y = 0, rounded to decimetres."""
+    path = tmp_path / "street.laz"
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    header.scales, header.offsets = np.full(3, 0.001), np.array([-7000.0, -34000.0, 0.0])
+    las = laspy.LasData(header)
+    las.x, las.y, las.z = street(planes, **settings).T
+    las.write(path)
+    plans = building_plans([shapely.affinity.translate(outline, -7000.0, -34000.0)], [1])
+    walls, _ = find_walls(open_cloud([path]), plans)
+    return {round(wall.plane.point[1] + 34000.0, 1): wall.status for wall in walls if abs(wall.plane.normal[1]) > 0.9}
+
+
+@pytest.mark.parametrize("depth", [1.2, 1.8])
+def test_the_facade_of_an_outline_that_is_too_large_is_a_wall(tmp_path, depth):
+    """Models whose walls stand at the eaves: the facade lies inside, and nothing stands before it."""
+    outline = shapely.box(-depth, -depth, 20 + depth, 10 + depth)
+    assert statuses(tmp_path, [((0, 0), (20, 0), 0, 9)], outline) == {0.0: "ok"}
+
+
+def test_a_setback_and_a_room_behind_the_facade_are_inside(tmp_path):
+    facade, room = ((0, 0), (20, 0), 0, 9), ((1, 1.5), (19, 1.5), 1, 8)
+    found = statuses(tmp_path, [facade, room], shapely.box(0, 0, 20, 10))
+    assert found == {0.0: "ok", 1.5: "inside"}
+    setback = statuses(tmp_path, [((0, 0), (20, 0), 0, 5), ((0, 1.6), (20, 1.6), 5, 9)], shapely.box(0, 0, 20, 10))
+    assert setback[1.6] == "inside" and setback[0.0] in ("ok", "partly seen")
+    assert statuses(tmp_path, [((0, 3.0), (20, 3.0), 0, 9)], shapely.box(0, 0, 20, 10)) == {3.0: "inside"}
+
+
+def test_walls_do_not_depend_on_the_threads_of_the_sums(small_city, true_survey):
+    """The same bytes whatever number of threads multiplies matrices, in a process of its own for each."""
+    script = ("import sys, shapely, hashlib\n"
+              "from urbanmap_qgis.facades.building_plans import building_plans\n"
+              "from urbanmap_qgis.facades.wall_stage import find_walls\n"
+              "from urbanmap_qgis.io.pointcloud import open_cloud\n"
+              "plans = building_plans(shapely.from_wkt(open(sys.argv[2]).read().split(chr(10))), range(1, 9))\n"
+              "walls, _ = find_walls(open_cloud([sys.argv[1]]), plans)\n"
+              "text = repr([(wall.contour.wkb_hex, wall.plane.sigma, wall.seen, wall.offset) for wall in walls])\n"
+              "print(len(walls), hashlib.md5(text.encode()).hexdigest())\n")
+    outlines, _rows = features(small_city / "footprints" / "gsi_buildings.gpkg", "BldA")
+    path = true_survey.with_suffix(".wkt")
+    path.write_text("\n".join(shapely.to_wkt(outlines[:8], rounding_precision=6)))
+    told = {subprocess.run([sys.executable, "-c", script, str(true_survey), str(path)], check=True, text=True,
+                           capture_output=True, cwd=Path(__file__).parents[2],
+                           env={**os.environ, "OPENBLAS_NUM_THREADS": threads}).stdout for threads in ("1", "4")}
+    assert len(told) == 1 and int(told.pop().split()[0]) > 5

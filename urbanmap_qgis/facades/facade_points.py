@@ -23,6 +23,7 @@ from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from .building_plans import BuildingPlans
+from .plane_fit import component
 
 RECORD = np.dtype([("x", "f8"), ("y", "f8"), ("z", "f8"), ("time", "f8")])
 
@@ -83,7 +84,7 @@ class FacadePoints:
 
     def height(self, points: np.ndarray) -> np.ndarray:
         """Height (n,) of points (n, 3) above the ground, m."""
-        return points[:, 2] - (self.ground[0] + (points[:, :2] - self.origin) @ self.ground[1:])
+        return points[:, 2] - (self.ground[0] + component(points[:, :2] - self.origin, self.ground[1:]))
 
 
 class NearestOutline:
@@ -205,11 +206,12 @@ def ground_plane(xy: np.ndarray, z: np.ndarray) -> np.ndarray:
     """
     plane = np.array([np.quantile(z, 0.1), 0.0, 0.0])
     for width in (1.5, 1.0, 0.5, 0.5):
-        near = np.abs(z - plane[0] - xy @ plane[1:]) < width
+        near = np.abs(z - plane[0] - component(xy, plane[1:])) < width
         if np.count_nonzero(near) < 8:
             break
         design = np.column_stack([np.ones(np.count_nonzero(near)), xy[near]])
-        fitted = np.linalg.lstsq(design, z[near], rcond=None)[0]
+        fitted = np.linalg.lstsq(np.einsum("ni,nj->ij", design, design), np.einsum("ni,n->i", design, z[near]),
+                                 rcond=1e-12)[0]
         plane = fitted if np.hypot(*fitted[1:]) < 0.2 else np.array([np.median(z[near]), 0.0, 0.0])
     return plane
 

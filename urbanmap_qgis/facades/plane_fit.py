@@ -41,7 +41,7 @@ class WallPlane:
 
     def distance(self, points: np.ndarray) -> np.ndarray:
         """Signed distances (n,) of points (n, 3), m."""
-        return (points - self.point) @ self.normal
+        return component(points - self.point, self.normal)
 
     @property
     def axes(self) -> tuple[np.ndarray, np.ndarray]:
@@ -60,12 +60,24 @@ class WallPlane:
         return WallPlane(self.point, -self.normal, self.rmse, self.sigma, self.points, self.passes, self.pass_spread)
 
 
+def component(vectors: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    """Parts (n,) of vectors (n, d) along a direction (d,).
+
+    Summed column by column: products of matrices are summed in another order by every number of threads, and a last
+    digit decides which plane a point belongs to.
+    """
+    total = vectors[:, 0] * direction[0]
+    for axis in range(1, len(direction)):
+        total = total + vectors[:, axis] * direction[axis]
+    return total
+
+
 def least_squares_plane(points: np.ndarray, weights: np.ndarray, upright: bool) -> tuple[np.ndarray, np.ndarray]:
     """Centroid (3,) and unit normal (3,) of the plane with the least weighted squares; level normal if `upright`."""
-    centre = weights @ points / weights.sum()
+    centre = (weights[:, None] * points).sum(axis=0) / weights.sum()
     away = points - centre
     size = 2 if upright else 3
-    covariance = (away[:, :size] * weights[:, None]).T @ away[:, :size]
+    covariance = np.einsum("n,ni,nj->ij", weights, away[:, :size], away[:, :size])
     normal = np.zeros(3)
     normal[:size] = np.linalg.eigh(covariance)[1][:, 0]
     return centre, normal
@@ -97,7 +109,7 @@ def _solved(points: np.ndarray, upright: bool, iterations: int) -> tuple[np.ndar
     middle, scale = 0.0, np.inf
     centre, normal = least_squares_plane(points, np.ones(len(points)), upright)
     for _ in range(iterations):
-        residual = (points - centre) @ normal
+        residual = component(points - centre, normal)
         held = residual[np.abs(residual - middle) < _TUKEY * scale]
         middle = float(np.median(held))
         scale = max(1.4826 * float(np.median(np.abs(held - middle))), _MIN_NOISE)
@@ -110,7 +122,7 @@ def _described(points: np.ndarray, time: np.ndarray, side: np.ndarray, centre: n
     """A plane with what is known of it from all points."""
     if normal @ side < 0:
         normal = -normal
-    residual = (points - centre) @ normal
+    residual = component(points - centre, normal)
     held = np.abs(residual) < _TUKEY * scale
     passes = pass_numbers(time[held])
     sigma, spread = _sigma(points[held], residual[held], passes, normal)
@@ -136,8 +148,9 @@ def pass_numbers(time: np.ndarray) -> np.ndarray:
 
 def _sigma(points: np.ndarray, residual: np.ndarray, passes: np.ndarray, normal: np.ndarray) -> tuple[float, float]:
     """Standard deviation of a plane's place, and of its place between passes."""
-    along = np.array([-normal[1], normal[0]]) / np.hypot(*normal[:2])
-    block = np.column_stack([np.floor(points[:, :2] @ along / _BLOCK), np.floor(points[:, 2] / _BLOCK), passes])
+    level = np.array([-normal[1], normal[0]]) / np.hypot(*normal[:2])
+    beside, high = component(points[:, :2], level), points[:, 2]
+    block = np.column_stack([np.floor(beside / _BLOCK), np.floor(high / _BLOCK), passes])
     block = (block - block.min(axis=0)).astype(np.int64)
     size = block.max(axis=0) + 1
     code = (block[:, 0] * size[1] + block[:, 1]) * size[2] + block[:, 2]

@@ -15,7 +15,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..geometry.alpha_shape import alpha_shape, signed_area
-from .plane_fit import WallPlane
+from .plane_fit import WallPlane, component
 
 _THIN = 0.12
 """One point in each square of this side (m) is enough for a hull."""
@@ -28,6 +28,7 @@ _MIN_ALPHA, _MAX_ALPHA = 0.35, 1.2
 _IN_FRONT = 0.3
 _SIDEWARDS = 4
 _SIMPLIFICATION = 0.04
+_GRID = 0.001
 
 
 @dataclass(frozen=True)
@@ -39,16 +40,18 @@ class ContourSettings:
     min_area : smallest contour, m2. min_opening : smallest hole that is kept, m2; smaller ones are filled and
         their share is reported.
     alpha : radius of the circle that no gap within the wall may hold, m; 0: three times the points' spacing.
+    max_gap : pieces of one plane are one contour over gaps up to this, m: windows, trees.
     """
 
     min_area: float = 3.0
     min_opening: float = 0.5
     alpha: float = 0.0
+    max_gap: float = 1.5
 
     def __post_init__(self) -> None:
-        if not self.min_area > 0 or self.min_opening < 0 or self.alpha < 0:
-            raise InputError("The minimum area of a wall must be greater than 0, the minimum opening and alpha not "
-                             "below.")
+        if not self.min_area > 0 or self.min_opening < 0 or min(self.alpha, self.max_gap) < 0:
+            raise InputError("The minimum area of a wall must be greater than 0, the minimum opening and alpha and gap "
+                             "not below.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,12 +61,14 @@ class Contour:
     Attributes
     ----------
     polygon : in the plane's axes (along, up), m from the plane's point, holes kept. points : number of points in it.
-    filled : share of its area that are gaps too small to be kept as openings.
+    filled : share of its area that are gaps too small to be kept as openings, or gaps over which pieces were joined.
+    measured : the polygon without the gaps over which pieces were joined.
     """
 
     polygon: shapely.Polygon
     points: int
     filled: float
+    measured: shapely.Geometry
 
     @property
     def openings(self) -> float:
@@ -91,7 +96,7 @@ class WallCoverage:
 def in_plane(plane: WallPlane, points: np.ndarray) -> np.ndarray:
     """Points (n, 3) in the plane's axes, (n, 2) m from its point."""
     away = points - plane.point
-    return np.column_stack([away @ axis for axis in plane.axes])
+    return np.column_stack([component(away, axis) for axis in plane.axes])
 
 
 def on_map(plane: WallPlane, flat: shapely.Geometry) -> shapely.Geometry:
@@ -107,13 +112,40 @@ def wall_contours(plane: WallPlane, points: np.ndarray,
     flat = in_plane(plane, points)
     hull = alpha_polygon(_thinned(flat), settings.alpha or contour_alpha(flat))
     contours = []
-    for polygon in shapely.get_parts(hull):
-        if polygon.area < settings.min_area:
+    for joined, measured in _joined(shapely.get_parts(hull), settings.max_gap):
+        if measured.area < settings.min_area:
             continue
-        polygon, filled = _without_small_holes(polygon, settings.min_opening)
+        polygon, filled = _without_small_holes(joined, settings.min_opening)
+        bridges = shapely.difference(joined, measured)
         shapely.prepare(polygon)
-        contours.append(Contour(polygon, int(shapely.contains_xy(polygon, *flat.T).sum()), filled))
+        contours.append(Contour(polygon, int(shapely.contains_xy(polygon, *flat.T).sum()),
+                                filled + float(bridges.area / polygon.area), shapely.difference(polygon, bridges)))
     return sorted(contours, key=lambda contour: -contour.polygon.area)
+
+
+def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, shapely.Geometry]]:
+    """Pieces of a plane joined over gaps, and what of each was measured: the pieces themselves."""
+    if len(pieces) < 2 or max_gap <= 0:
+        return [(piece, piece) for piece in pieces]
+    outer = shapely.union_all(shapely.polygons([shapely.get_exterior_ring(piece) for piece in pieces]))
+    grown = shapely.buffer(outer, max_gap / 2, join_style="mitre")
+    closed = shapely.buffer(grown, -max_gap / 2, join_style="mitre")
+    bridges = shapely.get_parts(shapely.difference(closed, outer))
+    made = []
+    for whole in shapely.get_parts(closed):
+        own = pieces[shapely.intersects(shapely.point_on_surface(pieces), whole)]
+        if not len(own):
+            continue
+        measured = shapely.union_all(own)
+        joined = own[0]
+        if len(own) > 1:
+            # Only what leads from one piece to another: bays of one piece stay as they are.
+            links = [part for part in bridges if part.geom_type == "Polygon"
+                     and np.count_nonzero(shapely.dwithin(own, part, 1e-6)) > 1]
+            joined = shapely.union_all([measured, *links], grid_size=_GRID)
+        parts = [part for part in shapely.get_parts(joined) if part.geom_type == "Polygon" and part.area > 1e-3]
+        made += [(part, shapely.intersection(part, measured)) for part in parts]
+    return made
 
 
 def _thinned(flat: np.ndarray) -> np.ndarray:
@@ -171,7 +203,7 @@ def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: f
     ----------
     front : (k, 3) thinned places of everything near the building.
     """
-    shape = shapely.union_all([contour.polygon for contour in contours])
+    shape = shapely.union_all([contour.measured for contour in contours])
     left, low, right, high = shape.bounds
     low, high = min(low, foot - plane.point[2]), max(high, top - plane.point[2])
     columns = max(math.ceil((right - left) / _CELL), 1)

@@ -15,7 +15,7 @@ from scipy import ndimage
 from ..errors import InputError
 from ..progress import SILENT, Progress
 from .normals import NormalVoxels, voxel_normals
-from .plane_fit import WallPlane, least_squares_plane, robust_plane
+from .plane_fit import WallPlane, component, least_squares_plane, robust_plane
 from .statistical_outliers import statistical_outliers
 
 _SEED_COSINE = np.cos(np.radians(25.0))
@@ -113,7 +113,7 @@ class _Mask:
 
     def holds(self, points: np.ndarray) -> np.ndarray:
         """Whether points (n, 3) lie over filled cells."""
-        place = np.floor((np.column_stack([points @ axis for axis in self.axes]) - self.low) / self.cell)
+        place = np.floor((np.column_stack([component(points, axis) for axis in self.axes]) - self.low) / self.cell)
         inside = ((place >= 0) & (place < self.filled.shape)).all(axis=1)
         held = np.zeros(len(points), bool)
         row, column = place[inside].astype(np.int64).T
@@ -149,7 +149,7 @@ def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward
             continue
         free[members] = False
         # What lies on the plane with another normal (edges, reveals) starts no wall of its own.
-        close = free & (np.abs((mean - centre) @ facing) < settings.tolerance)
+        close = free & (np.abs(component(mean - centre, facing)) < settings.tolerance)
         close[close] = mask.holds(mean[close])
         tried[close] = True
         grown.append((centre, _outwards(centre, facing, mean[members], edges, outward), mask))
@@ -171,10 +171,10 @@ def _agrees(mean: np.ndarray, normal: np.ndarray, edges: np.ndarray, outward: np
 
 def edge_distance(xy: np.ndarray, edges: np.ndarray) -> np.ndarray:
     """Distances (n, k) of places (n, 2) to edges (k, 2, 2), m."""
-    start, along = edges[:, 0], edges[:, 1] - edges[:, 0]
+    start, run = edges[:, 0], edges[:, 1] - edges[:, 0]
     away = xy[:, None, :] - start
-    share = np.clip((away * along).sum(axis=2) / np.maximum((along**2).sum(axis=1), 1e-12), 0.0, 1.0)
-    return np.linalg.norm(away - share[..., None] * along, axis=2)
+    share = np.clip((away * run).sum(axis=2) / np.maximum((run**2).sum(axis=1), 1e-12), 0.0, 1.0)
+    return np.linalg.norm(away - share[..., None] * run, axis=2)
 
 
 def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, free: np.ndarray,
@@ -186,8 +186,8 @@ def _grow(seed: int, mean: np.ndarray, normal: np.ndarray, weight: np.ndarray, f
     place, facings = mean[candidates], normal[candidates]
     away = np.linalg.norm(place - mean[seed], axis=1)
     for radius in (*_GROWTH, np.inf):
-        near = (np.abs((place - centre) @ facing) < settings.tolerance) & (away < radius)
-        near &= np.abs(facings @ facing) > _SEED_COSINE
+        near = (np.abs(component(place - centre, facing)) < settings.tolerance) & (away < radius)
+        near &= np.abs(component(facings, facing)) > _SEED_COSINE
         near = candidates[near]
         if len(near) < 3:
             return None
@@ -202,7 +202,7 @@ def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray
     """Plane of voxels: two iterations, the second without those far off."""
     upright = np.ptp(places[:, 2]) < 3.0
     centre, normal = least_squares_plane(places, weight, upright)
-    residual = np.abs((places - centre) @ normal)
+    residual = np.abs(component(places - centre, normal))
     held = residual <= max(3 * 1.4826 * np.median(residual), 0.01)
     return least_squares_plane(places[held], weight[held], upright)
 
@@ -210,10 +210,10 @@ def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray
 def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray, gap: float,
                voxel: float) -> tuple[_Mask, np.ndarray]:
     """Those of `near` that are connected with the seed in the plane over gaps up to `gap`, and their cells."""
-    along = np.array([-facing[1], facing[0], 0.0])
-    along /= np.linalg.norm(along)
-    axes = along, np.cross(facing, along)
-    flat = np.column_stack([mean[near] @ axis for axis in axes])
+    level = np.array([-facing[1], facing[0], 0.0])
+    level /= np.linalg.norm(level)
+    axes = level, np.cross(facing, level)
+    flat = np.column_stack([component(mean[near], axis) for axis in axes])
     cell = 1.5 * voxel
     pad = int(np.ceil(gap / cell)) + 1
     low = flat.min(axis=0) - pad * cell
@@ -262,13 +262,13 @@ def _claim(points: np.ndarray, voxels: NormalVoxels, grown: list, settings: Plan
     starts = np.concatenate([[0], np.cumsum(voxels.count)])
     for number, (centre, normal, mask) in enumerate(grown):
         distance = _POINT_TOLERANCE + voxels.size
-        near = np.flatnonzero(np.abs((voxels.mean - centre) @ normal) < distance)
+        near = np.flatnonzero(np.abs(component(voxels.mean - centre, normal)) < distance)
         grownmask = _Mask(mask.axes, mask.low, mask.cell, ndimage.binary_dilation(mask.filled, np.ones((3, 3))))
         near = near[grownmask.holds(voxels.mean[near])]
         if not len(near):
             continue
         members = np.concatenate([order[starts[voxel]:starts[voxel + 1]] for voxel in near])
-        distance = np.abs((points[members] - centre) @ normal)
+        distance = np.abs(component(points[members] - centre, normal))
         closer = distance < best[members]
         members, distance = members[closer], distance[closer]
         owner[members], best[members] = number, distance

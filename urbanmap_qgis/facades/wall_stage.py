@@ -22,12 +22,23 @@ from .wall_planes import PlaneSettings, edge_distance, wall_segments
 
 OK, ROUGH, PARTLY, FEW, INSIDE = "ok", "rough", "partly seen", "few points", "inside"
 """Status of a wall: sound; its points scatter more than a flat wall's; less than half of it was seen; too few points
-to trust it; deep inside the outline, a setback or a room seen through a window."""
+to trust it; inside the outline behind another wall, or farther than outlines may be off: a setback or a room seen
+through a window."""
 
 _ROUGH = 0.05
 _HALF = 0.5
 _FEW = 30
+_NONE = 10
+"""Fewer points than this are no wall."""
+
 _DEEP = 1.0
+"""A wall deeper inside the outline than this, m, is one only where no other stands before it."""
+
+_BEFORE = 0.3
+_OVERLAP = 0.3
+"""Distance (m) and share of its length by which a wall stands before another."""
+
+_FACING = 0.94
 _MIN_EDGE_COSINE = 0.966
 """Cosine of the maximum angle between a wall and the outline's edge that it belongs to: 15 degrees."""
 
@@ -131,18 +142,21 @@ def _walls_of(piece: _Piece, settings: WallSettings, check: Progress | None) -> 
     """Walls of one building, and the number of its points."""
     ends, outward = outline_edges(piece.plan)
     given = piece.points
-    walls: list[FacadeWall] = []
+    planes = []
     for segment in wall_segments(given.points, given.time, ends, outward, settings.planes, check or SILENT):
-        own = given.points[segment.points]
-        contours = wall_contours(segment.plane, own, settings.contours)
+        contours = wall_contours(segment.plane, given.points[segment.points], settings.contours)
+        contours = [contour for contour in contours if contour.points >= _NONE]
         if contours:
-            walls.extend(_described(piece, segment.plane, contours, ends, outward, settings))
+            planes.append((segment.plane, contours))
+    walls: list[FacadeWall] = []
+    for plane, contours in planes:
+        walls.extend(_described(piece, plane, contours, ends, outward, planes, settings))
     return walls, len(given.points)
 
 
 def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], ends: np.ndarray, outward: np.ndarray,
-               settings: WallSettings) -> list[FacadeWall]:
-    """The contours of one plane with all that is known of them."""
+               planes: Sequence[tuple[WallPlane, Sequence[Contour]]], settings: WallSettings) -> list[FacadeWall]:
+    """The contours of one plane with all that is known of them; `planes` are all of the building."""
     edge, offset = _edge_of(plane, contours, ends, outward)
     walls = []
     for contour in contours:
@@ -150,10 +164,11 @@ def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], end
         z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
         foot, top = _span(piece, plane, z, settings.facade.max_height)
         depth = _depth(piece.plan, plane, contour.polygon)
-        if depth > _DEEP:
+        inside = depth > settings.facade.tolerance or (depth > _DEEP and _behind_another(plane, contour, planes))
+        if inside:
             foot = float(z.min())  # it stands on a roof
         seen = wall_coverage(plane, [contour], foot, top, piece.points.front)
-        status, note = _status(plane, contour.points, seen, depth)
+        status, note = _status(plane, contour.points, seen, depth if inside else 0.0)
         walls.append(FacadeWall(piece.building_id, plane, polygon, contour.points, contour.openings, contour.filled,
                                 seen, edge, offset, bool(np.isfinite(piece.top)), status, note))
     return walls
@@ -196,13 +211,35 @@ def _depth(plan: shapely.Geometry, plane: WallPlane, flat: shapely.Polygon) -> f
     return float(shapely.distance(middle, shapely.boundary(plan))) if shapely.contains(plan, middle) else 0.0
 
 
+def _behind_another(plane: WallPlane, contour: Contour,
+                    planes: Sequence[tuple[WallPlane, Sequence[Contour]]]) -> bool:
+    """Whether walls that face the same way stand before a wall, along a good part of it.
+
+    An outline that is too large has its facade inside, and nothing stands before that; a setback has the wall below
+    it before it, a room the facade with its windows.
+    """
+    low, _, high, _ = contour.polygon.bounds
+    covered = []
+    for other, contours in planes:
+        if other.normal @ plane.normal < _FACING:
+            continue
+        for one in contours:
+            left, _, right, _ = one.polygon.bounds
+            ends = other.point + np.outer([left, (left + right) / 2, right], other.axes[0])
+            if plane.distance(ends)[1] > _BEFORE:
+                span = np.sort(in_plane(plane, ends)[[0, 2], 0])
+                covered.append(shapely.box(max(span[0], low), 0, min(max(span[1], low), high), 1)
+                               if span[0] < high else shapely.Polygon())
+    return bool(shapely.union_all(covered).area > _OVERLAP * (high - low)) if covered else False
+
+
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
-    """Status of a wall and the reason."""
+    """Status of a wall and the reason; `depth` : m inside the outline of what is no facade, else 0."""
     if points < _FEW:
         return FEW, f"only {points} points lie on it"
     if plane.rmse > _ROUGH:
         return ROUGH, f"its points scatter by {100 * plane.rmse:.0f} cm: no flat wall, or drives that disagree"
-    if depth > _DEEP:
+    if depth > 0:
         return INSIDE, f"it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window"
     if seen.coverage < _HALF:
         why = "something stands in front" if seen.hidden > seen.unseen else "the survey did not see the rest"

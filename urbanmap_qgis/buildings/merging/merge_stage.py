@@ -36,6 +36,7 @@ from .wall_match import (
     MergeSettings,
     WallIndex,
     match_edge,
+    steps_along,
 )
 
 MERGED, UNCHANGED, NOT_MERGED = "merged", "unchanged", "not merged"
@@ -156,9 +157,13 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
     if parts.problem:
         return _Plan(building_id, geometry, parts, reason=parts.problem)
     edges = PlanEdges(parts.cells)
-    tops = _tops(edges, parts)
-    matches = tuple(match_edge(edge, index, parts.base, min(top, parts.base + settings.height), settings)
-                    for edge, top in zip(edges.edges, tops))
+    heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
+    breaks = [edge.ends[0] + at * edge.line.along for edge, top in zip(edges.edges, heights)
+              for at in steps_along(edge, index, parts.base, top, settings)]
+    if breaks:
+        edges = PlanEdges(parts.cells, np.array(breaks))
+        heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
+    matches = tuple(match_edge(edge, index, parts.base, top, settings) for edge, top in zip(edges.edges, heights))
     plan = _Plan(building_id, geometry, parts, edges, matches)
     while plan.lines and edges.moved(plan.lines) is None:
         weakest = _weakest(plan)

@@ -55,11 +55,16 @@ class OuterEdge:
 
 
 class PlanEdges:
-    """A plan's cells as a graph of nodes, with the edges of its outside."""
+    """A plan's cells as a graph of nodes, with the edges of its outside.
 
-    def __init__(self, cells: Sequence[Cell]):
+    `breaks` (k, 2) are places on the outside, m, at which edges are cut although they run straight on.
+    """
+
+    def __init__(self, cells: Sequence[Cell], breaks: np.ndarray | None = None):
         self.cells = tuple(cells)
-        polygons = shapely.set_precision(shapely.force_2d([cell.polygon for cell in cells]), GRID)
+        self.breaks = np.zeros((0, 2)) if breaks is None else np.round(np.asarray(breaks, float) / GRID) * GRID
+        plans = [_with_nodes(shapely.force_2d(cell.polygon), self.breaks) for cell in cells]
+        polygons = shapely.set_precision(plans, GRID)
         origin = whole_metre_origin(shapely.total_bounds(polygons))
         local = shapely.transform(polygons, lambda c: c - origin)
         noded = shapely.get_parts(shapely.polygonize([shapely.union_all(shapely.boundary(local), grid_size=GRID)]))
@@ -80,6 +85,9 @@ class PlanEdges:
     def _straight(self, ring: list[int]) -> list[OuterEdge]:
         """The ring cut at the nodes where it bends."""
         corners = _corners(self.xy[ring])
+        if len(self.breaks):
+            away = np.hypot(*(self.xy[ring][:, None] - self.breaks).transpose(2, 0, 1)).min(axis=1)
+            corners = sorted({*corners, *np.flatnonzero(away < GRID).tolist()})
         made = []
         for first, last in zip(corners, [*corners[1:], corners[0] + len(ring)]):
             nodes = tuple(ring[place % len(ring)] for place in range(first, last + 1))
@@ -167,6 +175,24 @@ class PlanEdges:
         different = (snapped != np.roll(snapped, 1, axis=0)).any(axis=1)
         snapped = snapped[different]
         return snapped if len(snapped) > 2 else None
+
+
+def _with_nodes(polygon: shapely.Polygon, places: np.ndarray) -> shapely.Polygon:
+    """A polygon with more nodes at places (k, 2) that lie on its edges."""
+    if not len(places):
+        return polygon
+    rings = []
+    for ring in (polygon.exterior, *polygon.interiors):
+        xy = shapely.get_coordinates(ring)
+        made = []
+        for start, end in zip(xy[:-1], xy[1:]):
+            line, length = end - start, max(float(np.hypot(*(end - start))), 1e-9)
+            at = (places - start) @ line / length
+            off = np.abs((places - start) @ np.array([line[1], -line[0]])) / length
+            on = np.flatnonzero((off < _STRAIGHT) & (at > 2 * GRID) & (at < length - 2 * GRID))
+            made += [start, *places[on[np.argsort(at[on], kind="stable")]]]
+        rings.append(np.array(made))
+    return shapely.Polygon(rings[0], rings[1:])
 
 
 def _corners(xy: np.ndarray) -> list[int]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -22,6 +22,19 @@ _SHORT = 0.5
 _LONG = 4.0
 _BENT = 0.3
 _SMALL_ROTATION = 1.0
+_FACING = 0.94
+
+_COPLANAR = 0.1
+"""Walls whose ends lie this near to the line of a larger one, m, are of its plane."""
+
+_STEP = 0.3
+"""Walls whose depth differs by more than this, m, have a step between them."""
+
+_STEP_GAP = 2.0
+"""A step is looked for in gaps between walls up to this wide, m: in a wider one its place is not known."""
+
+_MIN_PIECE = 1.0
+"""Length of an edge, m, that must have been measured, and of the pieces into which steps cut it."""
 
 
 @dataclass(frozen=True)
@@ -39,7 +52,7 @@ class MergeSettings:
     """
 
     height: float = 20.0
-    max_offset: float = 1.5
+    max_offset: float = 2.0
     max_rotation: float = 5.0
     min_share: float = 0.3
     overhang: float = 0.3
@@ -145,44 +158,145 @@ class EdgeMatch:
     measured: float = 0.0
 
 
+@dataclass(frozen=True, eq=False)
+class WallsAlong:
+    """Measured walls of one plane along an edge, summed.
+
+    Attributes
+    ----------
+    wall : all of them as one wall, numbered as the largest. spans : (k, 2) m along the edge, apart from each other.
+    offset : outwards from the edge, m. rotation : degrees. measured : share of the edge's length.
+    """
+
+    wall: MeasuredWall
+    spans: np.ndarray
+    offset: float
+    rotation: float
+    measured: float
+
+
+def walls_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings
+                ) -> list[WallsAlong]:
+    """What was measured along an edge between heights `base` and `top` (m), plane by plane, the largest first."""
+    near = [wall for wall in walls.near(edge, settings.max_offset + 1.0)
+            if not (math.isfinite(wall.rmse) and wall.rmse > settings.max_rmse)
+            and _along(edge, wall, base, top) is not None]
+    found = []
+    while near:
+        first = max(near, key=lambda wall: (wall.area, -wall.number))
+        own = [wall for wall in near if wall is first or _coplanar(first, wall)]
+        near = [wall for wall in near if not any(wall is one for one in own)]
+        whole = _summed(first, own)
+        offset, rotation = _along(edge, whole, base, top)[1:]
+        line = edge.line
+        spans = np.array([np.clip(np.sort([(wall.point + end * wall.along - edge.ends[0]) @ line.along
+                                           for end in (wall.left, wall.right)]), 0.0, edge.length) for wall in own])
+        spans = _union(spans)
+        found.append(WallsAlong(whole, spans, offset, rotation, float(np.diff(spans, axis=1).sum() / edge.length)))
+    return found
+
+
+def _coplanar(first: MeasuredWall, other: MeasuredWall) -> bool:
+    """Whether a wall lies on the line of a larger one that faces the same way."""
+    ends = np.array([other.point + end * other.along for end in (other.left, other.right)])
+    away = np.abs((ends - first.point) @ first.normal).max()
+    return bool(first.normal @ other.normal > _FACING and away < _COPLANAR)
+
+
+def _summed(first: MeasuredWall, own: Sequence[MeasuredWall]) -> MeasuredWall:
+    """Walls of one plane as one: the line through all of them, weighted by their lengths."""
+    if len(own) == 1:
+        return first
+    shares = np.linspace(0.0, 1.0, 9)
+    places = np.concatenate([wall.point + np.outer(wall.left + shares * (wall.right - wall.left), wall.along)
+                             for wall in own])
+    weight = np.repeat([wall.right - wall.left for wall in own], len(shares))
+    centre = (weight[:, None] * places).sum(axis=0) / weight.sum()
+    away = places - centre
+    along = np.linalg.eigh(np.einsum("n,ni,nj->ij", weight, away, away))[1][:, 1]
+    along = along if along @ first.along > 0 else -along
+    extent = away @ along
+    area = np.array([wall.area for wall in own])
+    return replace(first, point=centre, normal=np.array([along[1], -along[0]]), left=float(extent.min()),
+                   right=float(extent.max()), foot=min(wall.foot for wall in own), top=max(wall.top for wall in own),
+                   area=float(area.sum()),
+                   rmse=float(np.sqrt(np.average([wall.rmse**2 for wall in own], weights=area))))
+
+
+def _union(spans: np.ndarray) -> np.ndarray:
+    """Intervals (k, 2) in order, those that overlap merged."""
+    made: list[list[float]] = []
+    for low, high in spans[np.argsort(spans[:, 0], kind="stable")].tolist():
+        if made and low <= made[-1][1]:
+            made[-1][1] = max(made[-1][1], high)
+        else:
+            made.append([low, high])
+    return np.array(made)
+
+
+def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> list[float]:
+    """Where the facade along an edge steps (bay, recess), m from its start: between walls of different depth.
+
+    Of walls that lie over each other the one along more of the edge has the place.
+    """
+    free = [(0.0, edge.length)]
+    pieces: list[tuple[float, float, int]] = []
+    found = [one for one in walls_along(edge, walls, base, top, settings)
+             if abs(one.offset) <= settings.max_offset and abs(one.rotation) <= settings.max_rotation]
+    for number, one in enumerate(sorted(found, key=lambda one: -one.measured)):
+        own = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
+               if min(high, end) - max(low, start) >= _MIN_PIECE]
+        pieces += [(low, high, number) for low, high in own]
+        for low, high in own:
+            free = [part for start, end in free for part in ((start, min(low, end)), (max(high, start), end))
+                    if part[1] > part[0]]
+    depth = [one.offset for one in sorted(found, key=lambda one: -one.measured)]
+    pieces.sort()
+    breaks = [(before[1] + after[0]) / 2 for before, after in zip(pieces[:-1], pieces[1:])
+              if abs(depth[before[2]] - depth[after[2]]) > _STEP and after[0] - before[1] < _STEP_GAP]
+    ends = [0.0, *breaks, edge.length]
+    return breaks if breaks and min(np.diff(ends)) >= _MIN_PIECE else []
+
+
 def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> EdgeMatch:
     """The measured wall of an edge between heights `base` and `top` (m), and what follows."""
-    found, far = [], None
-    for wall in walls.near(edge, settings.max_offset + 1.0):
-        extent = _along(edge, wall, base, top)
-        if extent is None:
+    found: list[WallsAlong] = []
+    far = None
+    for one in walls_along(edge, walls, base, top, settings):
+        if one.measured < settings.min_share or one.measured * edge.length < _MIN_PIECE:
             continue
-        measured, offset, rotation = extent
-        if measured < settings.min_share or measured * edge.length < 1.0:
+        if abs(one.offset) > settings.max_offset or abs(one.rotation) > settings.max_rotation:
+            if far is None or abs(one.offset) < abs(far.offset):
+                far = _match(TOO_FAR, _far_note(one.offset, one.rotation, settings), one)
             continue
-        if math.isfinite(wall.rmse) and wall.rmse > settings.max_rmse:
-            continue
-        if abs(offset) > settings.max_offset or abs(rotation) > settings.max_rotation:
-            if far is None or abs(offset) < abs(far.offset):
-                far = EdgeMatch(TOO_FAR, _far_note(offset, rotation, settings), wall, None, offset, rotation, measured)
-            continue
-        found.append((wall, measured, offset, rotation))
+        found.append(one)
     if not found:
         return far or EdgeMatch(NOT_SEEN, "no measured wall runs along it")
-    wall, measured, offset, rotation = max(found, key=lambda item: (round(item[1], 2), item[0].area))
-    others = [item for item in found if item[0] is not wall and abs(item[2] - offset) > 0.3 and item[1] > 0.25]
+    best = max(found, key=lambda one: (round(one.measured, 2), one.wall.area))
+    others = [one for one in found
+              if one is not best and abs(one.offset - best.offset) > _STEP and one.measured > 0.25]
     note = f"{len(others)} more wall{'s' * (len(others) > 1)} at another depth along it" if others else ""
-    line = _new_line(edge, wall, measured, rotation)
-    if measured < _SHORT and _bent(edge, line, walls, wall, base, top, settings):
-        return EdgeMatch(TOO_FAR, "the facade along it is not straight", wall, None, offset, rotation, measured)
+    line = _new_line(edge, best.wall, best.measured, best.rotation)
+    if best.measured < _SHORT and _bent(edge, line, walls, best.wall, base, top, settings):
+        return _match(TOO_FAR, "the facade along it is not straight", best)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
     if np.hypot(*ends.T).max() < _SAME:
-        return EdgeMatch(KEPT, note, wall, None, offset, rotation, measured)
+        return _match(KEPT, note, best)
     if np.hypot(*ends.T).max() > 1.5 * settings.max_offset:
-        return EdgeMatch(TOO_FAR, "an end would move too far", wall, None, offset, rotation, measured)
-    return EdgeMatch(MOVED, note, wall, line, offset, rotation, measured)
+        return _match(TOO_FAR, "an end would move too far", best)
+    return _match(MOVED, note, best, line)
+
+
+def _match(status: str, note: str, walls: WallsAlong, line: Line | None = None) -> EdgeMatch:
+    return EdgeMatch(status, note, walls.wall, line, walls.offset, walls.rotation, walls.measured)
 
 
 def _bent(edge: OuterEdge, line: Line, walls: WallIndex, chosen: MeasuredWall, base: float, top: float,
           settings: MergeSettings) -> bool:
     """Whether other walls before the edge, however oriented, lie off the line that one of them gives."""
     for wall in walls.near(edge, settings.max_offset):
-        if wall is chosen or wall.normal @ line.outward < 0.5 or min(wall.top, top) - max(wall.foot, base) < 0.5:
+        if (_coplanar(chosen, wall) or wall.normal @ line.outward < 0.5
+                or min(wall.top, top) - max(wall.foot, base) < 0.5):
             continue
         middle = wall.point + (wall.left + wall.right) / 2 * wall.along
         extent = (middle - edge.ends[0]) @ edge.line.along
@@ -196,7 +310,7 @@ def _along(edge: OuterEdge, wall: MeasuredWall, base: float, top: float) -> tupl
     not."""
     line = edge.line
     cosine = float(line.outward @ wall.normal)
-    if cosine < 0.94 or min(wall.top, top) - max(wall.foot, base) < 0.5:
+    if cosine < _FACING or min(wall.top, top) - max(wall.foot, base) < 0.5:
         return None
     ends = np.array([wall.point + extent * wall.along for extent in (wall.left, wall.right)])
     extent = np.sort((ends - edge.ends[0]) @ line.along)
