@@ -78,7 +78,8 @@ class BuildingModels(UrbanMapAlgorithm):
         base = self._base_heights(parameters, context, buildings, footprints)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),
-                                  self.parameterAsString(parameters, "ROOF_SHAPE", context))
+                                  self.parameterAsString(parameters, "ROOF_SHAPE", context),
+                                  numbers(buildings, "open_share"))
         columns = model_columns(models)
         modelled = sum(bool(model.solids) for model in models)
         if modelled < len(models):

@@ -5,6 +5,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.outlines.courtyards import with_courtyards
+from urbanmap_qgis.buildings.outlines.decks import ground_without_decks
 
 BLOCK = shapely.box(0, 0, 24, 24)
 COURT = shapely.box(8, 6, 17, 16)
@@ -50,3 +51,23 @@ def test_turning_the_scene_turns_the_courtyard():
     block = np.array([shapely.affinity.rotate(BLOCK, 30, origin=(0, 0))], dtype=object)
     made = with_courtyards(block, places[:, 0], places[:, 1], low, 8.0)[0]
     assert made.area == pytest.approx(cut(x, y, low)[0].area, rel=0.03)
+
+
+def test_a_deck_taken_for_ground_is_put_back_to_the_street():
+    rng = np.random.default_rng(3)
+    x, y = rng.uniform(-10, 34, (2, 15000))
+    deck = shapely.contains_xy(shapely.box(0, 0, 24, 12), x, y)
+    tower = shapely.contains_xy(shapely.box(0, 12, 24, 24), x, y)
+    z = np.where(deck, 5.0, np.where(tower, 40.0, 0.0))
+    ground = np.where(deck | tower, 5.0, 0.0)  # the filter ran over the deck
+    made = ground_without_decks(np.array([BLOCK, None], object), x, y, z, ground, 7.7)
+    assert (made[deck | tower] == 0).all() and (made[~(deck | tower)] == 0).all()
+
+
+def test_ground_of_a_slope_and_of_a_courtyard_stay():
+    rng = np.random.default_rng(3)
+    x, y = rng.uniform(-10, 34, (2, 15000))
+    slope = 0.3 * x
+    court = shapely.contains_xy(COURT, x, y)
+    z = np.where(shapely.contains_xy(BLOCK, x, y) & ~court, 30.0, slope)
+    assert (ground_without_decks(np.array([BLOCK], object), x, y, z, slope, 7.7) == slope).all()

@@ -108,18 +108,20 @@ class ModelPiece:
     roofs: list[RoofInput]
     sloped: bool
     source: np.ndarray
+    open_share: np.ndarray
     points: list[FitPoints] | None = field(default=None)
 
 
 def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, cloud: PointCloud | None = None,
                  executor: Executor | None = None, progress: Progress = SILENT,
-                 roof_shape: str = LEVELS) -> list[BuildingModel]:
+                 roof_shape: str = LEVELS, open_share: np.ndarray | None = None) -> list[BuildingModel]:
     """A model, or the reason why there is none, for every footprint, in their order.
 
     Parameters
     ----------
     roofs : polygons and heights of the roofs. base : (n,) ground height of each building, m, NaN where unknown.
     cloud : points with `building_id` and `roof_id`, for the figures of fit.
+    open_share : (n,) share of each official outline that was cut out before, see `segmentation`.
     roof_shape : `PLANES`: roofs as their polygons' z has them (LoD2.2, where any is sloped); `LEVELS`: all at their one
         height (LoD1.3).
 
@@ -133,7 +135,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     models: list[BuildingModel | None] = [None] * len(footprints)
     base, source = bases_with_neighbours(footprints, base)
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)
-    pieces = _pieces(footprints, roofs, base, source, cloud, sloped, progress)
+    shares = np.zeros(len(footprints)) if open_share is None else np.nan_to_num(open_share)
+    pieces = _pieces(footprints, roofs, base, source, shares, cloud, sloped, progress)
     for rows, made in in_order(_model_piece, pieces, executor, progress.check):
         for row, model in zip(rows, made):
             models[row] = model
@@ -158,8 +161,8 @@ def bases_with_neighbours(footprints: Footprints, base: np.ndarray) -> tuple[np.
     return base, source
 
 
-def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: np.ndarray, cloud: PointCloud | None,
-            sloped: bool, progress: Progress):
+def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: np.ndarray, open_share: np.ndarray,
+            cloud: PointCloud | None, sloped: bool, progress: Progress):
     """Blocks of buildings, with their points where a cloud is given."""
     order = np.argsort(roofs.building_id, kind="stable")
     sorted_ids = roofs.building_id[order]
@@ -171,7 +174,8 @@ def _pieces(footprints: Footprints, roofs: RoofInput, base: np.ndarray, source: 
     done = 0
     for rows, points in _blocks(footprints, base, cloud, progress.part(0.0, 0.3)):
         yield rows, ModelPiece(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows], base[rows],
-                               [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, source[rows], points)
+                               [roofs_of(int(number)) for number in footprints.ids[rows]], sloped, source[rows],
+                               open_share[rows], points)
         done += len(rows)
         progress.part(0.3, 1.0).step(done / len(footprints))
 
@@ -207,12 +211,14 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
     for place, number in enumerate(block.ids.tolist()):
         points = None if block.points is None else block.points[place]
         made.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place],
-                                   float(block.base[place]), points, block.sloped, block.source[place]))
+                                   float(block.base[place]), points, block.sloped, block.source[place],
+                                   float(block.open_share[place])))
     return rows, made
 
 
 def model_building(number: int, outline: shapely.Geometry | None, note: str, roofs: RoofInput, base: float,
-                   points: FitPoints | None = None, sloped: bool = False, source: str = KNOWN) -> BuildingModel:
+                   points: FitPoints | None = None, sloped: bool = False, source: str = KNOWN,
+                   open_share: float = 0.0) -> BuildingModel:
     """The model of one building from its roofs, sloped or level, with its figures of fit to `points`.
 
     `source` : where the base height comes from; without a base it is assumed.
@@ -250,15 +256,17 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
                           roof_type=roof_type(roof_cells(solids)) if solids else "", base_source=source)
     if not solids:
         return replace(model, quality=0.0)
-    return _judged(model if points is None else _measured(model, points), outline, roofs)
+    return _judged(model if points is None else _measured(model, points), outline, roofs, open_share)
 
 
-def _judged(model: BuildingModel, outline: shapely.Geometry | None, roofs: RoofInput) -> BuildingModel:
+def _judged(model: BuildingModel, outline: shapely.Geometry | None, roofs: RoofInput,
+            open_share: float) -> BuildingModel:
     """The model with the status and the quality that its facts give."""
     fit = model.fit
     top = max(float(solid.vertices[:, 2].max()) for solid in model.solids)
     area = ground_area(model.solids)
-    facts = ModelFacts(top - model.base, area, area if outline is None else outline.area,
+    official = area if outline is None else outline.area / max(1.0 - open_share, 0.01)
+    facts = ModelFacts(top - model.base, area, official,
                        fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
                        fit.rmse_z95 if fit else math.nan,
                        any(str(status).startswith(LOST_ROOFS) for status in roofs.status),

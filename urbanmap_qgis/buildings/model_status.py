@@ -36,7 +36,7 @@ MAX_RMSE = 1.0
 MIN_HEIGHT = 1.5
 """Height (m) over the ground below which nothing is called a sound building."""
 
-MAX_UNMODELLED, MAX_UNSEEN = 0.2, 0.4
+MAX_UNMODELLED, MAX_UNSEEN = 0.25, 0.4
 """Shares of the outline without a model, and of the plan without points, from which a model says so."""
 
 MIN_POINTS, MIN_AREA = 25, 6.0

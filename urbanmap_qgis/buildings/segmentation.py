@@ -28,10 +28,12 @@ from ..terrain.surface import ground_raster
 from .base_height import outline_ground
 from .building_points import coordinates
 from .outlines.courtyards import with_courtyards
+from .outlines.decks import ground_without_decks
 from .outlines.displacement import estimate_displacements, shifted_outlines
 from .outlines.evidence import BUILDING_CLASS, EvidenceAccumulator, evidence_cell
 from .outlines.footprint import Footprints
 from .point_assignment import Assignment, assign_points, points_in_expanded
+from .unclassified_roofs import unclassified_roof_points
 
 TILE_POINTS = 3_000_000
 """Points worked on together; the side of the tiles follows from the cloud's density."""
@@ -89,6 +91,7 @@ class SegmentedBuildings:
     points : (n,) points given to the building.
     density : (n,) points inside the outline a m2.
     ground : (n,) lowest ground height along the outline, m; NaN where it is not known.
+    open_share : (n,) share of the outline that was cut out as open ground (courtyards).
     shift_x, shift_y, shift_sigma : (n,) displacement that was applied and its standard deviation, m.
     status : (n,) words: "ok", or what is missing.
     """
@@ -102,6 +105,7 @@ class SegmentedBuildings:
     shift_sigma: np.ndarray
     shift_status: np.ndarray
     status: np.ndarray
+    open_share: np.ndarray
 
     @classmethod
     def empty(cls, footprints: Footprints) -> SegmentedBuildings:
@@ -109,7 +113,8 @@ class SegmentedBuildings:
         count = len(footprints)
         return cls(footprints.polygons.copy(), np.zeros(count, np.int64), np.zeros(count),
                    np.full(count, np.nan), np.zeros(count), np.zeros(count), np.full(count, np.nan),
-                   np.full(count, "not observable", object), np.full(count, "no points", object))
+                   np.full(count, "not observable", object), np.full(count, "no points", object),
+                   np.zeros(count))
 
     def put(self, rows: np.ndarray, part: SegmentedBuildings) -> None:
         """Fill in the rows that a tile has worked out."""
@@ -255,17 +260,26 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
         return _segment_as_paper(tile, x, y, ground)
     outlines, table = _placed_outlines(tile, x, y, z, classes, points, ground, progress)
     progress.check()
-    above = z - sample(*ground, x, y) if ground else np.full(len(z), np.inf)
+    above = np.full(len(z), np.inf)
     if ground and len(x):
+        above = z - ground_without_decks(outlines, x, y, z, sample(*ground, x, y), tile.density)
         outlines[:] = with_courtyards(outlines, x, y, above < ON_GROUND, tile.density)
-    assignment = _assign_candidates(x, y, z, classes, above, outlines, tile.parameters)
+    several = np.asarray(points.number_of_returns) > 1
+    assignment = _assign_candidates(x, y, z, classes, above, several, outlines, tile.parameters)
     records = tile.records.copy()
     own = np.isin(assignment.owner, np.flatnonzero(tile.own))
     records["building_id"][own] = tile.footprints.ids[assignment.owner[own]]
     order = np.flatnonzero(own)[np.argsort(assignment.owner[own], kind="stable")]
     _count_points(table, assignment, outlines, ground)
+    table.open_share[:] = _open_shares(tile.footprints.polygons, outlines)
     mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
     return tile.rows[tile.own], mine, records[order]
+
+
+def _open_shares(given: np.ndarray, outlines: np.ndarray) -> np.ndarray:
+    """Share (n,) of each given outline that was cut out as open ground."""
+    before, after = shapely.area(given), shapely.area(outlines)
+    return np.where(before > 0, np.clip(1.0 - after / np.maximum(before, 1e-9), 0.0, 1.0), 0.0)
 
 
 def _segment_as_paper(tile: Tile, x: np.ndarray, y: np.ndarray, ground: tuple[Grid, np.ndarray] | None
@@ -322,11 +336,11 @@ def _placed_outlines(tile: Tile, x: np.ndarray, y: np.ndarray, z: np.ndarray, cl
 
 
 def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.ndarray, above: np.ndarray,
-                       outlines: np.ndarray, parameters: SegmentationParameters) -> Assignment:
+                       several: np.ndarray, outlines: np.ndarray, parameters: SegmentationParameters) -> Assignment:
     """Owners of the points that can be building: by class where it can be trusted, else by height."""
     owner = np.full(len(x), -1, np.int64)
     primary = np.zeros(len(x), bool)
-    high = ~np.isin(classes, (*NOT_BUILDING, BUILDING_CLASS)) & ~(above < parameters.minimum_height)
+    high = np.flatnonzero(~np.isin(classes, (*NOT_BUILDING, BUILDING_CLASS)) & ~(above < parameters.minimum_height))
 
     def take(candidates: np.ndarray, wanted: np.ndarray) -> Assignment:
         found = assign_points(x[candidates], y[candidates], z[candidates], wanted, parameters.expansion)
@@ -334,19 +348,25 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
         owner[candidates[taken]], primary[candidates[taken]] = found.owner[taken], found.primary[taken]
         return found
 
-    classed = take(np.flatnonzero(classes == BUILDING_CLASS), outlines)
-    trusted = _trusted_classes(classed, outlines, x[high], y[high])
+    classed = np.flatnonzero(classes == BUILDING_CLASS)
+    found = take(classed, outlines)
+    others = assign_points(x[high], y[high], np.zeros(len(high)), outlines, 0.0)
+    trusted = _trusted_classes(found, others, len(outlines))
     owner[np.isin(owner, np.flatnonzero(~trusted))] = -1
-    take(np.flatnonzero(high), np.where(trusted, None, outlines))
+    for row in np.flatnonzero(trusted):
+        mine, known = high[others.owner == row], classed[found.owner == row]
+        density = np.count_nonzero(found.primary[found.owner == row]) / outlines[row].area
+        roof = mine[unclassified_roof_points(x[mine], y[mine], z[mine], several[mine], x[known], y[known],
+                                             outlines[row], max(density, 0.1))]
+        owner[roof], primary[roof] = row, True
+    take(high, np.where(trusted, None, outlines))
     return Assignment(owner, primary & (owner >= 0))
 
 
-def _trusted_classes(found: Assignment, outlines: np.ndarray, high_x: np.ndarray,
-                     high_y: np.ndarray) -> np.ndarray:
-    """Mask of the buildings whose class 6 points describe them: enough, and not a small share."""
-    classed = np.bincount(found.owner[found.primary & (found.owner >= 0)], minlength=len(outlines))
-    others = assign_points(high_x, high_y, np.zeros(len(high_x)), outlines, 0.0)
-    unclassed = np.bincount(others.owner[others.owner >= 0], minlength=len(outlines))
+def _trusted_classes(found: Assignment, others: Assignment, count: int) -> np.ndarray:
+    """Mask of the buildings whose class 6 points (`found`) describe them: enough, and not few beside the `others`."""
+    classed = np.bincount(found.owner[found.primary & (found.owner >= 0)], minlength=count)
+    unclassed = np.bincount(others.owner[others.owner >= 0], minlength=count)
     return (classed >= MIN_ROOF_POINTS) & (classed >= MIN_CLASSED_SHARE * (classed + unclassed))
 
 
