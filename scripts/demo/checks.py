@@ -239,14 +239,22 @@ def _by_kind(what: str, errors: np.ndarray, kinds: np.ndarray) -> list[Figure]:
 
 
 def model_heights(roofs: dict[int, list], places: RoofPlaces) -> np.ndarray:
-    """Height of a building's own level roofs at its places, NaN where it has none there."""
+    """Height of a building's own roofs, level or sloped, at its places, NaN where it has none there."""
     heights = np.full(len(places.x), np.nan)
     for number, parts in roofs.items():
         own = np.flatnonzero(places.building == number)
         for roof in parts:
             within = own[shapely.contains_xy(shapely.force_2d(roof), places.x[own], places.y[own])]
-            heights[within] = np.fmax(heights[within], shapely.get_coordinates(roof, include_z=True)[:, 2].max())
+            heights[within] = np.fmax(heights[within], plane_height(roof, places.x[within], places.y[within]))
     return heights
+
+
+def plane_height(roof: shapely.Polygon, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Height at places of the plane through a roof's corners."""
+    corners = shapely.get_coordinates(roof, include_z=True)
+    centre = corners.mean(axis=0)
+    slope, *_ = np.linalg.lstsq((corners - centre)[:, :2], (corners - centre)[:, 2], rcond=1e-6)
+    return centre[2] + np.column_stack([x - centre[0], y - centre[1]]) @ slope
 
 
 def overlap(a: shapely.Geometry, b: shapely.Geometry) -> float:

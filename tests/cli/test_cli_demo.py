@@ -83,3 +83,8 @@ def test_gables_fall_from_the_ridge_to_the_eaves():
     ridge, eaves = ([[2.0, 3.0], [9.0, 3.0]], [[5.0, 0.0], [5.0, 6.0], [5.0, 1.5]])
     x, y = (np.array(ridge + eaves) @ np.array([[0.8, 0.6], [-0.6, 0.8]]) + [100, 200]).T
     assert demo_checks.gable_height(plan, 5.0, 8.0, x, y) == pytest.approx([8, 8, 5, 5, 6.5])
+
+
+def test_height_of_a_sloped_roof():
+    roof = shapely.from_wkt("POLYGON Z ((0 0 5, 10 0 5, 10 4 8, 0 4 8, 0 0 5))")
+    assert demo_checks.plane_height(roof, np.array([5.0, 0.0]), np.array([2.0, 4.0])) == pytest.approx([6.5, 8.0])
