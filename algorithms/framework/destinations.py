@@ -9,6 +9,7 @@ from qgis.core import (
     QgsDataSourceUri,
     QgsProcessing,
     QgsProcessingContext,
+    QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingUtils,
     QgsProperty,
@@ -179,11 +180,25 @@ def _input_files(algorithm, parameters: Mapping, context: QgsProcessingContext) 
         elif kind == "multilayer":
             layers = algorithm.parameterAsLayerList(parameters, name, context)
         elif kind in LAYERS:
-            layers = [algorithm.parameterAsLayer(parameters, name, context)]
+            # A file is one by its name; loading it as a layer of a wrong kind would make QGIS complain of it.
+            text = _source_text(parameters, name, context)
+            if text and Path(text.split("|")[0]).is_file():
+                yield label, Path(text.split("|")[0]), _table_of(text)
+            else:
+                layers = [algorithm.parameterAsLayer(parameters, name, context)]
         for layer in filter(None, layers):
             path, table = _layer_file(layer)
             if path:
                 yield label, path, table
+
+
+def _source_text(parameters: Mapping, name: str, context: QgsProcessingContext) -> str:
+    """What was given for a layer, as text; empty for a layer object."""
+    value = parameters[name]
+    value = getattr(value, "source", value) if isinstance(value, QgsProcessingFeatureSourceDefinition) else value
+    if isinstance(value, QgsProperty):
+        value, _ = value.valueAsString(context.expressionContext(), "")
+    return value if isinstance(value, str) else ""
 
 
 def _layer_file(layer) -> tuple[Path | None, str]:

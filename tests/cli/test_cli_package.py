@@ -39,6 +39,25 @@ def test_zip_is_the_same_each_time(package, tmp_path):
     assert again.read_bytes() == package.read_bytes()
 
 
+def test_metadata_for_the_plugin_repository(package, tmp_path):
+    """What is asked there is in the zip where it was given, and nothing that is made up where it was not."""
+    import configparser
+
+    def told(path):
+        read = configparser.ConfigParser(interpolation=None)
+        read.read_string(zipfile.ZipFile(path).read("urbanmap_qgis/metadata.txt").decode("utf-8"))
+        return read["general"]
+
+    assert not {"repository", "tracker", "homepage", "email"} & set(told(package))
+    script = [sys.executable, str(ROOT / "scripts" / "package.py"), "--output", str(tmp_path / "p.zip")]
+    subprocess.run([*script, "--repository", "https://code.example.org/survey/urbanmap/", "--email", "a@example.org"],
+                   check=True)
+    made = told(tmp_path / "p.zip")
+    assert made["tracker"] == "https://code.example.org/survey/urbanmap/issues" and made["email"] == "a@example.org"
+    assert made["repository"] == made["homepage"] and "Processing provider" in made["changelog"]
+    assert subprocess.run([*script, "--repository", "urbanmap"], check=False, capture_output=True).returncode == 1
+
+
 def test_unpacked_zip_lists_the_algorithms(package, new_profile, linked_profile):
     profile = new_profile()
     with zipfile.ZipFile(package) as archive:

@@ -266,6 +266,10 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
         bad = first_not_finite(vertices)
         if bad is not None:
             raise InputError(f"{path} is damaged: its vertex {bad} has no finite coordinates.")
+        for key, item in content["CityObjects"].items():
+            values = item.get("attributes", {}).values()
+            if any(isinstance(value, float) and not math.isfinite(value) for value in values):
+                raise InputError(f"{path} is damaged: an attribute of {key} is no finite number.")
         return tuple(
             ReadObject(key, item["type"], item.get("attributes", {}),
                        tuple(solid for geometry in item.get("geometry", []) for solid in _solids(geometry, vertices)))

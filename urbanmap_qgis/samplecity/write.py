@@ -155,7 +155,8 @@ def _measure_together(work: Path, world: tuple, progress: Progress, executor: Ex
         (work / ".post" / Post.STOP).touch()
         for future in futures.values():
             future.cancel()
-        wait(futures.values())
+        # Threads end at their next step, processes are ended by who started them: nobody waits for a whole frame.
+        wait(futures.values(), timeout=0.3)
         raise
     shutil.rmtree(work / ".post")
     return {name: future.result() for name, future in futures.items()}

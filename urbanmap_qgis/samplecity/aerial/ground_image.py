@@ -94,6 +94,7 @@ def make_ground_image(scene: Scene, bounds: np.ndarray, shadows: ShadowMap, rng:
     columns, rows = (int(np.ceil(length / block)) * KIND_CELLS for length in (bounds[2] - west, north - bounds[1]))
     colour = np.empty((rows, columns, 3), np.uint8)
     height = _heights(scene, origin, west, north, rows // HEIGHT_CELLS, columns // HEIGHT_CELLS)
+    progress.check()
     texture = GroundTexture(scene, origin, west, north, (rows, columns), CELL, rng)
     for top in range(0, rows, STRIP):
         progress.step(0.8 * top / rows)

@@ -97,9 +97,12 @@ def render_frame(stage: Stage, camera: Camera, exposure: Exposure, gain: float, 
     rng : of the noise; None for a frame without noise and blur.
     """
     moving = moving_faces(stage.scene, exposure.time)
+    progress.check()
     faces = join([stage.still, *moving])
     shadows = stage.shadows.with_faces(join(moving), len(stage.still)) if moving else stage.shadows
+    progress.check()
     ground = stage.ground.with_shadows(moving, shadows)
+    progress.check()
     shading = Shading(Surfaces.of(faces, stage.scene, shadows), stage.leaves, shadows, stage.stains)
     image = np.empty((camera.height, camera.width, 3), np.float32)
     mask = np.empty((camera.height, camera.width), np.uint8)
@@ -111,6 +114,7 @@ def render_frame(stage: Stage, camera: Camera, exposure: Exposure, gain: float, 
         nearest = view.draw(faces, stage.leaves)
         image[rows] = view.colour(nearest, shading, part)
         mask[rows] = _mask(nearest.label, _class_of(faces))
+    progress.step(0.9)
     return RenderedFrame(_expose(image, gain, rng), mask)
 
 

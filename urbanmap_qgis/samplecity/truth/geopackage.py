@@ -61,6 +61,9 @@ def _write_layer(connection: sqlite3.Connection, layer: Layer, srs: int) -> None
     geometries = np.asarray(layer.geometries, dtype=object)
     has_z = bool(shapely.has_z(geometries).any())
     kinds = {geometry.geom_type.upper() for geometry in geometries}
+    for name in (layer.name, *layer.fields):
+        if not name.isidentifier():
+            raise ValueError(f"{name} cannot name a table or a field")
     columns = "".join(f', "{name}" {_type_of(values)}' for name, values in layer.fields.items())
     connection.execute(f'CREATE TABLE "{layer.name}" (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB'
                        f"{columns})")
