@@ -12,11 +12,11 @@ from scipy import ndimage
 
 from ...geometry.grid import Grid
 
-CELL = (0.3, 1.2)
+CELL = (0.3, 0.8)
 """Smallest and largest cell, m; the density sets it between them."""
 
-CEILING_REACH = 1.0
-"""Distance (m) within which the highest point bounds a roof."""
+CEILING_REACH = 1.0, 2.5
+"""Distance in m, and in cells where those are large, within which the highest point bounds a roof."""
 
 
 @dataclass(frozen=True)
@@ -72,10 +72,10 @@ def _most(cell: np.ndarray, label: np.ndarray, size: int) -> np.ndarray:
 
 
 def _ceiling(grid: Grid, cell: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Highest point within `CEILING_REACH` of each cell, inf where there is none."""
+    """Highest point in `CEILING_REACH` of each cell, inf where there is none."""
     top = np.full(grid.rows * grid.columns, -np.inf)
     np.maximum.at(top, cell, z)
-    reach = max(1, round(CEILING_REACH / grid.cell))
+    reach = round(max(CEILING_REACH[0] / grid.cell, CEILING_REACH[1]))
     window = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1, 2 * reach + 1))
     highest = cv2.dilate(np.where(np.isfinite(top), top, -1e9).reshape(grid.shape), window,
                          borderType=cv2.BORDER_CONSTANT, borderValue=-1e9)

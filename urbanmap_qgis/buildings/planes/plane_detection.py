@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +14,14 @@ from .region_growing import grow_planes, surroundings
 PLANES, LEVELS = "planes", "levels"
 """What roofs are: planes, level or sloped (LoD2.2), or level pieces (LoD1.3, as in J 5.3)."""
 
-FEWEST = 6
+FEWEST = 4
+"""Points of the smallest plane, however thin the cloud."""
+
+FEWEST_STEEP, STEEP = 8, math.tan(math.radians(50.0))
+"""A plane steeper than this needs so many points: a few points on a wall and an eave make a plane, too."""
+
+DENSE, THIN_FACTOR = 8.0, 2.0
+"""Points/m2 below which the tolerance grows with the distance between points, and how far it grows."""
 
 
 @dataclass(frozen=True)
@@ -22,13 +30,13 @@ class PlaneParameters:
 
     Attributes
     ----------
-    tolerance : farthest distance of a point from its plane, m.
+    tolerance : farthest distance of a point from its plane, m; in thin clouds it grows to twice that.
     least_area : area of the smallest plane in plan, m2.
     merge_tolerance : residual that joining two planes may add for each point of the smaller one, m.
     """
 
-    tolerance: float = 0.2
-    least_area: float = 1.5
+    tolerance: float = 0.15
+    least_area: float = 1.0
     merge_tolerance: float = 0.1
 
 
@@ -43,18 +51,23 @@ def detect_planes(points: np.ndarray, density: float, parameters: PlaneParameter
         return np.full(len(points), -1)
     around = surroundings(points, density)
     fewest = max(FEWEST, round(parameters.least_area * density))
-    label = grow_planes(points, around, parameters.tolerance, fewest)
+    tolerance = parameters.tolerance * min(max(math.sqrt(DENSE / density), 1.0), THIN_FACTOR)
+    label = grow_planes(points, around, tolerance, fewest)
     label = merge_planes(points, around.neighbours, label, parameters.merge_tolerance)
     for _ in range(2):
-        label = nearest_plane_labels(points, around.neighbours, label, parameters.tolerance)
-    return _without_small(label, fewest)
+        label = nearest_plane_labels(points, around.neighbours, label, tolerance)
+    return _without_small(points, label, fewest)
 
 
-def _without_small(label: np.ndarray, fewest: int) -> np.ndarray:
+def _without_small(points: np.ndarray, label: np.ndarray, fewest: int) -> np.ndarray:
     """Labels without those of too few points, numbered anew."""
     count = np.bincount(label[label >= 0], minlength=1)
-    number = np.cumsum(count >= fewest) - 1
-    keep = (label >= 0) & (count >= fewest)[label]
+    large = count >= fewest
+    if label.max(initial=-1) >= 0:
+        slope = np.hypot(*fitted_planes(points, label)[:, :2].T)
+        large &= (count >= FEWEST_STEEP) | (slope < STEEP)
+    number = np.cumsum(large) - 1
+    keep = (label >= 0) & large[label]
     return np.where(keep, number[label], -1)
 
 

@@ -18,7 +18,7 @@ from .plan_nodes import meeting_polygons
 from .plane_moments import moments
 from .plane_regularisation import regular_planes
 
-LEAST_AREA = 1.0
+LEAST_AREA = 1.5
 """Smaller pieces of a roof (m2) join the neighbour that fits best."""
 
 OK, ONE_PLANE, LOST = "ok", "one plane", "lost planes"

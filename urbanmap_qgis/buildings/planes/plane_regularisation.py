@@ -12,8 +12,11 @@ LEVEL_ERROR = 0.04
 LEVEL_SLOPE = 0.02
 """So is one of less slope."""
 
-TURN_ERROR = 0.03
+TURN_ERROR = 0.015
 """Planes are turned to the building's directions, and made mirror images, where that adds no more error, m."""
+
+ONE_HEIGHT = 0.06
+"""Level planes nearer in height than this (m) are one: no step of some centimetres is left between them."""
 
 MOST_TURN = np.radians(6.0)
 MIRROR_SLOPE = 0.08
@@ -37,6 +40,7 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
     for row in range(len(planes)):
         if flat[row]:
             planes[row] = 0.0, 0.0, table[row, 3] / n[row]
+    _one_height(planes, n, np.flatnonzero(flat))
     sloped = np.flatnonzero(~flat)
     axis = {row: _turned(table[row], planes[row], float(own[row]), directions) for row in sloped.tolist()}
     for row, fixed in axis.items():
@@ -44,6 +48,19 @@ def regular_planes(table: np.ndarray, directions: np.ndarray) -> np.ndarray:
             planes[row] = _along(table[row], fixed)
     _mirror(table, planes, own, axis)
     return planes
+
+
+def _one_height(planes: np.ndarray, weight: np.ndarray, level: np.ndarray) -> None:
+    """One height for level planes (their rows) that lie within `ONE_HEIGHT` of each other, changed in place."""
+    order = level[np.argsort(planes[level, 2], kind="stable")]
+    group: list[int] = []
+    for row in [*order.tolist(), None]:
+        if row is not None and (not group or planes[row, 2] - planes[group[0], 2] < ONE_HEIGHT):
+            group.append(row)
+            continue
+        if group:
+            planes[group, 2] = planes[group, 2] @ weight[group] / weight[group].sum()
+        group = [row]
 
 
 def _level(table: np.ndarray) -> np.ndarray:

@@ -13,13 +13,13 @@ from .plane_moments import moments_of, plane_distances, solve
 RADIUS = 0.8
 """Wanted radius of the neighbourhood a normal is fitted to, m."""
 
-NEIGHBOURS = (8, 15)
+NEIGHBOURS = (5, 12)
 """Fewest and most neighbours of it; the density decides between them."""
 
 STEEPEST = math.tan(math.radians(72.5))
 """Steeper places are walls."""
 
-MAX_ANGLE = math.cos(math.radians(35.0))
+MAX_ANGLE = math.cos(math.radians(30.0))
 """Cosine of the largest angle between the normal of a point and its plane."""
 
 _ROUNDS = 6

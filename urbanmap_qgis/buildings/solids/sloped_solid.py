@@ -75,6 +75,7 @@ class _Builder:
         self.types: list[str] = []
         self.ids: list[Hashable] = []
         self.heights: dict[tuple[int, int], int] = {}
+        self.areas = [cell.polygon.area for cell in cells]
 
     def solid(self) -> Solid:
         """The finished solid: ground, roofs, walls."""
@@ -151,7 +152,8 @@ class _Builder:
             if item is not None and item[0] - group[-1][0] < step:
                 group.append(item)
                 continue
-            level = round(sum(height for height, _ in group) / len(group))
+            # The largest roof stays flat; where that bends a smaller one, its triangles are few.
+            level = max(group, key=lambda entry: (self.areas[entry[1]], -entry[1]))[0]
             levels.update((cell, level) for _, cell in group)
             group = [item]
         return levels
