@@ -23,6 +23,7 @@ from .outlines.footprint import Footprints, has_curved_walls
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import checked_sloped_solids, is_sloped
 from .planes.roof_type import roof_type
+from .polygon_stage import LEVELS_BETTER
 from .quality import ModelFit, RoofCell, model_fit
 from .solids.plan_partition import partition_plan
 from .solids.solid import building_solids
@@ -231,6 +232,8 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
         status, reason = BLOCK, f"too few points for roofs; {note}".rstrip("; ")
     if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
         base = math.nan
+    if any(LEVELS_BETTER in str(words) for words in roofs.status):
+        status, reason = SIMPLIFIED, f"level roofs, as they fit its points better than planes; {note}".rstrip("; ")
     if not np.isfinite(base):
         base, source = float(roofs.height.min()) - STOREY, ASSUMED
     if source != KNOWN:

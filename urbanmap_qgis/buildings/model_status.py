@@ -13,7 +13,7 @@ PARTLY_MODELLED, UNSEEN, FEW_POINTS, SMALL = "partly modelled", "partly unseen",
 
 STATUSES = {
     NOT_MODELLED: "no points, no roof, no outline, or no valid solid could be made",
-    SIMPLIFIED: "level roofs or one height for all, as the detailed solid was not valid",
+    SIMPLIFIED: "level roofs or one height for all, as the detailed solid was not valid or did not fit",
     BLOCK: "too few points for roofs: one height for the whole outline",
     POOR_FIT: "many points that can be roof lie far from the model: roofs are missing or metres off",
     LOST_ROOFS: "a roof found in the points is not in the model",

@@ -16,6 +16,7 @@ from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
+from .planes.level_alternative import BETTER, SUSPECT, high_points, level_roof_numbers, misfit
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_moments import azimuth_degrees, slope_degrees
 from .planes.plane_partition import partition_planes
@@ -30,6 +31,7 @@ CELL = (0.25, 1.0)
 """Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""
 
 BLOCK_STATUS, LOST_ROOFS = "plain block", "lost roofs"
+LEVELS_BETTER = "level roofs fit better"
 
 MIN_INNER_POINTS, FLAT_SPREAD, MIN_PARAPET = 10, 0.15, 0.5
 """A flat roof inside a parapet: so many points well inside, of no more spread (m, robust standard deviation), and so
@@ -174,10 +176,30 @@ def _add(table: RoofPolygons, number: int, roof_id: int, polygon: shapely.Polygo
 
 def _divide_planes(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,
                    parameters: PolygonParameters, outline_status: str = "") -> None:
-    """The whole outline divided among its roof planes."""
+    """The whole outline divided among its roof planes, or among level roofs where those fit better."""
     xyz = np.column_stack(points)
-    found = partition_planes(outline, xyz, roof)
-    status = f"{found.status}; {outline_status}" if outline_status else found.status
+    planes = _plane_rows(number, outline, xyz, roof, parameters, outline_status)
+    high = high_points(xyz, roof)
+    off = misfit(planes.polygon, high)
+    if off > SUSPECT:
+        other = level_roof_numbers(outline, xyz, roof)
+        if other.any():
+            levels = RoofPolygons()
+            status = f"{LEVELS_BETTER}; {outline_status}" if outline_status else LEVELS_BETTER
+            _divide_plan(levels, number, outline, points, other, parameters, status)
+            if misfit(shapely.force_3d(levels.polygon, levels.height).tolist(), high) < BETTER * off:
+                planes = levels
+    table.extend(planes)
+
+
+def _plane_rows(number: int, outline: shapely.Geometry, xyz: np.ndarray, roof: np.ndarray,
+                parameters: PolygonParameters, outline_status: str) -> RoofPolygons:
+    """Rows of the polygons of a building's roof planes."""
+    found, table = partition_planes(outline, xyz, roof), RoofPolygons()
+    on_roof = roof > 0
+    lost = _has_lost_roof(outline, *xyz[on_roof, :2].T, roof[on_roof], found.roof_numbers)
+    status = LOST_ROOFS if lost else found.status
+    status = f"{status}; {outline_status}" if outline_status else status
     for polygon, roof_id, plane, coverage in zip(found.polygons, found.roof_numbers.tolist(), found.planes,
                                                  found.coverage.tolist()):
         own = roof == roof_id
@@ -186,10 +208,11 @@ def _divide_planes(table: RoofPolygons, number: int, outline: shapely.Geometry, 
         own[own] = shapely.contains_xy(flat, *xyz[own, :2].T)
         z = xyz[own, 2]
         off = z - (xyz[own, :2] - found.origin) @ plane[:2] - plane[2]
-        middle = np.array(flat.centroid.coords[0]) - found.origin
-        height = float(middle @ plane[:2] + plane[2])
-        _add(table, number, roof_id, polygon, _height(z, parameters) if len(z) and parameters.height == MAXIMUM else
-             height, float(z.max()) if len(z) else height, z, coverage, math.nan, status, plane, off)
+        height = float((np.array(flat.centroid.coords[0]) - found.origin) @ plane[:2] + plane[2])
+        top = float(z.max()) if len(z) else height
+        _add(table, number, roof_id, polygon, top if parameters.height == MAXIMUM else height, top, z, coverage,
+             math.nan, status, plane, off)
+    return table
 
 
 def _divide_plan(table: RoofPolygons, number: int, outline: shapely.Geometry, points: tuple, roof: np.ndarray,

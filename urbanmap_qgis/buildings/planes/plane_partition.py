@@ -18,10 +18,10 @@ from .plan_nodes import meeting_polygons
 from .plane_moments import moments
 from .plane_regularisation import regular_planes
 
-LEAST_AREA = 1.5
+LEAST_AREA = 2.0
 """Smaller pieces of a roof (m2) join the neighbour that fits best."""
 
-OK, ONE_PLANE, LOST = "ok", "one plane", "lost planes"
+OK, ONE_PLANE = "ok", "one plane"
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class PlanePartition:
     roof_numbers : (k,) the plane's number as the points have it.
     planes : (k, 3) a, b, c of z = a (x - origin x) + b (y - origin y) + c. origin : x and y, m.
     coverage : (k,) share of the area with points.
-    status : "ok", "one plane", or "lost planes": some plane found no place.
+    status : "ok" or "one plane".
     """
 
     polygons: tuple[shapely.Polygon, ...]
@@ -70,7 +70,7 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
                   for polygon in lifted)
-    status = ONE_PLANE if len(numbers) == 1 else LOST if len(set(labels.tolist())) < len(numbers) else OK
+    status = ONE_PLANE if len(numbers) == 1 else OK
     return PlanePartition(moved, numbers[labels], planes[labels], origin, _coverage(raster, polygons), status)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 import shapely
@@ -186,9 +187,32 @@ class _Builder:
         for edge, cell in self.edges.cell.items():
             by_cell.setdefault(cell, []).append(edge)
         for cell in sorted(by_cell):
-            for rings in self._shapes(by_cell[cell]):
-                self._add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
-                          self.cells[cell].roof_id)
+            bent = {node for edge in by_cell[cell] for node in edge
+                    if abs(self.heights[cell, node] - self._height(cell, node)) > FLAT * UNITS}
+            for outer, *holes in self._shapes(by_cell[cell]):
+                corners, outer = self._cut_off(outer, holes, bent)
+                for rings in ([outer, *holes], *([corner] for corner in corners)):
+                    self._add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
+                              self.cells[cell].roof_id)
+
+    def _cut_off(self, ring: list[int], holes: list[list[int]],
+                 bent: set[int]) -> tuple[list[tuple[int, int, int]], list[int]]:
+        """Triangles at the bent nodes of a ring and the ring without them, so that only these leave the plane."""
+        corners: list[tuple[int, int, int]] = []
+        for node in [node for node in ring if node in bent]:
+            at = ring.index(node)
+            corner = ring[at - 1], node, ring[(at + 1) % len(ring)]
+            if len(ring) > 3 and not bent & {corner[0], corner[2]} and self._is_ear(corner, [*ring, *chain.from_iterable(holes)]):
+                corners.append(corner)
+                ring = ring[:at] + ring[at + 1:]
+        return corners, ring
+
+    def _is_ear(self, corner: tuple[int, int, int], others: list[int]) -> bool:
+        """Whether a corner is a triangle counterclockwise that no other node lies in or on."""
+        if self.edges.twice_area(corner) <= 0:
+            return False
+        return all(min(self.edges.twice_area([a, b, other]) for a, b in zip(corner, (*corner[1:], corner[0]))) < 0
+                   for other in others if other not in corner)
 
     def _shapes(self, directed: list[tuple[int, int]]) -> list[list[list[int]]]:
         """Outer rings, each followed by its holes."""
