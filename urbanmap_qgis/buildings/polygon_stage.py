@@ -16,7 +16,7 @@ from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
-from .planes.level_alternative import BETTER, SUSPECT, high_points, level_roof_numbers, misfit
+from .planes.level_alternative import BETTER, SUSPECT, high_points, level_roof_numbers, roof_misfit
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_moments import azimuth_degrees, slope_degrees
 from .planes.plane_partition import partition_planes
@@ -180,14 +180,14 @@ def _divide_planes(table: RoofPolygons, number: int, outline: shapely.Geometry, 
     xyz = np.column_stack(points)
     planes = _plane_rows(number, outline, xyz, roof, parameters, outline_status)
     high = high_points(xyz, roof)
-    off = misfit(planes.polygon, high)
+    off = roof_misfit(planes.polygon, high)
     if off > SUSPECT:
         other = level_roof_numbers(outline, xyz, roof)
         if other.any():
             levels = RoofPolygons()
             status = f"{LEVELS_BETTER}; {outline_status}" if outline_status else LEVELS_BETTER
             _divide_plan(levels, number, outline, points, other, parameters, status)
-            if misfit(shapely.force_3d(levels.polygon, levels.height).tolist(), high) < BETTER * off:
+            if roof_misfit(shapely.force_3d(levels.polygon, levels.height).tolist(), high) < BETTER * off:
                 planes = levels
     table.extend(planes)
 

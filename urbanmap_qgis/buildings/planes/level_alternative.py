@@ -21,7 +21,7 @@ _BELOW = 0.5
 _MISSED = 3.0
 
 
-def misfit(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> float:
+def roof_misfit(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> float:
     """Root mean square height difference of the best 95 % of points (n, 3) to the polygons with z over or under them,
     m; a difference counts as 3 m at most."""
     flat = shapely.force_2d(np.array(polygons, dtype=object))

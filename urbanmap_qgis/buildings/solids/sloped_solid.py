@@ -202,7 +202,8 @@ class _Builder:
         for node in [node for node in ring if node in bent]:
             at = ring.index(node)
             corner = ring[at - 1], node, ring[(at + 1) % len(ring)]
-            if len(ring) > 3 and not bent & {corner[0], corner[2]} and self._is_ear(corner, [*ring, *chain.from_iterable(holes)]):
+            others = [*ring, *chain.from_iterable(holes)]
+            if len(ring) > 3 and not bent & {corner[0], corner[2]} and self._is_ear(corner, others):
                 corners.append(corner)
                 ring = ring[:at] + ring[at + 1:]
         return corners, ring
