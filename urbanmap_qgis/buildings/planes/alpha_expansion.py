@@ -23,14 +23,14 @@ def expand_labels(data: np.ndarray, pairs: np.ndarray, smoothness: np.ndarray, s
     """
     labels = start.copy()
     energy = energy_of(data, pairs, smoothness, labels)
-    for _ in range(_SWEEPS):
-        before = energy
-        for alpha in range(data.shape[1]):
-            tried = _expanded(data, pairs, smoothness, labels, alpha)
-            found = energy_of(data, pairs, smoothness, tried)
-            if found < energy - 1e-9:
-                labels, energy = tried, found
-        if energy >= before - 1e-9:
+    unchanged = 0
+    for turn in range(_SWEEPS * data.shape[1]):
+        tried = _expanded(data, pairs, smoothness, labels, turn % data.shape[1])
+        found = energy_of(data, pairs, smoothness, tried) if tried is not labels else energy
+        unchanged += 1
+        if found < energy - 1e-9:
+            labels, energy, unchanged = tried, found, 0
+        if unchanged >= data.shape[1]:
             break
     return labels
 
@@ -50,15 +50,31 @@ def _expanded(data: np.ndarray, pairs: np.ndarray, smoothness: np.ndarray, label
     both = smoothness[row, labels[one], labels[two]]
     first = smoothness[row, labels[one], alpha]  # the first keeps its label, the second takes alpha
     second = smoothness[row, alpha, labels[two]]
-    # E(keep, keep) = both, E(keep, take) = first, E(take, keep) = second, E(take, take) = 0
-    np.add.at(keep, one, both)
-    np.add.at(take, one, second)
-    np.add.at(take, two, -second)
-    capacity = np.maximum(first + second - both, 0.0)
+    # A face whose data lose more than all its borders can win back keeps its label: it leaves the graph.
+    most = np.bincount(one, np.maximum(both, first), n) + np.bincount(two, np.maximum(both, second), n)
+    free = (take - keep <= most) & (labels != alpha)
+    if not free.any():
+        return labels
+    # E(keep, keep) = both, E(keep, take) = first, E(take, keep) = second, E(take, take) = 0; fixed faces keep, and
+    # those that have alpha already cost the same either way.
+    fixed = ~free & (labels != alpha)
+    inner = ~fixed[one] & ~fixed[two]
+    np.add.at(keep, one[inner], both[inner])
+    np.add.at(take, one[inner], second[inner])
+    np.add.at(take, two[inner], -second[inner])
+    for near, far, taken in ((one, two, second), (two, one, first)):
+        border = ~fixed[near] & fixed[far]
+        np.add.at(keep, near[border], both[border])
+        np.add.at(take, near[border], taken[border])
+    nodes = np.flatnonzero(~fixed)
+    number = np.cumsum(~fixed) - 1
     floor = np.minimum(keep, take)
-    keep, take = keep - floor, take - floor
-    changed = _cut(n, keep, take, one, two, capacity)
-    return np.where(changed, alpha, labels)
+    capacity = np.maximum(first + second - both, 0.0)[inner]
+    changed = _cut(len(nodes), (keep - floor)[nodes], (take - floor)[nodes], number[one[inner]], number[two[inner]],
+                   capacity)
+    result = labels.copy()
+    result[nodes[changed]] = alpha
+    return result
 
 
 def _cut(n: int, keep: np.ndarray, take: np.ndarray, one: np.ndarray, two: np.ndarray,

@@ -102,21 +102,21 @@ def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, point
     cost = np.where(unseen[:, None], np.minimum(np.abs(height - shown[:, None]), CAP) * UNSEEN_WEIGHT, 0.0)
     ceiling = raster.ceiling[row, column]
     cost += EXCESS_WEIGHT * np.clip(height - ceiling[:, None] - CLEARANCE, 0.0, 3.0)
-    low, high = _seen_heights(planes, points, label, raster.cell)
+    low, high = seen_heights(planes, points, label, raster.cell)
     cost += EXCESS_WEIGHT * np.clip(np.maximum(height - high, low - height), 0.0, 3.0)
     return data + _summed(tree, count, xy, cost * area)
 
 
-def _seen_heights(planes: np.ndarray, points: np.ndarray, label: np.ndarray,
-                  spacing: float) -> tuple[np.ndarray, np.ndarray]:
+def seen_heights(planes: np.ndarray, points: np.ndarray, label: np.ndarray,
+                 spacing: float) -> tuple[np.ndarray, np.ndarray]:
     """Lowest and highest height (k,) at which each plane is seen, with what `CLEARANCE` and the `spacing` of points
-    leave open: no plane is drawn on to where it was not seen."""
+    leave open: no plane is drawn on to where it was not seen. One without points is free."""
     own = label >= 0
     low, high = np.full(len(planes), np.inf), np.full(len(planes), -np.inf)
     np.minimum.at(low, label[own], points[own, 2])
     np.maximum.at(high, label[own], points[own, 2])
     reach = CLEARANCE + spacing * np.hypot(planes[:, 0], planes[:, 1])
-    return low - reach, high + reach
+    return (np.where(np.isfinite(low), low - reach, -np.inf), np.where(np.isfinite(high), high + reach, np.inf))
 
 
 def _summed(tree: shapely.STRtree, count: int, xy: np.ndarray, value: np.ndarray) -> np.ndarray:

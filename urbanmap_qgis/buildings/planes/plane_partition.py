@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
@@ -13,7 +13,7 @@ from ..polygons.plan_arrangement import dissolve
 from ..polygons.regularisation import main_directions
 from .candidate_segments import candidate_segments
 from .label_raster import LabelRaster, label_raster
-from .plan_faces import SMOOTHNESS, PlanFaces, label_faces, plan_faces
+from .plan_faces import SMOOTHNESS, PlanFaces, label_faces, plan_faces, seen_heights
 from .plan_nodes import meeting_polygons
 from .plane_moments import moments
 from .plane_regularisation import regular_planes
@@ -65,13 +65,40 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     planes = regular_planes(moments(points, of_point, len(numbers)), directions)
     density = max(np.count_nonzero(roof) / local.area, 0.3)
     raster = label_raster(points, of_point, local, density)
+    raster, planes, capped = _with_caps(raster, planes, points, of_point)
+    numbers = np.concatenate([numbers, numbers[capped]])
     polygons, labels = _divided(local, raster, planes, points, of_point)
     lifted = meeting_polygons(polygons, planes[labels])
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
                   for polygon in lifted)
-    status = ONE_PLANE if len(numbers) == 1 else OK
+    status = ONE_PLANE if len(planes) == 1 else OK
     return PlanePartition(moved, numbers[labels], planes[labels], origin, _coverage(raster, polygons), status)
+
+
+def _with_caps(raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
+               label: np.ndarray) -> tuple[LabelRaster, np.ndarray, np.ndarray]:
+    """Level planes where a sloped one would rise far above its points, as over a slope that was not seen.
+
+    Gives the raster and the planes with these added, and the planes that they cap.
+    """
+    low, high = seen_heights(planes, points, label, raster.cell)
+    x, y = np.meshgrid(raster.x, raster.y)
+    own = planes[raster.label]
+    height = own[..., 0] * x + own[..., 1] * y + own[..., 2]
+    unseen = raster.inside & ~raster.seen
+    area = np.bincount(raster.label[unseen & (height > high[raster.label])], minlength=len(planes)) * raster.cell**2
+    capped = np.flatnonzero((area > LEAST_AREA) & np.isfinite(low))
+    if not len(capped):
+        return raster, planes, capped
+    top = np.array([points[label == plane, 2].max() for plane in capped])
+    caps = np.column_stack([np.zeros((len(capped), 2)), top])
+    number = np.arange(len(planes))
+    number[capped] = len(planes) + np.arange(len(capped))
+    reached = np.full(len(planes), np.inf)
+    reached[capped] = top
+    labels = np.where(unseen & (height > reached[raster.label]), number[raster.label], raster.label)
+    return replace(raster, label=labels), np.concatenate([planes, caps]), capped
 
 
 def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,

@@ -22,8 +22,11 @@ STEEPEST = math.tan(math.radians(72.5))
 MAX_ANGLE = math.cos(math.radians(30.0))
 """Cosine of the largest angle between the normal of a point and its plane."""
 
+PROMISING = 6
+"""A seed with fewer points on its plane among its neighbours' neighbours is not grown."""
+
 _ROUNDS = 6
-_SEED_TRIES = 400
+_SEED_TRIES = 150
 
 
 @dataclass(frozen=True)
@@ -79,7 +82,7 @@ def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewe
     for seed in np.argsort(around.roughness, kind="stable").tolist():
         if not free[seed] or tried[seed] or around.roughness[seed] > tolerance:
             continue
-        members = _grown(points, around, normals, free, seed, tolerance)
+        members = _grown(points, around, normals, free, seed, tolerance, fewest)
         if len(members) < fewest:
             tried[members] = tried[seed] = True
             failures += 1
@@ -93,13 +96,15 @@ def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewe
 
 
 def _grown(points: np.ndarray, around: Surroundings, normals: np.ndarray, free: np.ndarray, seed: int,
-           tolerance: float) -> np.ndarray:
-    """Points of the plane that grows from one seed."""
-    near = around.neighbours[seed]
+           tolerance: float, fewest: int) -> np.ndarray:
+    """Points of the plane that grows from one seed; fewer than `fewest` where none does."""
     plane = np.array([*around.slope[seed], 0.0])
     plane[2] = points[seed, 2] - plane[:2] @ points[seed, :2]
+    near = np.unique(around.neighbours[around.neighbours[seed]])
     near = near[free[near] & (np.abs(plane_distances(plane, points[near])) < tolerance)]
-    members = near
+    if np.count_nonzero(normals[near] @ normals[seed] > MAX_ANGLE) < min(fewest, PROMISING):
+        return near[:0]
+    members = np.intersect1d(near, around.neighbours[seed])
     for _ in range(_ROUNDS):
         if len(members) >= 3:
             plane = solve(moments_of(points[members]))[0]
