@@ -119,11 +119,11 @@ def test_every_status_is_counted():
     assert set(found) == set(STATUSES) and found[OK] == 2 and found[LOW] == 1 and sum(found.values()) == 3
 
 
-@pytest.mark.parametrize("worse", [{"rmse_z95": 0.4}, {"not_explained": 0.2}, {"unseen": 0.3}])
+@pytest.mark.parametrize("worse", [{"rmse_z95": 0.4}, {"rmse_z": 0.9}, {"not_explained": 0.2}, {"unseen": 0.3}])
 def test_quality_falls_with_each_flaw(worse):
-    good = {"rmse_z95": 0.1, "not_explained": 0.05, "unseen": 0.05}
+    good = {"rmse_z": 0.2, "rmse_z95": 0.1, "not_explained": 0.05, "unseen": 0.05}
     assert 0 < quality(OK, **{**good, **worse}) < quality(OK, **good) < 1
-    assert quality(NOT_MODELLED, **good) == 0 and np.isnan(quality(OK, np.nan, 0.0, 0.0))
+    assert quality(NOT_MODELLED, **good) == 0 and np.isnan(quality(OK, np.nan, np.nan, 0.0, 0.0))
 
 
 def test_unknown_ground_is_taken_from_near_neighbours_only():

@@ -275,7 +275,7 @@ def _judged(model: BuildingModel, outline: shapely.Geometry | None, roofs: RoofI
                        any(str(status).startswith(LOST_ROOFS) for status in roofs.status),
                        outline is not None and has_curved_walls(outline))
     status, reason = judge(model.status, model.reason, facts)
-    figure = quality(status, fit.rmse_z95, fit.not_explained, model.unseen) if fit else math.nan
+    figure = quality(status, fit.rmse_z, fit.rmse_z95, fit.not_explained, model.unseen) if fit else math.nan
     return replace(model, status=status, reason=reason, quality=figure)
 
 
