@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-import pytest
+import sqlite3
+from contextlib import closing
 
-from tests.figures import stays
+import pytest
+import shapely
+from pyproj import CRS
+
+from tests.figures import ENVELOPES, stays
+from urbanmap_qgis.io.pointcloud import open_cloud
 from urbanmap_qgis.mobile.accuracy_report import write_accuracy_report
 from urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
 from urbanmap_qgis.mobile.calibration import read_calibration
@@ -12,8 +18,19 @@ from urbanmap_qgis.mobile.control import accuracy, in_survey_time, read_control,
 from urbanmap_qgis.mobile.ground import classify_ground_files
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
-from urbanmap_qgis.mobile.markings.marking_stage import markings_to_file
+from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings, markings_to_file
 from urbanmap_qgis.mobile.pose_correction import correction_between
+from urbanmap_qgis.mobile.registration.correction.adjustment import CorrectionSettings
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
+from urbanmap_qgis.mobile.registration.report import write_registration_report
+from urbanmap_qgis.mobile.registration.stage import (
+    RegistrationRun,
+    patch_table,
+    register_markings,
+    survey_markings,
+    unregistered_sections,
+)
+from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
 
@@ -56,3 +73,33 @@ def test_accuracy_and_landmark_update_stay(survey, tmp_path):
     write_accuracy_report(tmp_path / "report.html", control, errors, {"A": "1"}, 2)
     stays("mobile_accuracy", {"updated": updated, "errors": errors, "files": tmp_path,
                               "figures": {name: accuracy(values) for name, values in errors.items()}})
+
+
+@pytest.fixture(scope="module")
+def markings(survey):
+    """Marking points of the first survey."""
+    points, reported, _, _, calibration = survey
+    return survey_markings(open_cloud([points]), reported, ExtractionSettings(), calibration)
+
+
+@pytest.fixture(scope="module")
+def paint(small_city):
+    """The true markings as seen from the air."""
+    with closing(sqlite3.connect(small_city / "truth" / "markings.gpkg")) as base:
+        blobs = [row[0] for row in base.execute('SELECT geom FROM "aerial"')]
+    return shapely.from_wkb([blob[8 + ENVELOPES[blob[3] >> 1 & 7]:] for blob in blobs])
+
+
+@pytest.mark.parametrize("kind", ["plan", "space", "paper"])
+def test_registration_stays(survey, markings, paint, small_city, tmp_path, kind):
+    reported = survey[1]
+    ground = small_city / "truth" / "ground.tif" if kind == "space" else None
+    reference = Reference.from_polygons(list(shapely.force_2d(paint)), ground, CRS.from_epsg(6677).to_wkt())
+    settings = RegistrationSettings.paper() if kind == "paper" else RegistrationSettings(three_d=kind == "space")
+    made = register_markings(markings, reported, reference, RegistrationRun(settings, CorrectionSettings()))
+    write_registration_report(tmp_path / "report.html", made, reference, {"A": "1"}, None)
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    stays(f"mobile_registration_{kind}", {
+        "trajectory": made.trajectory, "windows": made.windows, "correction": made.correction,
+        "patches": patch_table(made), "sections": unregistered_sections(made),
+        "report": "".join(part.partition('"')[2] for part in report.split("base64,"))}, 2e-3)
