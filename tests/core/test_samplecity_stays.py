@@ -28,7 +28,9 @@ def test_what_a_sensor_measures_stays(name, tmp_path, monkeypatch):
     stays(f"samplecity_{name}", {"files": tmp_path, "summary": summary})
 
 
-@pytest.mark.parametrize("scene", ["canyon", "few markings", "repainted", "elevated road"])
-def test_the_truth_stays(scene, tmp_path):
-    summary = write_truth(write._scene(SIZE, scene, SEED), tmp_path)
-    stays(f"samplecity_truth_{scene.replace(' ', '_')}", {"files": tmp_path, "summary": summary})
+@pytest.mark.parametrize("scene, size", [("canyon", SIZE), ("few markings", SIZE), ("repainted", SIZE),
+                                         ("elevated road", SIZE), ("canyon", 240.0)])
+def test_the_truth_stays(scene, size, tmp_path):
+    summary = write_truth(write._scene(size, scene, SEED), tmp_path)
+    name = f"samplecity_truth_{scene.replace(' ', '_')}{'_large' if size > SIZE else ''}"
+    stays(name, {"files": tmp_path, "summary": summary})
