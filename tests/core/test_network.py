@@ -23,33 +23,33 @@ SETTINGS = NetworkSettings(MODEL)
 
 
 def nodes(length: float, spacing: float = 5.0) -> DriveNodes:
-    clock = np.arange(0.0, length + spacing, spacing)
-    return DriveNodes(clock, np.zeros(len(clock) - 1), np.zeros(len(clock) - 1))
+    parameter = np.arange(0.0, length + spacing, spacing)
+    return DriveNodes(parameter, np.zeros(len(parameter) - 1), np.zeros(len(parameter) - 1))
 
 
-def rows(drive, clock, other, other_clock, value, sigma, kind) -> NetworkObservations:
-    n, none = len(clock), np.zeros((len(clock), 2))
+def rows(drive, parameter, other, other_parameter, value, sigma, kind) -> NetworkObservations:
+    n, none = len(parameter), np.zeros((len(parameter), 2))
     value = np.column_stack([np.asarray(value, float), np.full(n, np.nan)])
-    return NetworkObservations(np.full(n, drive), np.asarray(clock, float), none, np.full(n, other),
-                        np.asarray(other_clock, float), none, value, np.tile(np.eye(4) * sigma**2, (n, 1, 1)),
+    return NetworkObservations(np.full(n, drive), np.asarray(parameter, float), none, np.full(n, other),
+                        np.asarray(other_parameter, float), none, value, np.tile(np.eye(4) * sigma**2, (n, 1, 1)),
                         np.full(n, kind))
 
 
-def drift(clock, seed):
+def drift(parameter, seed):
     """A smooth error of about a metre, east, north, up."""
     phase = np.random.default_rng(seed).uniform(0, 6, 3)
-    return np.stack([np.sin(clock / 120 + phase[0]), 0.8 * np.cos(clock / 150 + phase[1]),
-                     0.5 * np.sin(clock / 200 + phase[2])], axis=1)
+    return np.stack([np.sin(parameter / 120 + phase[0]), 0.8 * np.cos(parameter / 150 + phase[1]),
+                     0.5 * np.sin(parameter / 200 + phase[2])], axis=1)
 
 
 def two_drives(seed=0, sigma=0.01, control=()):
     """Two drives of one street in opposite directions, tied every 10 m; control points on the first."""
     random = np.random.default_rng(seed)
-    clock = np.arange(5.0, 400.0, 10.0)
+    parameter = np.arange(5.0, 400.0, 10.0)
     true = [drift(np.arange(0, 405.0, 5.0), 1), drift(np.arange(0, 405.0, 5.0), 2)]
     at = [lambda c: drift(c, 1), lambda c: drift(c, 2)]
-    value = at[0](clock) - at[1](400.0 - clock) + random.normal(0, sigma, (len(clock), 3))
-    parts = [rows(0, clock, 1, 400.0 - clock, value, sigma, TIE)]
+    value = at[0](parameter) - at[1](400.0 - parameter) + random.normal(0, sigma, (len(parameter), 3))
+    parts = [rows(0, parameter, 1, 400.0 - parameter, value, sigma, TIE)]
     if len(control):
         here = np.asarray(control, float)
         parts.append(rows(0, here, NONE, np.zeros(len(here)), at[0](here) + random.normal(0, 0.02, (len(here), 3)),
@@ -103,7 +103,7 @@ def test_against_dense_normal_equations():
     seen = rows(0, [5.0], NONE, [0.0], [[1.0, -2.0, 0.5]], 0.1, CONTROL)
     made = adjust_network([drive], seen, NetworkSettings(MODEL))
     model = MODEL.scaled(made.drift_factor)
-    transition, precision = model.steps(drive.clock, drive.stops, drive.jumps, (0,))
+    transition, precision = model.steps(drive.parameter, drive.stops, drive.jumps, (0,))
     dense = np.zeros((6, 6))
     for i in range(2):
         step = np.zeros((2, 6))

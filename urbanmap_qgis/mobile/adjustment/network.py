@@ -37,16 +37,16 @@ class DriveNodes:
 
     Attributes
     ----------
-    clock : (k,) m, readings of the drift's clock, increasing.
+    parameter : (k,) m, of the path with its stops (see `gauss_markov`), increasing.
     stops : (k - 1,) s that the vehicle stands between nodes. jumps : (k - 1,) m by which the trajectory jumps there.
     """
 
-    clock: np.ndarray
+    parameter: np.ndarray
     stops: np.ndarray
     jumps: np.ndarray
 
     def __len__(self) -> int:
-        return len(self.clock)
+        return len(self.parameter)
 
 
 @dataclass(frozen=True)
@@ -55,19 +55,20 @@ class NetworkObservations:
 
     Attributes
     ----------
-    drive : (n,) number of the drive. clock : (n,) m, reading of its drift clock.
+    drive : (n,) number of the drive. parameter : (n,) m, its path parameter there.
     arm : (n, 2) m east, north, from the drive's body to the place that is observed.
-    other : (n,) the drive that it is tied to, or NONE. other_clock, other_arm : the same of it; 0 where there is none.
+    other : (n,) the drive that it is tied to, or NONE. other_parameter, other_arm : the same of it; 0 where there is
+        none.
     value : (n, 4) by how much `drive` moves the place more than `other`: east, north, up (m), and turns it, clockwise
         (degrees); NaN for what is not observed.
     covariance : (n, 4, 4), m and degrees. kind : (n,) TIE, CONTROL or REFERENCE.
     """
 
     drive: np.ndarray
-    clock: np.ndarray
+    parameter: np.ndarray
     arm: np.ndarray
     other: np.ndarray
-    other_clock: np.ndarray
+    other_parameter: np.ndarray
     other_arm: np.ndarray
     value: np.ndarray
     covariance: np.ndarray
@@ -166,12 +167,12 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
     offsets = np.concatenate([[0], np.cumsum([len(drive) for drive in drives])])
     rows, columns, values = [], [], []
     heading = _DIMENSIONS - 1
-    for drive, clock, arm, sign in ((observations.drive, observations.clock, observations.arm, 1.0),
-                                    (observations.other, observations.other_clock, observations.other_arm, -1.0)):
+    for drive, parameter, arm, sign in ((observations.drive, observations.parameter, observations.arm, 1.0),
+                                    (observations.other, observations.other_parameter, observations.other_arm, -1.0)):
         for number, nodes in enumerate(drives):
             here = np.flatnonzero(drive == number)
-            node = np.searchsorted(0.5 * (nodes.clock[1:] + nodes.clock[:-1]), clock[here])
-            ahead = clock[here] - nodes.clock[node]
+            node = np.searchsorted(0.5 * (nodes.parameter[1:] + nodes.parameter[:-1]), parameter[here])
+            ahead = parameter[here] - nodes.parameter[node]
             # Clockwise rotation moves what lies north to the east, and what lies east to the south.
             terms = [(axis, axis, np.ones(len(here))) for axis in range(_DIMENSIONS)]
             terms += [(0, heading, _RADIANS * arm[here, 1]), (1, heading, -_RADIANS * arm[here, 0])]
@@ -189,7 +190,7 @@ def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_m
     rows, columns, values, determinant, first = [], [], [], 0.0, 0
     axes, active = np.arange(_DIMENSIONS), list(_ACTIVE)
     for nodes in drives:
-        transition, precision = model.steps(nodes.clock, nodes.stops, nodes.jumps, _ACTIVE)
+        transition, precision = model.steps(nodes.parameter, nodes.stops, nodes.jumps, _ACTIVE)
         k = len(nodes)
         index = 2 * ((first + np.arange(k))[:, None, None] * _DIMENSIONS + axes[:, None]) + np.arange(2)  # (k, 4, 2)
         # A step's error is state[i + 1] - F state[i]: blocks F'PF, -F'P, -PF, P.

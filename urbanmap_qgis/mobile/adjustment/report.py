@@ -62,7 +62,7 @@ def _worst(report: Report, survey: AdjustedSurvey) -> None:
     report.section("Largest residuals")
     names = [drive.name for drive in survey.drives]
     report.table(("Observation", "drive", "chainage (m)", "other drive", "in plan (m)", "in height (m)", "weight"),
-                 [(KINDS[seen.kind[k]], names[seen.drive[k]], float(seen.clock[k]),
+                 [(KINDS[seen.kind[k]], names[seen.drive[k]], float(seen.parameter[k]),
                    names[seen.other[k]] if seen.other[k] >= 0 else "", float(plan[k]),
                    float(network.residual[k, 2]), float(network.weight[k])) for k in worst])
 

@@ -36,7 +36,7 @@ STATUS_NAMES = ("placed", "bridged", "relative only", "not tied")
 """Of a node: near observations of a network with control or reference; farther from them; in a network whose place is
 only what the drives report in the mean; of a drive without any observation, which stays as reported."""
 
-_NODES = 5.0  # m of the drift's clock
+_NODES = 5.0  # m of the drift's parameter
 _NEAR = 30.0  # m from an observation that a node is placed by
 _KEPT = 0.3  # weight from which an observation counts
 _BELONGS = 200.0  # m from the vehicle within which its points lie in the median
@@ -211,14 +211,14 @@ def control_observations(drives: Sequence[Drive], control: ControlPoints, run: A
         raise InputError(f"Control point {name} was measured by none of the drives: no trajectory passes within "
                          f"{_CONTROL_REACH:.0f} m of it at its time.")
     n = len(control)
-    clock, arm = np.zeros(n), np.zeros((n, 2))
+    parameter, arm = np.zeros(n), np.zeros((n, 2))
     for k, drive in enumerate(drives):
         here = number == k
-        clock[here] = np.interp(control.time[here], drive.trajectory.time, _clock(drive.trajectory, run))
+        parameter[here] = np.interp(control.time[here], drive.trajectory.time, _path_parameters(drive.trajectory, run))
         arm[here] = (control.surveyed - interpolate(drive.trajectory, control.time, "hold").place)[here, :2]
     value = np.column_stack([control.true - control.surveyed, np.full(n, np.nan)])
     variance = np.array([run.control_sigma, run.control_sigma, run.control_sigma_z, 1.0]) ** 2
-    return NetworkObservations(number, clock, arm, np.full(n, NONE), np.zeros(n), np.zeros((n, 2)), value,
+    return NetworkObservations(number, parameter, arm, np.full(n, NONE), np.zeros(n), np.zeros((n, 2)), value,
                         np.tile(np.diag(variance), (n, 1, 1)), np.full(n, CONTROL))
 
 
@@ -229,35 +229,35 @@ def _away(trajectory: Trajectory, control: ControlPoints) -> np.ndarray:
     return np.where(trajectory.within(control.time), away, np.inf)
 
 
-def _clock(trajectory: Trajectory, run: AdjustmentRun) -> np.ndarray:
+def _path_parameters(trajectory: Trajectory, run: AdjustmentRun) -> np.ndarray:
     return path_parameters_of(trajectory, run.registration.correction.time_weight)
 
 
 def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: AdjustmentRun,
               progress: Progress) -> AdjustedSurvey:
     """Solve the network and say of each node how it was placed."""
-    clocks = [_clock(drive.trajectory, run) for drive in drives]
-    nodes, times = zip(*(_nodes(drive.trajectory, clock) for drive, clock in zip(drives, clocks)))
+    parameters = [_path_parameters(drive.trajectory, run) for drive in drives]
+    nodes, times = zip(*(_nodes(drive.trajectory, parameter) for drive, parameter in zip(drives, parameters)))
     progress.message(f"Adjusting {len(drives)} drives with {len(observations)} observations.")
     network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
     kept = network.weight >= _KEPT
     placed = _networks(len(drives), observations, kept)
-    made = tuple(_drive_result(drives[k], clocks[k], nodes[k], times[k], network.state[k], network.covariance[k],
+    made = tuple(_drive_result(drives[k], parameters[k], nodes[k], times[k], network.state[k], network.covariance[k],
                                _node_status(nodes[k], k, observations, kept, placed[k])) for k in range(len(drives)))
-    place = np.array([interpolate(made[d].corrected, np.interp([c], clocks[d], made[d].reported.time)).place[0]
+    place = np.array([interpolate(made[d].corrected, np.interp([c], parameters[d], made[d].reported.time)).place[0]
                       + np.append(arm, 0.0) for d, c, arm in
-                      zip(observations.drive, observations.clock, observations.arm)]).reshape(-1, 3)
+                      zip(observations.drive, observations.parameter, observations.arm)]).reshape(-1, 3)
     survey = AdjustedSurvey(made, observations, network, place, not any(item is True for item in placed))
     _tell(survey, placed, progress)
     return survey
 
 
-def _nodes(trajectory: Trajectory, clock: np.ndarray) -> tuple[DriveNodes, np.ndarray]:
-    """Nodes along a drive's clock, and their times, s."""
-    count = max(int(np.ceil((clock[-1] - clock[0]) / _NODES)), 1)
-    at = np.linspace(clock[0], clock[-1], count + 1)
-    rising = np.concatenate([[True], np.diff(clock) > 0])
-    time = np.interp(at, clock[rising], trajectory.time[rising])
+def _nodes(trajectory: Trajectory, parameter: np.ndarray) -> tuple[DriveNodes, np.ndarray]:
+    """Nodes along a drive's parameter, and their times, s."""
+    count = max(int(np.ceil((parameter[-1] - parameter[0]) / _NODES)), 1)
+    at = np.linspace(parameter[0], parameter[-1], count + 1)
+    rising = np.concatenate([[True], np.diff(parameter) > 0])
+    time = np.interp(at, parameter[rising], trajectory.time[rising])
     return DriveNodes(at, stop_steps(trajectory, time), jump_steps(trajectory, time)), time
 
 
@@ -278,23 +278,23 @@ def _node_status(nodes: DriveNodes, number: int, observations: NetworkObservatio
     """(k,) status of a drive's nodes."""
     if not placed:
         return np.full(len(nodes), RELATIVE if placed is False else NOT_TIED)
-    clock = np.concatenate([observations.clock[kept & (observations.drive == number)],
-                            observations.other_clock[kept & (observations.other == number)]])
-    near = np.abs(nodes.clock[:, None] - clock[None, :]).min(axis=1) <= _NEAR
+    parameter = np.concatenate([observations.parameter[kept & (observations.drive == number)],
+                            observations.other_parameter[kept & (observations.other == number)]])
+    near = np.abs(nodes.parameter[:, None] - parameter[None, :]).min(axis=1) <= _NEAR
     return np.where(near, PLACED, BRIDGED)
 
 
-def _drive_result(drive: Drive, clock: np.ndarray, nodes: DriveNodes, time: np.ndarray, state: np.ndarray,
+def _drive_result(drive: Drive, parameter: np.ndarray, nodes: DriveNodes, time: np.ndarray, state: np.ndarray,
                   covariance: np.ndarray, status: np.ndarray) -> AdjustedDrive:
     """A drive with its correction at all epochs."""
     if status[0] == NOT_TIED:
         state = np.zeros_like(state)
-    value = np.column_stack([np.interp(clock, nodes.clock, state[:, axis, 0]) for axis in range(state.shape[1])])
-    turned = np.zeros((len(clock), 3))
-    turned[:, 2] = value[:, 3]
+    value = np.column_stack([np.interp(parameter, nodes.parameter, axis) for axis in state[:, :, 0].T])
+    angles = np.zeros((len(parameter), 3))
+    angles[:, 2] = value[:, 3]
     reported = drive.trajectory
-    corrected = Trajectory(reported.time, reported.place + value[:, :3], reported.angles + turned)
-    return AdjustedDrive(drive.name, reported, corrected, time, nodes.clock, interpolate(corrected, time).place,
+    corrected = Trajectory(reported.time, reported.place + value[:, :3], reported.angles + angles)
+    return AdjustedDrive(drive.name, reported, corrected, time, nodes.parameter, interpolate(corrected, time).place,
                          state[:, :, 0], covariance, status)
 
 

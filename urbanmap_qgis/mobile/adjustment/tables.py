@@ -16,9 +16,9 @@ def tie_columns(survey: AdjustedSurvey) -> tuple[dict[str, object], np.ndarray]:
     return {
         "kind": [KINDS[kind] for kind in seen.kind], "drive": [names[k] for k in seen.drive],
         "other": [names[k] if k >= 0 else None for k in seen.other],
-        "time": [float(np.interp(clock, survey.drives[k].chainage, survey.drives[k].time))
-                 for k, clock in zip(seen.drive, seen.clock)],
-        "chainage": seen.clock, "east": residual[:, 0], "north": residual[:, 1], "up": residual[:, 2],
+        "time": [float(np.interp(parameter, survey.drives[k].chainage, survey.drives[k].time))
+                 for k, parameter in zip(seen.drive, seen.parameter)],
+        "chainage": seen.parameter, "east": residual[:, 0], "north": residual[:, 1], "up": residual[:, 2],
         "plan": np.hypot(residual[:, 0], residual[:, 1]),
         "sigma": np.sqrt(np.linalg.eigvalsh(seen.covariance[:, :2, :2])[:, -1]), "weight": network.weight,
     }, survey.place

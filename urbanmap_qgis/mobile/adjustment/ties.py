@@ -123,9 +123,9 @@ def _tie(drives: Sequence[Drive], first: DrivePass, second: DrivePass, run: Regi
     time = _times_of_passing(first.markings, place)
     patches, place, time = (values[np.isfinite(time)] for values in (patches, place, time))
     other = drives[first.drive]
-    clock = np.interp(time, other.trajectory.time, path_parameters_of(other.trajectory, run.correction.time_weight))
+    parameter = np.interp(time, other.trajectory.time, path_parameters_of(other.trajectory, run.correction.time_weight))
     arm = place[:, :2] - interpolate(other.trajectory, time).place[:, :2]
-    return _observations(made, patches, second.drive, drive, first.drive, clock, arm, TIE,
+    return _observations(made, patches, second.drive, drive, first.drive, parameter, arm, TIE,
                          run.correction.time_weight)
 
 
@@ -159,17 +159,18 @@ def _chosen(made: RegisteredSurvey) -> np.ndarray:
 
 
 def _observations(made: RegisteredSurvey, patches: np.ndarray, number: int, drive: Drive, other: int,
-                  other_clock: np.ndarray, other_arm: np.ndarray, kind: int, standing: float) -> NetworkObservations:
+                  other_parameter: np.ndarray, other_arm: np.ndarray, kind: int,
+                  standing: float) -> NetworkObservations:
     """Rows for patches of a registration; those of one window share markings, which widens them."""
     correction, n = made.correction, len(patches)
     value = correction.value[patches][:, _ACTIVE]
     covariance = correction.covariance[patches][:, _ACTIVE][:, :, _ACTIVE] * (_WINDOW / SPACING)
     if not correction.three_d:
         value[:, 2] = np.nan
-    clock = path_parameters_of(drive.trajectory, standing)
-    return NetworkObservations(np.full(n, number), np.interp(correction.time[patches], drive.trajectory.time, clock),
-                        np.zeros((n, 2)), np.full(n, other), other_clock, other_arm, value, covariance,
-                        np.full(n, kind))
+    parameter = np.interp(correction.time[patches], drive.trajectory.time,
+                          path_parameters_of(drive.trajectory, standing))
+    return NetworkObservations(np.full(n, number), parameter, np.zeros((n, 2)), np.full(n, other), other_parameter,
+                               other_arm, value, covariance, np.full(n, kind))
 
 
 def _times_of_passing(markings: MarkingPoints, place: np.ndarray) -> np.ndarray:
