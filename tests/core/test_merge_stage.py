@@ -193,19 +193,39 @@ def test_a_facade_of_facets_does_not_pull_a_long_edge_to_one_of_them():
     assert south.match.status == "too far" and "not straight" in south.match.note
 
 
-def test_models_that_cannot_be_merged_keep_their_model_and_say_why():
-    roof = [(0, 0, 10), (20, 0, 10), (20, 5, 14), (0, 5, 14)]
-    back = [(0, 5, 14), (20, 5, 14), (20, 10, 10), (0, 10, 10)]
+def gabled_house(eaves=10.0, ridge=14.0):
+    """A house of 20 x 10 m with its ridge along x."""
+    roof = [(0, 0, eaves), (20, 0, eaves), (20, 5, ridge), (0, 5, ridge)]
+    back = [(0, 5, ridge), (20, 5, ridge), (20, 10, eaves), (0, 10, eaves)]
     ground = [(0, 0, 0), (0, 10, 0), (20, 10, 0), (20, 0, 0)]
-    ends = [[(20, 0, 0), (20, 10, 0), (20, 10, 10), (20, 5, 14), (20, 0, 10)],
-            [(0, 10, 0), (0, 0, 0), (0, 0, 10), (0, 5, 14), (0, 10, 10)]]
-    sides = [[(0, 0, 0), (20, 0, 0), (20, 0, 10), (0, 0, 10)], [(20, 10, 0), (0, 10, 0), (0, 10, 10), (20, 10, 10)]]
-    gable = shapely.MultiPolygon([[[(X0 + x, Y0 + y, BASE + z) for x, y, z in ring], []]
-                                  for ring in (roof, back, ground, *ends, *sides)])
+    ends = [[(20, 0, 0), (20, 10, 0), (20, 10, eaves), (20, 5, ridge), (20, 0, eaves)],
+            [(0, 10, 0), (0, 0, 0), (0, 0, eaves), (0, 5, ridge), (0, 10, eaves)]]
+    sides = [[(0, 0, 0), (20, 0, 0), (20, 0, eaves), (0, 0, eaves)],
+             [(20, 10, 0), (0, 10, 0), (0, 10, eaves), (20, 10, eaves)]]
+    return shapely.MultiPolygon([[[(X0 + x, Y0 + y, BASE + z) for x, y, z in ring], []]
+                                 for ring in (roof, back, ground, *ends, *sides)])
+
+
+def test_a_sloped_roof_goes_on_to_the_moved_wall():
+    building = one([gabled_house()], [wall((0, -0.3), (20, -0.3), high=9.0)])
+    assert building.status == MERGED
+    # The eaves are 0.3 m farther out and so 0.24 m lower: 0.8 m a metre.
+    assert building.volume - building.volume_before == pytest.approx(20 * 0.3 * (10.0 - 0.12), abs=0.05)
+    assert lowest_plan(building).area == pytest.approx(20 * 10.3, abs=0.01)
+    assert max(solid.vertices[:, 2].max() for solid in building.solids) == pytest.approx(BASE + 14.0, abs=0.001)
+
+
+def test_a_gable_wall_moves_and_the_ridge_with_it():
+    building = one([gabled_house()], [wall((20.4, 0), (20.4, 10), high=9.0)])
+    assert building.volume - building.volume_before == pytest.approx(0.4 * 10 * 12, abs=0.05)
+
+
+def test_models_that_cannot_be_merged_keep_their_model_and_say_why():
     block = model((box(40, 0, 10, 10), 30.0))
-    gabled, none, moved = merge_models([1, 2, 3], [gable, None, block], [wall((40, -0.3), (50, -0.3))])
+    gabled, none, moved = merge_models([1, 2, 3], [gabled_house(25.0, 29.0), None, block],
+                                       [wall((0, -0.3), (20, -0.3)), wall((40, -0.3), (50, -0.3))])
     assert gabled.status == NOT_MERGED and "sloped" in gabled.reason and gabled.valid
-    assert gabled.volume == pytest.approx(20 * 10 * 12)
+    assert gabled.volume == pytest.approx(20 * 10 * 27)
     assert none.status == NOT_MERGED and none.solids == () and not none.valid
     assert moved.status == MERGED
 

@@ -1,8 +1,9 @@
 """Models of all buildings merged with the measured walls below a height (J 5.7, figure 5-12).
 
 Below the height the plan's outer edges lie on the measured walls, above it the model from the air stays as it was;
-what stands out or back at the height becomes a level overhang or ledge. Every result is checked like any other
-solid; a building that cannot be merged keeps its model and says why.
+what stands out or back at the height becomes a level overhang or ledge. Under sloped roofs, which go on to the moved
+walls, a building must lie below the height as a whole. Every result is checked like any other solid; a building that
+cannot be merged keeps its model and says why.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from ...execution import in_order
 from ...geometry.solid import Solid
 from ...geometry.solid_faces import solids_of
 from ...progress import SILENT, Progress
+from ..solids.sloped_solid import SlopedCell, sloped_solids
 from ..solids.validity import check_solid
 from .layered_solid import Prism, layered_solids, solid_volume
 from .model_parts import ModelParts, model_parts
@@ -156,6 +158,8 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
     parts = model_parts(list(shapely.get_parts(shapely.get_parts(geometry))))
     if parts.problem:
         return _Plan(building_id, geometry, parts, reason=parts.problem)
+    if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + _LOW:
+        return _Plan(building_id, geometry, parts, reason="it has sloped roofs and is higher than the walls are taken")
     edges = PlanEdges(parts.cells)
     heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
     breaks = [edge.ends[0] + at * edge.line.along for edge, top in zip(edges.edges, heights)
@@ -260,9 +264,10 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
 def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], str]:
     """The solids of a plan with its edges moved, and what the check says against them, "" if nothing."""
     problem = ""
-    for lift in (0.0, _LIFT):
+    for lift in (0.0,) if plan.parts.sloped else (0.0, _LIFT):
         try:
-            solids = layered_solids(_prisms(plan, settings), lift)
+            solids = (_under_slopes(plan) if plan.parts.sloped else
+                      layered_solids(_prisms(plan, settings), lift))
         except (InputError, ValueError) as error:
             return (), str(error)
         problems = [problem for solid in solids for problem in check_solid(solid)]
@@ -283,6 +288,17 @@ def _why_unchanged(plan: _Plan) -> str:
     if states == {"not seen"}:
         return "no measured wall runs along it"
     return "its measured walls are beyond the limits"
+
+
+def _under_slopes(plan: _Plan) -> tuple[Solid, ...]:
+    """Solids under sloped roofs, whose planes go on to the moved walls."""
+    moved = plan.edges.moved(plan.lines)
+    if moved is None:
+        raise InputError("the plan would fold over itself")
+    parts = plan.parts
+    return sloped_solids([SlopedCell(piece, cell.roof_id, plane, parts.origin)
+                          for polygon, cell, plane in zip(moved, parts.cells, parts.planes)
+                          for piece in _pieces(polygon)], parts.base)
 
 
 def _prisms(plan: _Plan, settings: MergeSettings) -> list[Prism]:

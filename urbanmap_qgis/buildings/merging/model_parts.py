@@ -1,4 +1,4 @@
-"""Solids with level roofs and upright walls taken apart into roofs over one ground."""
+"""Solids with upright walls taken apart into roofs, level or sloped, over one ground."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ _LEVEL = 0.005
 
 _UPRIGHT_AREA = 1e-4
 _SLOPED_AREA = 0.05
+_OFF_PLANE = 0.02
+"""A sloped face bends by no more than this (m)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,13 +25,17 @@ class ModelParts:
 
     Attributes
     ----------
-    base : height of the ground, m. cells : roofs with their heights, beside each other.
-    problem : why the model cannot be taken apart, "" if it can.
+    base : height of the ground, m. cells : roofs with their (greatest) heights, beside each other.
+    planes : of each roof: z = p[0] x + p[1] y + p[2], m, x and y from `origin`.
+    sloped : whether a roof is not level. problem : why the model cannot be taken apart, "" if it can.
     """
 
     base: float
     cells: tuple[Cell, ...]
     problem: str = ""
+    planes: tuple[tuple[float, float, float], ...] = ()
+    origin: tuple[float, float] = (0.0, 0.0)
+    sloped: bool = False
 
 
 def face_polygons(vertices: np.ndarray, faces: Sequence[Sequence[Sequence[int]]]) -> list[shapely.Polygon]:
@@ -42,30 +48,41 @@ def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
 
     Parameters
     ----------
-    faces : all faces with z, m, in any order: upright walls, level roofs and a level ground under each solid.
+    faces : all faces with z, m, in any order: upright walls, roofs and a level ground under each solid.
     """
-    roofs, heights, grounds = [], [], []
+    roofs, heights, planes, grounds, sloped = [], [], [], [], False
     z_faces = [shapely.get_coordinates(face, include_z=True)[:, 2] for face in faces]
     if not z_faces or not all(np.isfinite(z).all() for z in z_faces):
         return ModelParts(float("nan"), (), "it has no heights")
     base = min(float(z.min()) for z in z_faces)
+    origin = shapely.get_coordinates(faces[0])[0]
     for face, z in zip(faces, z_faces):
         plan = shapely.force_2d(face)
         if plan.area < _UPRIGHT_AREA:
             continue
-        if np.ptp(z) > _LEVEL:
-            if plan.area > _SLOPED_AREA:
-                return ModelParts(base, (), "it has sloped faces")
-            continue
-        if z.mean() - base < _LEVEL:
+        level = np.ptp(z) <= _LEVEL
+        if level and z.mean() - base < _LEVEL:
             grounds.append(plan)
-        else:
-            roofs.append(plan)
-            heights.append(float(z.mean()))
+            continue
+        plane, off = (np.array([0.0, 0.0, z.mean()]), 0.0) if level else _plane(face, origin)
+        if off > _OFF_PLANE and plan.area > _SLOPED_AREA:
+            return ModelParts(base, (), "a sloped face of it is not plane")
+        sloped = sloped or (not level and plan.area > _SLOPED_AREA)
+        roofs.append(plan)
+        heights.append(float(z.max() if not level else z.mean()))
+        planes.append(tuple(plane.tolist()))
     if not roofs or not grounds:
         return ModelParts(base, (), "it has no roof or no ground on one level")
     covered, ground = float(shapely.area(roofs).sum()), float(shapely.area(grounds).sum())
     if abs(covered - ground) > 0.01 * ground + 0.1:
         return ModelParts(base, (), "its roofs do not lie over its ground: overhangs or a second ground")
-    return ModelParts(base, tuple(Cell(roof, number, height)
-                                  for number, (roof, height) in enumerate(zip(roofs, heights))))
+    cells = tuple(Cell(roof, number, height) for number, (roof, height) in enumerate(zip(roofs, heights)))
+    return ModelParts(base, cells, "", tuple(planes), tuple(origin.tolist()), sloped)
+
+
+def _plane(face: shapely.Polygon, origin: np.ndarray) -> tuple[np.ndarray, float]:
+    """Plane through a face's corners by least squares, and how far the farthest corner lies from it, m."""
+    corners = shapely.get_coordinates(face, include_z=True)
+    rows = np.column_stack([corners[:, :2] - origin, np.ones(len(corners))])
+    plane = np.linalg.lstsq(rows, corners[:, 2], rcond=None)[0]
+    return plane, float(np.abs(rows @ plane - corners[:, 2]).max())
