@@ -164,6 +164,14 @@ def test_layers_that_algorithms_write_have_a_style():
     assert plain == UNSTYLED
 
 
+@pytest.mark.parametrize("page", sorted((ROOT / "docs").glob("*.md")), ids=lambda page: page.stem)
+def test_pages_say_papers_in_full_before_they_shorten_them(page):
+    text = page.read_text(encoding="utf-8")
+    for letter, author in (("J", "Javanmardi"), ("Z", "Shibasaki")):
+        first = re.search(rf"\b{letter} (?:\d|eq|fig|table|chapter|is)|\b{letter}'s\b", text)
+        assert not first or author in text[:first.start() + 60], f"{page.name}: {first.group()}"
+
+
 def test_public_names_stand_for_one_thing():
     places = defaultdict(list)
     for name, path in source_tree.modules().items():
