@@ -14,6 +14,7 @@ from shapely import affinity
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
 from urbanmap_qgis.mobile.registration import register as register_module
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED
@@ -21,7 +22,6 @@ from urbanmap_qgis.mobile.registration.records import (
     AMBIGUOUS,
     NO_MARKINGS,
     REGISTERED,
-    MarkingPoints,
     RegistrationSettings,
     WindowResults,
 )
