@@ -20,7 +20,7 @@ from urbanmap_qgis.gnss.rays.ray_lines import ray_statistics
 from urbanmap_qgis.gnss.rays.reflections import LOS, NLOS, REFLECTED
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.gnss.signals.observations import load_observations
-from urbanmap_qgis.gnss.signals.tables import join
+from urbanmap_qgis.gnss.signals.tables import join_signals
 from urbanmap_qgis.gnss.walls.adjustment import ADJUSTED, adjust_walls
 from urbanmap_qgis.gnss.walls.residuals import trace_residuals
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -77,7 +77,7 @@ def test_blocked_signals_are_late_and_weak_and_reflected_ones_near_prediction(bu
 
 def test_no_wall_moves_on_two_passes(buildings, observed):
     shapes, top = buildings
-    made = adjust_walls(shapes, np.arange(len(shapes)), join(list(observed.values())), top)
+    made = adjust_walls(shapes, np.arange(len(shapes)), join_signals(list(observed.values())), top)
     assert not (made.walls.status == ADJUSTED).any()
     assert (made.walls.reason != "").all()
     assert all(after.equals(before) for after, before in zip(made.shapes, shapes))
@@ -179,7 +179,7 @@ def test_known_walls_are_found_in_signals_simulated_on_the_real_geometry(buildin
     rng = np.random.default_rng(2019)
     edges = Edges.of(true, top)
     passes = [simulated_pass(edges, observed[2019], number, rng) for number in range(PASSES)]
-    made = adjust_walls(shapes, np.arange(len(shapes)), join(passes), top)
+    made = adjust_walls(shapes, np.arange(len(shapes)), join_signals(passes), top)
     walls = made.walls
     moved = walls.status == ADJUSTED
     error = (walls.offset - grown[walls.table.building])[moved]
