@@ -23,9 +23,10 @@ class Mesh25D(UrbanMapAlgorithm):
     HELP = (
         "Makes closed meshes of complex or curved buildings from their points: triangulated roofs, upright walls where "
         "the heights step, a level ground.\n"
-        "The mesh is simplified as far as the stated error allows: at least 95 % of a building's points shall lie "
-        "within it. Where that cannot be reached, as with what stands on roofs or hangs under them, the building says "
-        "so.\nPoints with building_id are taken by their number; from others the outlines cut their points, of "
+        "The mesh is simplified as far as the stated error allows: at least 95 % of a building's uppermost points "
+        "shall lie within it. Where that cannot be reached, as with what stands on roofs, the building says so; so "
+        "it does of a second surface under the first, which has no place in a 2.5D mesh.\n"
+        "Points with building_id are taken by their number; from others the outlines cut their points, of "
         "classified ones those of class 6."
     )
 
@@ -34,7 +35,7 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_polygons("FOOTPRINTS", "Building outlines", "One feature a building, where it stands. A field ground "
                           "gives the height of the ground in metres.")
         self.add_distance("MAX_ERROR", "Maximum error", "Distance in metres from the mesh within which at least 95 % "
-                          "of a building's points shall lie.", 0.3, 0.01, 10.0)
+                          "of a building's uppermost points shall lie.", 0.3, 0.01, 10.0)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres; the lowest along an outline is "
                         "the foot of its walls.", optional=True)
         self.add_distance("STEP", "Height step", "Steps of the roof higher than this, in metres, become upright walls.",
@@ -44,7 +45,7 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_workers()
         self.add_layer_output("OUTPUT", "Meshes", "MultiPolygonZ, one feature a building with all triangles; status, "
                               "reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within "
-                              "(share of points), watertight, valid.")
+                              "(share of the uppermost points), watertight, valid.")
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
         self.add_file_output("OUTPUT_PLY", "PLY mesh", "All meshes in one binary PLY file, which QGIS opens as a mesh "
@@ -52,7 +53,8 @@ class Mesh25D(UrbanMapAlgorithm):
         self.add_number_output("BUILDINGS", "Buildings", "Number of outlines.")
         self.add_number_output("MESHED", "Meshed", "Buildings with a mesh.")
         self.add_number_output("WATERTIGHT", "Watertight", "Meshes that are closed.")
-        self.add_number_output("WITHIN", "Points within the error", "Share of all points within the stated error.")
+        self.add_number_output("WITHIN", "Points within the error", "Share of the uppermost points within the stated "
+                               "error.")
         self.add_number_output("RMSE", "RMSE", "Of all points from their meshes.", "m")
         self.add_number_output("TRIANGLES", "Triangles", "Number of all triangles.")
 
@@ -98,8 +100,8 @@ class Mesh25D(UrbanMapAlgorithm):
                 without, len(meshes)))
         beyond = sum(item.status == coarse for item in meshes)
         if beyond:
-            progress.warn(tr("{0} of {1} meshes have fewer than 95 % of their points within the stated error; the "
-                             "field “within” tells how many.").format(beyond, len(meshes)))
+            progress.warn(tr("{0} of {1} meshes have fewer than 95 % of their uppermost points within the stated "
+                             "error; the field “within” tells how many.").format(beyond, len(meshes)))
 
     def _write(self, parameters, context, table, meshes, columns, progress):
         from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import MESH_COLUMNS, write_ply

@@ -129,10 +129,24 @@ def test_an_open_mesh_is_not_watertight():
 def test_distances_against_known_places():
     plan, _, _ = SHAPES["flat"]
     mesh = mesh_building(1, plan, points_on(np.random.default_rng(6), *SHAPES["flat"][:2], noise=0.0), BASE).mesh
-    places = np.array([[5, 5, 15.0], [5, 5, 15.2], [5, 5, 14.0], [5, 0.1, 7.0], [-0.2, 5, 7.0]])
+    places = np.array([[5, 5, 15.0], [5, 5, 15.2], [5, 5, 14.0], [5, 0.1, 7.0], [-0.2, 5, 7.0], [12, 6, 13.5]])
     places += np.array([X0, Y0, BASE])
     fit = mesh_fit(mesh, places, 0.25)
-    assert fit.within == pytest.approx(4 / 5) and fit.max_distance == pytest.approx(1.0, abs=0.01)
+    # The third lies under the first two: of the five uppermost ones the last is off.
+    assert fit.within == pytest.approx(4 / 5) and fit.under == pytest.approx(1 / 6)
+    assert fit.max_distance == pytest.approx(1.5, abs=0.01)
+
+
+def test_a_second_surface_under_the_first_is_told():
+    """A canopy of glass 3 m under a part of the roof, seen by a tenth of the pulses."""
+    rng = np.random.default_rng(9)
+    plan, height, _ = SHAPES["flat"]
+    roof = points_on(rng, plan, height, density=20.0)
+    below = points_on(rng, box(2, 2, 12, 8), lambda x, y: np.full(len(x), 12.0), density=5.0)
+    made = mesh_building(1, plan, np.concatenate([roof, below]), BASE)
+    assert made.status == OK and made.fit.within > 0.95
+    assert made.fit.under > 0.06 and "under the uppermost surface" in made.reason
+    assert "under" not in mesh_building(1, plan, roof, BASE).reason
 
 
 @pytest.mark.parametrize(("points", "words"), [

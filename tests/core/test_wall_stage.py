@@ -203,6 +203,8 @@ def test_a_setback_and_a_room_behind_the_facade_are_inside(tmp_path):
     assert found == {0.0: "ok", 1.5: "inside"}
     setback = statuses(tmp_path, [((0, 0), (20, 0), 0, 5), ((0, 1.6), (20, 1.6), 5, 9)], shapely.box(0, 0, 20, 10))
     assert setback[1.6] == "inside" and setback[0.0] in ("ok", "partly seen")
+    # The podium's front was not seen; that the wall stands on a roof tells all the same.
+    assert statuses(tmp_path, [((0, 1.6), (20, 1.6), 10, 17)], shapely.box(0, 0, 20, 10)) == {1.6: "inside"}
     assert statuses(tmp_path, [((0, 3.0), (20, 3.0), 0, 9)], shapely.box(0, 0, 20, 10)) == {3.0: "inside"}
 
 

@@ -42,4 +42,4 @@ def test_they_lie_near_their_points_or_say_that_they_do_not(meshes):
     assert within > 0.9
     for item in meshes:
         if item.mesh is not None and item.fit.within < 0.95:
-            assert "of its points lie within" in item.reason
+            assert "of its uppermost points lie within" in item.reason

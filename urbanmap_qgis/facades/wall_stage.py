@@ -22,8 +22,8 @@ from .wall_planes import PlaneSettings, edge_distance, wall_segments
 
 OK, ROUGH, PARTLY, FEW, INSIDE = "ok", "rough", "partly seen", "few points", "inside"
 """Status of a wall: sound; its points scatter more than a flat wall's; less than half of it was seen; too few points
-to trust it; inside the outline behind another wall, or farther than outlines may be off: a setback or a room seen
-through a window."""
+to trust it; inside the outline behind another wall, on a roof, or farther than outlines may be off: a setback or a room
+seen through a window."""
 
 _ROUGH = 0.05
 _HALF = 0.5
@@ -33,6 +33,9 @@ _NONE = 10
 
 _DEEP = 1.0
 """A wall deeper inside the outline than this, m, is one only where no other stands before it."""
+
+_PODIUM = 8.0
+"""A wall inside the outline of which nothing up to this height was seen, m, stands on a roof."""
 
 _BEFORE = 0.3
 _OVERLAP = 0.3
@@ -164,7 +167,9 @@ def _described(piece: _Piece, plane: WallPlane, contours: Sequence[Contour], end
         z = shapely.get_coordinates(polygon, include_z=True)[:, 2]
         foot, top = _span(piece, plane, z, settings.facade.max_height)
         depth = _depth(piece.plan, plane, contour.polygon)
-        inside = depth > settings.facade.tolerance or (depth > _DEEP and _behind_another(plane, contour, planes))
+        on_a_roof = float(z.min()) - foot > _PODIUM
+        inside = depth > settings.facade.tolerance or (
+            depth > _DEEP and (on_a_roof or _behind_another(plane, contour, planes)))
         if inside:
             foot = float(z.min())  # it stands on a roof
         seen = wall_coverage(plane, [contour], foot, top, piece.points.front)

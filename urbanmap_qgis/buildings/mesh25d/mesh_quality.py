@@ -6,8 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 import shapely
+from scipy.spatial import cKDTree
 
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
+
+_BESIDE, _ABOVE = 0.3, 0.6
 
 
 @dataclass(frozen=True)
@@ -16,7 +19,9 @@ class MeshFit:
 
     Attributes
     ----------
-    points : number. within : share within the stated error. rmse, p95, max_distance : m, to the nearest surface.
+    points : number. within : share of the uppermost points within the stated error. rmse, p95, max_distance : m, of
+        all points to the nearest surface. under : share of the points that lie under the uppermost surface: facades,
+        a second roof, what stands below eaves.
     """
 
     points: int
@@ -24,6 +29,7 @@ class MeshFit:
     rmse: float
     p95: float
     max_distance: float
+    under: float = 0.0
 
 
 def is_watertight(mesh: Solid) -> bool:
@@ -36,14 +42,28 @@ def is_watertight(mesh: Solid) -> bool:
 
 
 def mesh_fit(mesh: Solid, points: np.ndarray, error: float) -> MeshFit:
-    """Distances of points (n, 3) from roofs (across them) and walls, whichever is nearer, in m."""
+    """Distances of points (n, 3) from roofs (across them) and walls, whichever is nearer, in m; `error` : as stated."""
     distance = np.minimum(roof_distance(mesh, points), wall_distance(mesh, points, 4 * error))
     known = np.isfinite(distance)
     if not known.any():
         return MeshFit(len(points), 0.0, float("nan"), float("nan"), float("nan"))
     distance = np.where(known, distance, distance[known].max())
-    return MeshFit(len(points), float(np.mean(distance <= error)), float(np.sqrt(np.mean(distance**2))),
-                   float(np.quantile(distance, 0.95)), float(distance.max()))
+    under = np.zeros(len(points), bool)
+    beyond = np.flatnonzero(distance > error)
+    under[beyond] = under_others(points, beyond)
+    upper = distance[~under]
+    return MeshFit(len(points), float(np.mean(upper <= error)) if len(upper) else 0.0,
+                   float(np.sqrt(np.mean(distance**2))), float(np.quantile(distance, 0.95)), float(distance.max()),
+                   float(under.mean()))
+
+
+def under_others(points: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Whether points `rows` (k,) of points (n, 3) lie under another: within `_BESIDE` in plan, `_ABOVE` higher.
+
+    No roof that is less steep than 63 degrees does that to its own points.
+    """
+    near = cKDTree(points[:, :2]).query_ball_point(points[rows, :2], _BESIDE)
+    return np.array([points[members, 2].max() - points[row, 2] > _ABOVE for row, members in zip(rows, near)], bool)
 
 
 def roof_distance(mesh: Solid, points: np.ndarray) -> np.ndarray:

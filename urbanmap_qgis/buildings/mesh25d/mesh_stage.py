@@ -28,12 +28,15 @@ from .node_heights import border_heights
 from .surface_plan import SurfacePlan, surface_plan
 
 OK, COARSE, GROUND_UNKNOWN, NOT_MODELLED = "ok", "error exceeded", "ground unknown", "not modelled"
-"""Status of a mesh: sound; fewer than 95 % of the points within the stated error; its foot is assumed; none."""
+"""Status of a mesh: sound; fewer than 95 % of the uppermost points within the stated error; foot assumed; none."""
 
 STOREY = 3.0
 _ENOUGH = 0.95
 _TRIES = (1.0, 0.7, 0.4)
 """Shares of the stated error, step and minimum area that are tried one after another while the points are not met."""
+
+_UNDER = 0.02
+"""Share of points under the uppermost surface that is told."""
 
 _GAIN = 0.01
 """More triangles must bring at least this share of points within the error."""
@@ -48,7 +51,7 @@ class MeshSettings:
 
     Parameters
     ----------
-    max_error : distance within which at least 95 % of the points shall lie, m.
+    max_error : distance within which at least 95 % of the uppermost points shall lie, m.
     step : height steps above this become upright walls, m. min_area : smallest surface of its own, m2.
     """
 
@@ -191,7 +194,11 @@ def _judged(mesh: BuildingMesh, assumed: bool, note: str, settings: MeshSettings
         reasons.append(f"its ground is not known, the foot is put {STOREY:g} m under its lowest roof")
     if mesh.fit.within < _ENOUGH:
         status = COARSE
-        reasons.append(f"only {100 * mesh.fit.within:.0f} % of its points lie within {settings.max_error:g} m")
+        reasons.append(f"only {100 * mesh.fit.within:.0f} % of its uppermost points lie within "
+                       f"{settings.max_error:g} m")
+    if mesh.fit.under > _UNDER:
+        reasons.append(f"{100 * mesh.fit.under:.0f} % of its points lie under the uppermost surface, which alone is "
+                       "meshed")
     if valid is False:
         reasons.append("its surfaces touch or cross somewhere")
     return BuildingMesh(mesh.building_id, mesh.mesh, status, "; ".join(reasons), mesh.base, mesh.surfaces, True, valid,
@@ -207,7 +214,7 @@ MESH_COLUMNS: tuple[tuple[str, str], ...] = (
 
 
 def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
-    """Columns of `MESH_COLUMNS`; distances in m, `within` the share of points within the stated error."""
+    """Columns of `MESH_COLUMNS`; distances in m, `within` the share of the uppermost points within the stated error."""
     rows = []
     for item in meshes:
         fit, mesh = item.fit, item.mesh
@@ -219,7 +226,7 @@ def mesh_columns(meshes: Sequence[BuildingMesh]) -> dict[str, list]:
 
 
 def total_fit(meshes: Sequence[BuildingMesh]) -> tuple[float, float]:
-    """Share of all points within the stated error, and RMSE (m) of all; NaN without points."""
+    """Share of the uppermost points within the stated error, and RMSE (m) of all; NaN without points."""
     fits = [item.fit for item in meshes if item.fit and math.isfinite(item.fit.rmse)]
     points = sum(fit.points for fit in fits)
     if not points:
