@@ -426,6 +426,46 @@ SATELLITES = ((3, "below 4: no position", "#b2182b"), (5, "4 to 5", "#ef8a62"), 
 """Upper limit, label and colour of the classes of visible satellites."""
 
 
+def tie_point_proposals(layer) -> None:
+    """Proposed tie points: an arrow from the survey to the outline's corner."""
+    symbol = QgsLineSymbol()
+    symbol.changeSymbolLayer(0, arrow_along("$geometry", "#8a6bb0"))
+    rules(layer, (("survey to outline", "TRUE", symbol),))
+    layer.setMapTipTemplate("<b>[% \"set\" %]</b>: [% round(\"length\", 2) %] m, σ of the fit "
+                            "[% round(\"fit\", 3) %] m, [% \"support\" %] points")
+
+
+def rectification_sets(layer) -> None:
+    """Sets of tie points by what became of them, with an arrow that shows the shift ten times enlarged."""
+    line = "make_line($geometry, translate($geometry, 10 * \"east\", 10 * \"north\"))"
+    entries = []
+    for label, condition, colour in (
+            ("used", "\"status\" = 'used'", "#1a9850"),
+            ("used for the position only", "\"status\" = 'position only'", "#a6d96a"),
+            ("used, but hardly fits its neighbours", "\"status\" = 'suspect'", "#fdae61"),
+            ("left out", "ELSE", "#d73027")):
+        symbol = marker(colour, 2.4)
+        symbol.insertSymbolLayer(0, arrow_along(line, colour))
+        entries.append((label, condition, symbol))
+    rules(layer, entries)
+    layer.setMapTipTemplate(
+        "<b>[% \"set\" %]</b>: [% \"status\" %]<br>[% round(\"before\", 2) %] m before, [% round(\"after\", 2) %] m "
+        "after<br>(arrows: shift ten times enlarged)")
+
+
+def rectification_epochs(layer) -> None:
+    """Epochs of a rectified trajectory by their standard deviation in plan; those outside the sets apart."""
+    between = "\"status\" = 'between sets' AND \"sigma\" {}"
+    rules(layer, (
+        ("σ up to 5 cm", between.format("<= 0.05"), marker("#1a9850", 1.2)),
+        ("σ 5 to 20 cm", between.format("> 0.05 AND \"sigma\" <= 0.2"), marker("#a6d96a", 1.2)),
+        ("σ above 20 cm", between.format("> 0.2"), marker("#fdae61", 1.2)),
+        ("carried on before the first or after the last set", "ELSE", marker("#d73027", 1.4))))
+    layer.setMapTipTemplate(
+        "[% round(\"time\", 2) %] s: [% \"status\" %]<br>east [% round(\"east\", 3) %] m, north "
+        "[% round(\"north\", 3) %] m, σ [% round(\"sigma\", 3) %] m")
+
+
 def satellite_visibility(layer) -> None:
     """Places by the number of satellites in line of sight."""
     entries, low = [], -1
@@ -479,6 +519,9 @@ FIELDS = {
                    "pair_length:double pair_sigma:double patches:integer status:string"),
     building_meshes: ("MultiPolygonZ", "building_id:integer status:string reason:string triangles:integer "
                       "surfaces:integer points:integer within:double rmse:double"),
+    tie_point_proposals: ("LineString", "set:string time:double length:double support:integer fit:double"),
+    rectification_sets: ("PointZ", "set:string status:string before:double after:double east:double north:double"),
+    rectification_epochs: ("PointZ", "time:double status:string east:double north:double sigma:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

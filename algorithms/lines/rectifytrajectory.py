@@ -155,11 +155,11 @@ class RectifyTrajectory(UrbanMapAlgorithm):
             results["OUTPUT_SETS"] = self.write_layer(
                 parameters, "OUTPUT_SETS", context, make_fields(*SET_FIELDS),
                 dict(zip((name for name, _ in SET_FIELDS), columns)), crs,
-                shapely.points([item.place for item in made.sets]), "PointZ", progress=progress)
+                shapely.points([item.place for item in made.sets]), "PointZ", "rectification_sets", progress)
         if parameters.get("OUTPUT_EPOCHS"):
             results["OUTPUT_EPOCHS"] = self.write_layer(
                 parameters, "OUTPUT_EPOCHS", context, make_fields(*EPOCH_FIELDS), epoch_columns(before, made), crs,
-                shapely.points(made.trajectory.place), "PointZ", progress=progress)
+                shapely.points(made.trajectory.place), "PointZ", "rectification_epochs", progress)
         return results
 
 

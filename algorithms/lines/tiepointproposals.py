@@ -67,6 +67,6 @@ class TiePointProposals(UrbanMapAlgorithm):
         lines = shapely.linestrings(np.stack([ties.measured, ties.reference], axis=1))
         columns = dict(zip((name for name, _ in FIELDS), (ties.sets, ties.time, length, made.support, made.fit)))
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*FIELDS), columns, outlines.crs, lines,
-                                 "LineString", progress=progress.part(0.95, 1.0))
+                                 "LineString", "tie_point_proposals", progress.part(0.95, 1.0))
         return {"OUTPUT": layer, "CORNERS": made.corners, "FOUND": made.found, "SETS": len(ties) // 2,
                 "MEAN_LENGTH": float(length.mean())}
