@@ -16,7 +16,14 @@ from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
-from .planes.level_alternative import BETTER, SUSPECT, high_points, level_roof_numbers, roof_misfit
+from .planes.level_alternative import (
+    BETTER,
+    SUSPECT,
+    has_lost_plane,
+    high_points,
+    level_roof_numbers,
+    roof_misfit,
+)
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_moments import azimuth_degrees, slope_degrees
 from .planes.plane_partition import partition_planes
@@ -196,8 +203,8 @@ def _plane_rows(number: int, outline: shapely.Geometry, xyz: np.ndarray, roof: n
                 parameters: PolygonParameters, outline_status: str) -> RoofPolygons:
     """Rows of the polygons of a building's roof planes."""
     found, table = partition_planes(outline, xyz, roof), RoofPolygons()
-    on_roof = roof > 0
-    lost = _has_lost_roof(outline, *xyz[on_roof, :2].T, roof[on_roof], found.roof_numbers)
+    density = np.count_nonzero(roof) / outline.area
+    lost = has_lost_plane(found.polygons, found.roof_numbers, xyz, roof, density, LOST_AREA)
     status = LOST_ROOFS if lost else found.status
     status = f"{status}; {outline_status}" if outline_status else status
     for polygon, roof_id, plane, coverage in zip(found.polygons, found.roof_numbers.tolist(), found.planes,

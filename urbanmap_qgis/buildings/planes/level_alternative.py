@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import cv2
 import numpy as np
 import shapely
 
+from ...geometry.grid import Grid
 from ..roofs.roof_segmentation import segment_roofs
 
 SUSPECT = 0.6
@@ -17,6 +19,9 @@ BETTER = 0.9
 """Level roofs are taken where their misfit is below this share of the planes'."""
 
 BEST_SHARE = 0.95
+LOST_STEP, LOST_CELL = 0.5, 0.5
+"""Points this far (m) from the model are not explained; side of the cells (m) that tell how broad their place is."""
+
 _BELOW = 0.5
 _MISSED = 3.0
 
@@ -24,20 +29,49 @@ _MISSED = 3.0
 def roof_misfit(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> float:
     """Root mean square height difference of the best 95 % of points (n, 3) to the polygons with z over or under them,
     m; a difference counts as 3 m at most."""
+    off = heights_over(polygons, points)
+    off = np.sort(np.minimum(np.abs(off[np.isfinite(off)]), _MISSED))
+    best = off[:max(int(np.ceil(BEST_SHARE * len(off))), 1)]
+    return float(np.sqrt(np.mean(best**2))) if len(best) else 0.0
+
+
+def heights_over(polygons: Sequence[shapely.Polygon], points: np.ndarray) -> np.ndarray:
+    """Heights (n,) of points (n, 3) above the polygons with z at their places, m; NaN where there is none."""
     flat = shapely.force_2d(np.array(polygons, dtype=object))
     place, row = shapely.STRtree(flat).query(shapely.points(points[:, :2]), predicate="intersects")
-    if not len(place):
-        return 0.0
-    off = np.full(len(points), np.inf)
+    off = np.full(len(points), np.nan)
     for number, polygon in enumerate(polygons):
         own = place[row == number]
         corners = shapely.get_coordinates(polygon, include_z=True)
         middle = corners.mean(axis=0)
         slope = np.linalg.lstsq((corners - middle)[:, :2], corners[:, 2] - middle[2], rcond=None)[0]
-        off[own] = np.abs(points[own, 2] - middle[2] - (points[own, :2] - middle[:2]) @ slope)
-    off = np.sort(np.minimum(off[np.isfinite(off)], _MISSED))
-    best = off[:max(int(np.ceil(BEST_SHARE * len(off))), 1)]
-    return float(np.sqrt(np.mean(best**2)))
+        off[own] = points[own, 2] - middle[2] - (points[own, :2] - middle[:2]) @ slope
+    return off
+
+
+def has_lost_plane(polygons: Sequence[shapely.Polygon], kept: Sequence[int], points: np.ndarray, roof: np.ndarray,
+                   density: float, least_area: float) -> bool:
+    """Whether planes without a polygon leave points far from all polygons, on a place of `least_area` m2 or more that
+    is no strip (a parapet, an eave).
+
+    Parameters
+    ----------
+    kept : plane of each polygon. points, roof : (n, 3) and (n,) plane of each. density : points/m2.
+    """
+    lost = (roof > 0) & ~np.isin(roof, kept)
+    if not lost.any():
+        return False
+    off = np.abs(heights_over(polygons, points[lost]))
+    far = points[lost][off > LOST_STEP]
+    if not len(far):
+        return False
+    cell = max(LOST_CELL, 1.0 / np.sqrt(density))
+    grid = Grid.covering(*far[:, :2].min(axis=0), *far[:, :2].max(axis=0), cell)
+    row, column, _ = grid.cells(far[:, 0], far[:, 1])
+    hit = np.zeros((grid.rows + 2, grid.columns + 2), np.uint8)
+    hit[row + 1, column + 1] = 1
+    broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    return bool(np.count_nonzero(broad) * cell**2 >= least_area)
 
 
 def high_points(points: np.ndarray, roof: np.ndarray) -> np.ndarray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 import shapely
 
@@ -14,6 +15,13 @@ OK, FEW_POINTS, NO_POINTS, NO_PLANES = "ok", "few points", "no roof points", "no
 
 LEAST_EXPLAINED = 0.35
 """A building of whose points a smaller share lies on planes has no planes worth the name."""
+
+STRIP_CELL, LEAST_BROAD, LEVEL = 0.4, 0.25, 0.1
+"""Cells (m) three of which make a roof broad enough; share of such cells of a level roof; slope up to which one is
+level: steep strips are mansards."""
+
+STRIP_DENSITY = 4.0
+"""Points/m2 from which a strip can be told from a roof with few points."""
 
 FEWEST_POINTS = 3
 MOST_POINTS = 30_000
@@ -70,6 +78,8 @@ def segment_planes(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely
         label = _spread(points, points[chosen], label, parameters.tolerance)
     shapely.prepare(outline)
     label = _seen_inside(label, shapely.contains_xy(outline, x[high], y[high]))
+    if density >= STRIP_DENSITY:
+        label = _without_strips(points, label, max(STRIP_CELL, density**-0.5))
     if label.max(initial=-1) < 0:
         return PlaneSegmentation(roof, (), NO_PLANES)
     heights = [float(np.median(points[label == number, 2])) for number in range(label.max() + 1)]
@@ -87,6 +97,27 @@ def _seen_inside(label: np.ndarray, inside: np.ndarray) -> np.ndarray:
     keep = (own >= 3) & (own / every > 0.15)
     number = np.cumsum(keep) - 1
     return np.where((label >= 0) & keep[label], number[label], -1) if count else label
+
+
+def _without_strips(points: np.ndarray, label: np.ndarray, cell: float) -> np.ndarray:
+    """Labels without level planes that are narrow everywhere: parapets, ledges and gutters."""
+    count = int(label.max(initial=-1)) + 1
+    if count < 2:
+        return label
+    planes = fitted_planes(points, label)
+    keep = np.ones(count, bool)
+    for number in np.flatnonzero(np.hypot(planes[:, 0], planes[:, 1]) < LEVEL):
+        xy = points[label == number, :2]
+        column, row = (np.floor((xy - xy.min(axis=0)) / cell).astype(np.int64) + 2).T
+        hit = np.zeros((row.max() + 3, column.max() + 3), np.uint8)
+        hit[row, column] = 1
+        hit = cv2.morphologyEx(hit, cv2.MORPH_CLOSE, np.ones((2, 2), np.uint8))
+        broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+        keep[number] = np.count_nonzero(broad) >= LEAST_BROAD * np.count_nonzero(hit)
+    if not keep.any():
+        return label
+    renumbered = np.cumsum(keep) - 1
+    return np.where((label >= 0) & keep[label], renumbered[label], -1)
 
 
 def _spread(points: np.ndarray, chosen: np.ndarray, label: np.ndarray, tolerance: float) -> np.ndarray:
