@@ -45,6 +45,8 @@ def _checked(cells: list[SlopedCell], base: float) -> tuple[tuple[Solid, ...], l
         solids = sloped_solids(cells, base)
     except InputError as error:
         return (), [str(error)]
+    except (shapely.errors.GEOSException, ValueError) as error:
+        return (), [f"a roof cannot be cut into triangles: {error}"]
     return solids, [f"{problem.code} {problem.name}" for solid in solids for problem in check_solid(solid)]
 
 
