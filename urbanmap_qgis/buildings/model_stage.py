@@ -233,7 +233,7 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
         base = math.nan
     if any(LEVELS_BETTER in str(words) for words in roofs.status):
-        status, reason = SIMPLIFIED, f"level roofs, as they fit its points better than planes; {note}".rstrip("; ")
+        reason = f"level roofs, as they fit its points better than planes; {reason}".rstrip("; ")
     if not np.isfinite(base):
         base, source = float(roofs.height.min()) - STOREY, ASSUMED
     if source != KNOWN:
