@@ -6,6 +6,7 @@ everything QGIS has, so that nothing QGIS came with is ever replaced.
 
 from __future__ import annotations
 
+import importlib.machinery
 import importlib.metadata
 import importlib.util
 import os
@@ -54,8 +55,12 @@ class Missing:
 
     package: Package
     found_version: str = ""
+    in_the_way: str = ""
 
     def __str__(self) -> str:
+        if self.in_the_way:
+            return (f"{self.package.requirement} (installed, but {self.found_version} was loaded before from "
+                    f"{self.in_the_way}: restart QGIS, without the plugin that loads it)")
         if self.found_version:
             return f"{self.package.requirement} (found {self.found_version})"
         return self.package.distribution
@@ -89,15 +94,55 @@ def installed_version(package: Package) -> str:
 
     OpenCV comes under several names (opencv-python, a distribution's own build): any of them will do.
     """
+    if package.import_name in _OURS.names:
+        return _version_in(package, [str(_OURS.folder)])
+    return _version_in(package, None)
+
+
+def _version_in(package: Package, path: list[str] | None) -> str:
+    """Version of a package in the folders of `path`, by default of all that Python searches."""
     names = [package.distribution]
     if package.import_name == "cv2":
         names += ["opencv-python", "opencv-contrib-python-headless", "opencv-contrib-python", "opencv"]
     for name in names:
-        try:
-            return importlib.metadata.version(name) or ""
-        except importlib.metadata.PackageNotFoundError:
-            continue
+        found = importlib.metadata.distributions(name=name, **({} if path is None else {"path": path}))
+        for distribution in found:
+            if distribution.version:
+                return distribution.version
     return ""
+
+
+def _fits(package: Package, version: str) -> bool:
+    """Whether a version works; one that left no record is taken to."""
+    numbers = version_numbers(version)
+    return not numbers or not ((package.minimum and numbers < package.minimum)
+                               or (package.below and numbers >= package.below))
+
+
+class _Ours:
+    """Finds those packages in our folder of which another copy that does not work would be found first."""
+
+    folder = Path()
+    names: frozenset[str] = frozenset()
+
+    def find_spec(self, name, path=None, target=None):
+        """As `importlib.abc.MetaPathFinder` asks."""
+        if path is None and name in self.names:
+            return importlib.machinery.PathFinder.find_spec(name, [str(self.folder)], target)
+        return None
+
+    def prefer(self, folder: Path) -> None:
+        """Find out which packages are to be taken from `folder`. numpy never is: QGIS's own is built in."""
+        names = [name for name, package in PACKAGES.items()
+                 if name != "numpy" and not _fits(package, _version_in(package, None))
+                 and importlib.machinery.PathFinder.find_spec(name, [str(folder)])
+                 and _fits(package, _version_in(package, [str(folder)]))]
+        self.folder, self.names = folder, frozenset(names)
+        if self.names and self not in sys.meta_path:
+            sys.meta_path.insert(0, self)
+
+
+_OURS = _Ours()
 
 
 def find_missing(import_names: Iterable[str] = tuple(PACKAGES)) -> list[Missing]:
@@ -109,12 +154,21 @@ def find_missing(import_names: Iterable[str] = tuple(PACKAGES)) -> list[Missing]
             missing.append(Missing(package))
             continue
         version = installed_version(package)
-        numbers = version_numbers(version)
-        too_old = bool(numbers and package.minimum and numbers < package.minimum)
-        too_new = bool(numbers and package.below and numbers >= package.below)
-        if too_old or too_new:
+        loaded = _loaded_elsewhere(name)
+        if loaded:
+            missing.append(Missing(package, *loaded))
+        elif not _fits(package, version):
             missing.append(Missing(package, version))
     return missing
+
+
+def _loaded_elsewhere(name: str) -> tuple[str, str] | None:
+    """Version and folder of a copy that was loaded although ours is to be taken; None where that is not so."""
+    module = sys.modules.get(name)
+    file = getattr(module, "__file__", None)
+    if name not in _OURS.names or not file or _OURS.folder in Path(file).parents:
+        return None
+    return str(getattr(module, "__version__", "another version")), str(Path(file).parent.parent)
 
 
 def packages_folder(profile: str | os.PathLike) -> Path:
@@ -124,11 +178,16 @@ def packages_folder(profile: str | os.PathLike) -> Path:
 
 
 def activate(folder: str | os.PathLike) -> None:
-    """Let Python search `folder`, after everything it searches already."""
+    """Let Python search `folder`, after everything it searches already.
+
+    A package of ours that is found before in a version that does not work is taken from `folder` all the same.
+    """
     entry = str(folder)
     if entry not in sys.path and os.path.isdir(entry):
         sys.path.append(entry)
     importlib.invalidate_caches()
+    if os.path.isdir(entry):
+        _OURS.prefer(Path(folder))
 
 
 def python_executable() -> str:
@@ -184,6 +243,9 @@ def missing_message(missing: Sequence[Missing], folder: str | os.PathLike) -> st
     """One text that names the missing packages and says how they are installed here."""
     names = ", ".join(str(item) for item in missing)
     noun = "package" if len(missing) == 1 else "packages"
+    missing = [item for item in missing if not item.in_the_way]
+    if not missing:
+        return f"Python {noun} in the way: {names}."
     command = shown_command(install_command(missing, folder))
     return (f"Python {noun} missing: {names}. Install with the menu Plugins > UrbanMap > Install Python packages, "
             f"or in a terminal with: {command}")

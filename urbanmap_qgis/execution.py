@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, Future, wait
 from typing import TypeVar
 
+from .dependencies import activate
+
 Piece = TypeVar("Piece")
 Result = TypeVar("Result")
 
@@ -26,8 +28,13 @@ def _result(future: Future, check: Callable[[], None]) -> Result:
     return future.result()
 
 
-def start_worker() -> None:
-    """Called in a worker process when it starts: it leaves Ctrl-C to the process that started it, and ends with it."""
+def start_worker(packages: str = "") -> None:
+    """Called in a worker process when it starts: it leaves Ctrl-C to the process that started it, and ends with it.
+
+    `packages` : folder of installed packages, see `dependencies.activate`.
+    """
+    if packages:
+        activate(packages)
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 
 from ...urbanmap_qgis.errors import UrbanMapError
 from ...urbanmap_qgis.execution import start_worker
+from .dependencies import profile_packages
 from .parameters import tr
 
 
@@ -52,7 +53,8 @@ def _processes(count: int) -> Executor:
 
     context = multiprocessing.get_context("spawn")
     context.set_executable(python_executable())
-    executor = ProcessPoolExecutor(count, mp_context=context, initializer=start_worker)
+    executor = ProcessPoolExecutor(count, mp_context=context, initializer=start_worker,
+                                   initargs=(str(profile_packages()),))
     with _signals_blocked():
         # A worker is started when work comes; here all are, so that none meets a Ctrl-C while it is still importing.
         for _ in range(count):

@@ -182,3 +182,47 @@ def test_requirements_file_says_the_same():
     lines = (ROOT / "requirements.txt").read_text(encoding="utf-8").splitlines()
     assert [line for line in lines if line and not line.startswith("#")] == [
         package.requirement for package in PACKAGES.values()]
+
+
+OLD_FIRST = """
+import sys
+sys.path.insert(0, {system!r})
+from urbanmap_qgis import dependencies
+{before}
+dependencies.activate({ours!r})
+missing = dependencies.find_missing(["shapely", "laspy"])
+print([str(item) for item in missing])
+import shapely
+print(shapely.__version__)
+"""
+
+
+def fake_package(folder, name, version):
+    (folder / name).mkdir(parents=True)
+    (folder / name / "__init__.py").write_text(f"__version__ = '{version}'\n")
+    (folder / f"{name}-{version}.dist-info").mkdir()
+    (folder / f"{name}-{version}.dist-info" / "METADATA").write_text(f"Name: {name}\nVersion: {version}\n")
+
+
+def run_with_old_shapely(tmp_path, before=""):
+    import subprocess
+    import sys
+    from pathlib import Path
+
+    system, ours = tmp_path / "system", tmp_path / "ours"
+    for folder, version in ((system, "1.8.5"), (ours, "2.0.6")):
+        fake_package(folder, "shapely", version)
+    fake_package(system, "laspy", "2.5.0")
+    code = OLD_FIRST.format(system=str(system), ours=str(ours), before=before)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True,
+                          cwd=Path(__file__).resolve().parents[2])
+    return done.stdout.splitlines()
+
+
+def test_what_was_installed_wins_over_an_older_copy_before_it(tmp_path):
+    assert run_with_old_shapely(tmp_path) == ["[]", "2.0.6"]
+
+
+def test_an_older_copy_that_is_loaded_already_is_named(tmp_path):
+    told, version = run_with_old_shapely(tmp_path, "import shapely")
+    assert version == "1.8.5" and "1.8.5 was loaded before from" in told and str(tmp_path / "system") in told
