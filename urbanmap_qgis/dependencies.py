@@ -6,6 +6,7 @@ everything QGIS has, so that nothing QGIS came with is ever replaced.
 
 from __future__ import annotations
 
+import functools
 import importlib.machinery
 import importlib.metadata
 import importlib.util
@@ -198,19 +199,34 @@ def python_executable() -> str:
     name = f"python{sys.version_info.major}.{sys.version_info.minor}"
     running = Path(sys.executable or "python3")
     prefix = Path(sys.exec_prefix)
-    base = getattr(sys, "_base_executable", None)
+    base = [Path(path) for path in (getattr(sys, "_base_executable", None),) if path]
     if platform.system() == "Windows":
         candidates = [running, prefix / "python.exe", prefix / "python3.exe", prefix / "Scripts" / "python.exe",
-                      running.parent / "python3.exe", running.parent / "python.exe"]
+                      running.parent / "python3.exe", running.parent / "python.exe", *base]
     else:
         candidates = [running, prefix / "bin" / name, prefix / "bin" / "python3", running.parent / name,
-                      running.parent / "python3", running.parent / "bin" / name, running.parent / "bin" / "python3"]
-    if base:
-        candidates.append(Path(base))
-    for candidate in candidates:
-        if candidate.name.lower().startswith("python") and candidate.is_file():
-            return str(candidate)
-    return "python3"
+                      running.parent / "python3", running.parent / "bin" / name, running.parent / "bin" / "python3",
+                      *base]
+    there = [str(item) for item in candidates if item.name.lower().startswith("python") and item.is_file()]
+    if there and _version_of(there[0]) not in ("", sys.version):
+        more = [str(item) for item in (Path("/usr/bin") / name, Path("/usr/local/bin") / name) if item.is_file()]
+        there = [item for item in (*there, *more) if _version_of(item) == sys.version] or there
+    return there[0] if there else "python3"
+
+
+@functools.lru_cache
+def _version_of(python: str) -> str:
+    """What an interpreter says of its build; empty where it does not start.
+
+    QGIS may take the home of its Python from another installation, whose interpreter does not fit its libraries.
+    """
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+    try:
+        done = subprocess.run([python, "-S", "-c", "import sys; print(sys.version)"], capture_output=True, text=True,
+                              stdin=subprocess.DEVNULL, timeout=20, check=False, env=environment, **_hidden_window())
+    except (OSError, subprocess.SubprocessError):
+        return ""
+    return done.stdout.strip()
 
 
 def numpy_pin() -> list[str]:
@@ -355,7 +371,7 @@ def _environment() -> dict[str, str]:
 
 
 def _hidden_window() -> dict[str, int]:
-    return {"creationflags": subprocess.CREATE_NO_WINDOW} if platform.system() == "Windows" else {}
+    return {"creationflags": getattr(subprocess, "CREATE_NO_WINDOW", 0)} if platform.system() == "Windows" else {}
 
 
 def _move_into(staging: Path, target: Path) -> None:

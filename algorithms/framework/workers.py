@@ -33,8 +33,8 @@ def workers(count: int) -> Iterator[Executor | None]:
             for worker in set(multiprocessing.active_children()) - others:
                 worker.kill()
             if isinstance(error, BrokenExecutor):
-                raise UrbanMapError(tr("A worker ended before its work was done, probably for lack of memory; run "
-                                       "again with fewer workers.")) from None
+                raise UrbanMapError(tr("A worker ended before its work was done, for lack of memory or because "
+                                       "Python could not start it; run again with one worker.")) from None
             raise
 
 

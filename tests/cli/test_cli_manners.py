@@ -74,3 +74,44 @@ def test_interrupted_run_ends_soon_and_leaves_nothing(linked_profile, tmp_path, 
     assert process.returncode == 1, out + err
     assert "The run was cancelled." in err
     assert list(folder.iterdir()) == []
+
+
+def other_python():
+    """Folder of an interpreter on the path that is another build of the same release as the system's; None without."""
+    import shutil
+    import subprocess
+
+    def told(python):
+        return subprocess.run([python, "-c", "import sys; print(sys.version_info[:2], sys.version)"],
+                              capture_output=True, text=True, check=False).stdout
+
+    system = told("/usr/bin/python3")
+    for folder in os.environ.get("PATH", "").split(os.pathsep):
+        python = shutil.which("python3", path=folder)
+        found = told(python) if python else ""
+        if found and found != system and found.split(")")[0] == system.split(")")[0]:
+            return folder
+    return None
+
+
+def test_workers_where_another_python_stands_first_in_the_path(linked_profile, tmp_path, outlines, make_cloud):
+    folder = other_python()
+    if folder is None:
+        pytest.skip("there is no second Python of the same release on the path")
+    axis = np.linspace(0.0, 100.0, 60)
+    x, y = (grid.ravel() for grid in np.meshgrid(axis, axis))
+    z = np.where((x > 10) & (x < 90) & (y > 10) & (y < 90), 20.0, 0.0)
+    cloud = make_cloud(tmp_path / "cloud.laz", x, y, z)
+    path = os.pathsep.join([folder, os.environ["PATH"]])
+    done = dataclasses.replace(linked_profile(), changes={"PATH": path}).run_algorithm(
+        "urbanmap:segmentbuildings", POINTS=cloud, FOOTPRINTS=outlines, WORKERS=2, OUTPUT=tmp_path / "out.laz",
+        OUTPUT_BUILDINGS=tmp_path / "out.gpkg")
+    assert done.code == 0 and "Traceback" not in done.err, done.err
+    assert (tmp_path / "out.laz").is_file()
+
+
+def test_choice_by_its_number(run_algorithm, tmp_path):
+    done = run_algorithm("urbanmap:samplecity", SIZE=1, SCENE=1, OUTPUT=tmp_path / "city")
+    assert done.code == 1 and "60" in done.err  # the size is what is refused
+    done = run_algorithm("urbanmap:samplecity", SIZE=60, SCENE=9, OUTPUT=tmp_path / "city")
+    assert done.code == 1 and "is none of canyon, few markings" in done.err
