@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import os
 import shutil
+import sqlite3
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -44,6 +46,7 @@ from .parameters import tr
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 BATCH = 1000
+TIME = "2000-01-01T00:00:00.000Z"
 
 SHORT = 10
 """Characters that a shapefile leaves of a field's name."""
@@ -366,6 +369,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
                 del sink
             if style and target.suffix.lower() == ".gpkg":
                 _save_style(target, style, progress)
+            without_times(target)
             _move_into_place(Path(scratch), folder)
     except OSError as error:
         raise OutputError(tr("{0} cannot be written ({1}); close the program that has it open.").format(
@@ -389,6 +393,24 @@ def _save_style(path: Path, style: str, progress: Progress) -> None:
             error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "")
     if error:
         progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error))
+
+
+def without_times(path: Path) -> None:
+    """Put a fixed time where a GeoPackage says when it was written: the same input gives the same bytes."""
+    if path.suffix.lower() != ".gpkg":
+        return
+    with closing(sqlite3.connect(path)) as database, database:
+        tables = {name for name, in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+        if "gpkg_contents" in tables:
+            database.execute("UPDATE gpkg_contents SET last_change = ?", (TIME,))
+        if "layer_styles" in tables:
+            database.execute("UPDATE layer_styles SET update_time = ?", (TIME,))
+    # SQLite counts the changes, and the copy of the count that says for which its size holds: GDAL writes now in one
+    # more step, now in one less.
+    with path.open("r+b") as file:
+        for place in (24, 92):
+            file.seek(place)
+            file.write((1).to_bytes(4, "big"))
 
 
 def _know_3d_renderers() -> None:

@@ -147,3 +147,4 @@ def _write_layer(path: Path, like, trajectory, crs_wkt: str, context: QgsProcess
         for batch in layers.features_of(fields, values, points):
             writer.addFeatures(batch)
         del writer
+        layers.without_times(temporary)

@@ -315,3 +315,32 @@ def test_leftovers_of_a_killed_run_go_and_those_of_others_stay(plugin, tmp_path)
         assert len(list(tmp_path.glob(".urbanmap-*"))) == 2  # the other run's and this one's
     runs[1].communicate(b"")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_the_same_input_gives_the_same_bytes(run, cloud, polygon_layer, tmp_path, plugin, monkeypatch, count):
+    """Layers with their styles, clouds and files; a second later, and on any number of workers."""
+    import time
+
+    workers = plugin("algorithms.framework.workers")
+    monkeypatch.setattr(workers, "_processes", workers._in_window)
+    made = []
+    for folder, number in ((tmp_path / "a", 1), (tmp_path / "b", count)):
+        folder.mkdir()
+        first = run("urbanmap:segmentbuildings", {
+            "POINTS": [str(cloud)], "FOOTPRINTS": outlines_of(polygon_layer), "WORKERS": number,
+            "OUTPUT": str(folder / "points.laz"), "OUTPUT_BUILDINGS": str(folder / "buildings.gpkg")})
+        roofs = run("urbanmap:segmentroofs", {
+            "POINTS": [first["OUTPUT"]], "FOOTPRINTS": first["OUTPUT_BUILDINGS"], "WORKERS": number,
+            "OUTPUT": str(folder / "roofs.laz"), "OUTPUT_ROOFS": str(folder / "roofs.gpkg")})
+        polygons = run("urbanmap:roofpolygons", {
+            "POINTS": [roofs["OUTPUT"]], "FOOTPRINTS": first["OUTPUT_BUILDINGS"], "WORKERS": number,
+            "OUTPUT": str(folder / "polygons.gpkg")})
+        run("urbanmap:buildingmodels", {
+            "ROOFS": polygons["OUTPUT"], "FOOTPRINTS": first["OUTPUT_BUILDINGS"], "WORKERS": number,
+            "OUTPUT": str(folder / "models.gpkg"), "OUTPUT_CITYJSON": str(folder / "models.city.json"),
+            "OUTPUT_MESH": str(folder / "models.obj")})
+        made.append({path.name: path.read_bytes() for path in folder.iterdir()})
+        time.sleep(1.1)
+    assert made[0].keys() == made[1].keys()
+    assert [name for name in made[0] if made[0][name] != made[1][name]] == []
