@@ -212,11 +212,14 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     def point_files(self, parameters: Mapping, name: str, context: QgsProcessingContext) -> list[Path]:
         """Files of a points parameter, each once, in the given order; an empty list where none was given.
 
+        A point cloud layer of the project stands for its file.
+
         Raises
         ------
         InputError : a file does not exist or is no LAS or LAZ file.
         """
-        paths = [Path(text) for text in self.parameterAsFileList(parameters, name, context) if text]
+        paths = [Path(destinations.file_of(text, context)) for text in
+                 self.parameterAsFileList(parameters, name, context) if text]
         for path in paths:
             if not path.is_file():
                 raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(

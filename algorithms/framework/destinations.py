@@ -176,7 +176,7 @@ def _input_files(algorithm, parameters: Mapping, context: QgsProcessingContext) 
         elif kind == "multilayer" and definition.layerType() == QgsProcessing.SourceType.TypeFile:
             for text in algorithm.parameterAsFileList(parameters, name, context):
                 if text:
-                    yield label, Path(text), ""
+                    yield label, Path(file_of(text, context)), ""
         elif kind == "multilayer":
             layers = algorithm.parameterAsLayerList(parameters, name, context)
         elif kind in LAYERS:
@@ -199,6 +199,16 @@ def _source_text(parameters: Mapping, name: str, context: QgsProcessingContext) 
     if isinstance(value, QgsProperty):
         value, _ = value.valueAsString(context.expressionContext(), "")
     return value if isinstance(value, str) else ""
+
+
+def file_of(text: str, context: QgsProcessingContext) -> str:
+    """The file of a layer of the project that is given by its id or name; anything else as it is."""
+    if Path(text).suffix and Path(text).exists():
+        return text
+    project = context.project()
+    layer = project and (project.mapLayer(text) or next(iter(project.mapLayersByName(text)), None))
+    path, _ = _layer_file(layer) if layer else (None, "")
+    return str(path) if path else text
 
 
 def _layer_file(layer) -> tuple[Path | None, str]:

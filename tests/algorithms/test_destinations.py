@@ -344,3 +344,34 @@ def test_the_same_input_gives_the_same_bytes(run, cloud, polygon_layer, tmp_path
         time.sleep(1.1)
     assert made[0].keys() == made[1].keys()
     assert [name for name in made[0] if made[0][name] != made[1][name]] == []
+
+
+def test_points_by_a_layer_of_the_project(run, cloud, polygon_layer, tmp_path, modules):
+    """A layer by its id or name stands for its file. Without QGIS's provider of point clouds the layer opens nothing,
+    but knows its file all the same."""
+    from qgis.core import QgsPointCloudLayer, QgsProject
+
+    layer = QgsPointCloudLayer(str(cloud), "survey", "pdal")
+    if not modules[0]._layer_file(layer)[0]:
+        pytest.skip("this build knows no point cloud layers of LAZ files")
+    QgsProject.instance().addMapLayer(layer)
+    try:
+        for given in (layer.id(), "survey"):
+            made = run("urbanmap:segmentbuildings", {"POINTS": [given], "FOOTPRINTS": outlines_of(polygon_layer),
+                                                     "OUTPUT": str(tmp_path / "o.laz"), "OUTPUT_BUILDINGS": "memory:"})
+            assert made["POINT_COUNT"] > 0
+    finally:
+        QgsProject.instance().removeMapLayer(layer.id())
+
+
+def test_points_by_the_name_of_a_layer_with_a_file(qgis_app, modules, cloud, monkeypatch):
+    """The same with a stand-in for the provider."""
+    from types import SimpleNamespace
+
+    monkeypatch.setattr(modules[0], "_layer_file", lambda layer: (cloud, ""))
+    layer = object()
+    project = SimpleNamespace(mapLayer=lambda text: layer if text == "id_1" else None,
+                              mapLayersByName=lambda text: [layer] if text == "survey" else [])
+    context = SimpleNamespace(project=lambda: project)
+    assert [modules[0].file_of(text, context) for text in ("id_1", "survey", "other.laz")] == [
+        str(cloud), str(cloud), "other.laz"]
