@@ -44,6 +44,7 @@ class SurfaceFromAls(UrbanMapAlgorithm):
                           advanced=True)
         self.add_boolean("GROUND_IN_GAPS", "Ground in gaps", "Where triangles were left out, the surface takes the "
                          "height of the ground instead of staying empty.", False, advanced=True)
+        self.add_points_crs()
         self.add_raster_output("OUTPUT", "Surface", "Heights of the surface (DSM) in metres.")
         self.add_raster_output("OUTPUT_GROUND", "Ground", "Heights of the ground in metres, without gaps inside the "
                                "surface's outline.", optional=True)

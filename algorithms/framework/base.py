@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping
+from contextlib import nullcontext
 from html import escape
 from pathlib import Path
 
@@ -177,13 +178,25 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
                        staging: Staging) -> dict:
         """Compute with all outputs beside their places, then move them there together."""
         try:
-            results = self.compute(destinations.staged(self, parameters, context, staging), context, feedback)
+            run = destinations.staged(self, parameters, context, staging)
+            with self._points_crs(run, context):
+                results = self.compute(run, context, feedback)
             staging.publish()
         except UrbanMapError as error:
             if final_text(str(error)) == str(error):
                 raise
             raise type(error)(final_text(str(error))) from error
         return destinations.results_outside(results, staging)
+
+    def _points_crs(self, parameters: Mapping, context: QgsProcessingContext):
+        """Context in which point clouds that state no CRS have the one of POINTS_CRS, where that is given."""
+        if not parameters.get("POINTS_CRS") or self.parameterDefinition("POINTS_CRS") is None:
+            return nullcontext()
+        from ...urbanmap_qgis.io.pointcloud import assumed_crs
+
+        crs = self.parameterAsCrs(parameters, "POINTS_CRS", context)
+        self.require_projected("POINTS_CRS", crs)
+        return assumed_crs(crs_checks.wkt_of(crs))
 
     def _check_all(self, parameters: Mapping, context: QgsProcessingContext) -> None:
         destinations.check_destinations(self, parameters, context)

@@ -55,6 +55,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
                           advanced=True)
         self.add_folder_output("OUTPUT", "Corrected trajectories", "Folder in which each trajectory is written under "
                                "its own name.")
+        self.add_points_crs()
         self.add_layer_output("OUTPUT_TIES", "Ties", "One point an observation: its residual (m), its standard "
                               "deviation and the weight that it kept.", optional=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint, by_default=True)

@@ -35,6 +35,7 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         self.add_choice("OUTSIDE", "Points outside the trajectory", "What is done with points that were measured "
                         "before the trajectory begins or after it ends: move them with its nearest pose, keep them "
                         "where they are, or refuse to run. Their number is told.", OUTSIDE, "move", advanced=True)
+        self.add_points_crs()
         self.add_points_output("OUTPUT", "Corrected survey", "All points in their order, with all attributes.")
         self.add_file_output("OUTPUT_IMAGES", "Corrected image poses", "The same rows with corrected poses.",
                              POSES_FILTER, optional=True)

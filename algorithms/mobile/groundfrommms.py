@@ -36,6 +36,7 @@ class GroundFromMms(UrbanMapAlgorithm):
         self.add_number("MIN_GROUND_SHARE", "Minimum ground share", "A smaller share of ground among the points, 0 to "
                         "1, is refused: it shows that the filter has failed. 0 accepts every share.", 0.01, 0.0, 1.0,
                         advanced=True)
+        self.add_points_crs()
         self.add_workers()
         self.add_points_output("OUTPUT", "Classified points", "All points; ground has class 2, what was undecided and "
                                "is no ground class 1.")

@@ -68,6 +68,7 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_distance("TRUSTED_SIGMA", "Maximum trusted standard deviation", "A patch whose standard deviation in "
                           "plan is larger is not to be trusted.", 0.3, 0.01, 100.0, advanced=True)
         self.add_raster("IMAGE", "Aerial image", "Shown behind the markings in the report.", optional=True)
+        self.add_points_crs()
         self.add_workers()
         self.add_trajectory_output()
         self.add_layer_output("OUTPUT_PATCHES", "Patches", "One point a patch at its corrected place, with correction "

@@ -59,6 +59,7 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                         "earlier when it has settled.", 1000, 1, 100000, integer=True, advanced=True)
         self.add_distance("CLOTH_THRESHOLD", "Cloth threshold", "Points within this height, in metres, above or below "
                           "the cloth are ground.", 0.2, 0.01, 5.0, advanced=True)
+        self.add_points_crs()
         self.add_workers()
         self.add_points_output("OUTPUT", "Marking points", "Points on markings with all their attributes, and "
                                "calibrated_intensity (asphalt has the reference intensity) and marking_weight (0 to 1: "

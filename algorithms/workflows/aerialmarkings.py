@@ -35,6 +35,7 @@ class AerialMarkings(UrbanMapAlgorithm):
         self.add_from(RoadMarkingsFromOrthophoto, MARKING_METHOD="METHOD", label="Method of the markings",
                       advanced=True)
         self.add_from(SurfaceFromAls, SURFACE_RESOLUTION="RESOLUTION", label="Resolution of the surface", advanced=True)
+        self.add_from(SurfaceFromAls, "POINTS_CRS")
         self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
         self.add_from(RoadMarkingsFromOrthophoto, "BLOCK_SIZE", "CONTRAST", advanced=True)
         self.add_from(RoadMarkingsFromOrthophoto, "WORKERS", "OUTPUT")

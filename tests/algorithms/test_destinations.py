@@ -375,3 +375,25 @@ def test_points_by_the_name_of_a_layer_with_a_file(qgis_app, modules, cloud, mon
     context = SimpleNamespace(project=lambda: project)
     assert [modules[0].file_of(text, context) for text in ("id_1", "survey", "other.laz")] == [
         str(cloud), str(cloud), "other.laz"]
+
+
+def test_points_that_state_no_crs_take_the_one_that_is_given(run, make_cloud, tmp_path):
+    import laspy
+    import numpy as np
+    from qgis.core import QgsProcessingException
+
+    axis = np.arange(0.0, 40.0, 0.4)
+    x, y = (grid.ravel() for grid in np.meshgrid(axis, axis))
+    bare = make_cloud(tmp_path / "bare.laz", x, y, 0.01 * x, epsg=None)
+    given = {"POINTS": [str(bare)], "OUTPUT": str(tmp_path / "ground.laz")}
+    with pytest.raises(QgsProcessingException, match="coordinate reference system is missing"):
+        run("urbanmap:groundfrommms", given)
+    with pytest.raises(QgsProcessingException, match="degrees"):
+        run("urbanmap:groundfrommms", {**given, "POINTS_CRS": "EPSG:6668"})
+    run("urbanmap:groundfrommms", {**given, "POINTS_CRS": "EPSG:6677"})
+    with laspy.open(tmp_path / "ground.laz") as made:
+        assert made.header.parse_crs().to_epsg() == 6677
+    surface = run("urbanmap:surfacefromals", {"POINTS": [str(bare)], "POINTS_CRS": "EPSG:6677",
+                                              "OUTPUT": str(tmp_path / "s.tif"),
+                                              "OUTPUT_GROUND": str(tmp_path / "g.tif")})
+    assert Path(surface["OUTPUT"]).is_file()

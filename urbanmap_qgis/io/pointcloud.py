@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +27,19 @@ NOISE_CLASSES = (7, 18)
 """LAS classes of low and high noise."""
 
 _READ_ERRORS = (laspy.errors.LaspyException, LazrsError, OSError, ValueError, EOFError, RuntimeError)
+
+
+_ASSUMED: ContextVar[str | None] = ContextVar("assumed_crs", default=None)
+
+
+@contextmanager
+def assumed_crs(crs_wkt: str | None) -> Iterator[None]:
+    """In the block, files that state no CRS are taken to be in this one (WKT); None leaves things as they are."""
+    token = _ASSUMED.set(crs_wkt or _ASSUMED.get())
+    try:
+        yield
+    finally:
+        _ASSUMED.reset(token)
 
 
 @dataclass(frozen=True)
@@ -86,7 +100,7 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
     corners = np.array([[header.mins, header.maxs] for header in full or headers[:1]], dtype=float)
     if not np.isfinite(corners).all():
         raise InputError(f"{files[0].name} has coordinates that are not numbers: repair the file's header.")
-    return PointCloud(files, headers, stated[0][1].to_wkt() if stated else crs_wkt,
+    return PointCloud(files, headers, stated[0][1].to_wkt() if stated else crs_wkt or _ASSUMED.get(),
                       corners[:, 0].min(axis=0), corners[:, 1].max(axis=0))
 
 
