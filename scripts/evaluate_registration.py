@@ -6,19 +6,23 @@
         --markings mask.tif [--ground ground.tif] --output tables.md
 
 A sample city has everything but the reference markings: make them with “Road markings from aerial frames”. Compared are
-the survey as reported, landmark updating with some of the control points, the paper's method to the letter (rigid
-windows in plan, each patch moved by its own), and the method of “Register mobile survey”.
+the survey as reported, landmark updating with some of the control points, the paper's methods to the letter (3.2.4 in
+plan, chapter 4 in space) and the method of “Register mobile survey”. `evaluate_papers.py` puts the same on its page.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
+import sqlite3
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+import shapely
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -30,15 +34,17 @@ from urbanmap_qgis.mobile.landmark_update import update_by_landmarks
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.pose_correction import correction_between
-from urbanmap_qgis.mobile.registration.records import RegistrationSettings, WindowResults
+from urbanmap_qgis.mobile.registration.correction.patchwise import correct_patchwise
+from urbanmap_qgis.mobile.registration.records import REGISTERED, RegistrationSettings, WindowResults
 from urbanmap_qgis.mobile.registration.register import register_windows
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
-from urbanmap_qgis.mobile.trajectory import Trajectory, path_chainage
+from urbanmap_qgis.mobile.registration.virtual_control import reference_corners, survey_corners, virtual_control
+from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, path_chainage
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
-START_ERROR = 3.0
-"""m, initial error of the trials of success."""
+START_ERRORS = (0.5, 1.0, 2.0, 3.0)
+"""m, initial errors of the trials of success."""
 
 SUCCESS = 0.10
 """m, mean error in plan at control points that counts as success."""
@@ -46,7 +52,10 @@ SUCCESS = 0.10
 
 @dataclass(frozen=True)
 class Survey:
-    """A survey's marking points, trajectory and control points; every `landmarks`-th of these is used for updating."""
+    """A survey's marking points, trajectory and control points; every `landmarks`-th of these is used for updating.
+
+    `true` is the true trajectory, where it is known.
+    """
 
     name: str
     markings: MarkingPoints
@@ -54,6 +63,7 @@ class Survey:
     control: ControlPoints
     points: int
     landmarks: int
+    true: Trajectory | None = None
 
     @property
     def checks(self) -> ControlPoints:
@@ -68,45 +78,59 @@ class Survey:
     def _used(self) -> np.ndarray:
         return np.arange(len(self.control)) % self.landmarks == self.landmarks // 2
 
+    def patch_errors(self, corrected: Trajectory, time: np.ndarray) -> np.ndarray:
+        """(n,) m in plan of the trajectory at the patches' times, or at the control points without a true one."""
+        if self.true is None:
+            return np.hypot(*self.errors(corrected)[:, :2].T)
+        time = time[self.true.within(time)]
+        return np.hypot(*(interpolate(corrected, time).place - interpolate(self.true, time).place)[:, :2].T)
+
     def errors(self, corrected: Trajectory | None) -> np.ndarray:
         """(n, 3) m at the control points that no method may use."""
         return residuals(self.checks, correction_between(self.trajectory, corrected) if corrected else None)
 
 
 def read_survey(name: str, points: Path, trajectory: Path, control: Path, calibration: Path | None,
-                landmarks: int) -> Survey:
-    """A survey from its files, with its markings extracted."""
+                landmarks: int, settings: ExtractionSettings | None = None) -> Survey:
+    """A survey from its files, with its markings extracted; the true trajectory lies beside the control points."""
     cloud = open_cloud([points])
     driven = read_trajectory(trajectory, cloud.crs_wkt).trajectory
     known, _ = in_survey_time(read_control(control), driven)
-    markings = survey_markings(cloud, driven, ExtractionSettings(),
+    markings = survey_markings(cloud, driven, settings or ExtractionSettings(),
                                read_calibration(calibration) if calibration else None)
-    return Survey(name, markings, driven, known, cloud.point_count, landmarks)
+    true = control.with_name(f"{points.stem}_trajectory.csv")
+    true = read_trajectory(true, cloud.crs_wkt).trajectory if true.is_file() else None
+    return Survey(name, markings, driven, known, cloud.point_count, landmarks, true)
 
 
-def by_patches(trajectory: Trajectory, windows: WindowResults) -> Trajectory:
-    """Each patch moved by its own window, as the paper does; patches without one by the nearest that has one."""
-    good = np.flatnonzero(np.isfinite(windows.correction[:, 0]))
-    middle = windows.time[good]
-    nearest = good[np.searchsorted(0.5 * (middle[1:] + middle[:-1]), trajectory.time)]
-    change = np.nan_to_num(windows.correction[nearest])
-    return Trajectory(trajectory.time, trajectory.place + change[:, :3], trajectory.angles + change[:, 3:])
+@dataclass(frozen=True)
+class Table:
+    """A table of results, with the paper's own figures beside them."""
+
+    title: str
+    header: tuple[str, ...]
+    rows: list[tuple]
+    note: str = ""
+
+    def markdown(self) -> str:
+        """As text."""
+        cells = [[f"{value:.3f}" if isinstance(value, float) else str(value) for value in row] for row in self.rows]
+        lines = [f"### {self.title}", "", "| " + " | ".join(self.header) + " |", "|" + "---|" * len(self.header),
+                 *("| " + " | ".join(row) + " |" for row in cells), ""]
+        return "\n".join([*lines, *([self.note, ""] if self.note else [])])
 
 
 class Evaluation:
     """Runs the methods on surveys and writes tables."""
 
-    def __init__(self, surveys: list[Survey], reference: Reference, trials: int):
-        self.surveys, self.reference, self.trials = surveys, reference, trials
-        self.lines: list[str] = []
+    def __init__(self, surveys: list[Survey], reference: Reference, trials: int, polygons: np.ndarray | None = None):
+        self.surveys, self.reference, self.trials, self.polygons = surveys, reference, trials, polygons
+        self.tables: list[Table] = []
 
-    def table(self, title: str, header: tuple[str, ...], rows: list[tuple]) -> None:
+    def table(self, title: str, header: tuple[str, ...], rows: list[tuple], note: str = "") -> None:
         """Add a table and show it."""
-        cells = [[f"{value:.3f}" if isinstance(value, float) else str(value) for value in row] for row in rows]
-        lines = [f"### {title}", "", "| " + " | ".join(header) + " |", "|" + "---|" * len(header),
-                 *("| " + " | ".join(row) + " |" for row in cells), ""]
-        print("\n".join(lines), flush=True)
-        self.lines += lines
+        self.tables.append(Table(title, header, rows, note))
+        print(self.tables[-1].markdown(), flush=True)
 
     def ours(self, survey: Survey, **changes):
         """The survey registered by our method, and CPU seconds."""
@@ -116,52 +140,99 @@ class Evaluation:
         return made, time.process_time() - start
 
     def letter(self, survey: Survey, **changes) -> tuple[Trajectory, WindowResults, float]:
-        """The same by the paper's method to the letter."""
+        """The same by the paper's method to the letter, also where it calls no patch registered."""
         start = time.process_time()
-        windows = register_windows(survey.markings, survey.trajectory, self.reference,
-                                   RegistrationSettings.paper(**changes))
-        return by_patches(survey.trajectory, windows), windows, time.process_time() - start
+        settings = RegistrationSettings.paper(**changes)
+        windows = register_windows(survey.markings, survey.trajectory, self.reference, settings)
+        corrected = correct_patchwise(survey.trajectory, windows, settings.patch_length)
+        return corrected, windows, time.process_time() - start
+
+    def all_methods(self, survey: Survey) -> tuple[dict[str, Trajectory | None], object, WindowResults]:
+        """Corrected trajectories by method, ours in full, and the windows of the letter in plan."""
+        made, _ = self.ours(survey)
+        corrected, windows, _ = self.letter(survey)
+        found = {"reported": None, "landmark updating": update_by_landmarks(survey.trajectory, survey.marks),
+                 "the paper to the letter (3.2.4)": corrected}
+        if self.reference.has_heights:
+            found["the paper to the letter (chapter 4)"] = self.letter(survey, three_d=True)[0]
+        return {**found, "this program": made.trajectory}, made, windows
 
     def methods(self) -> None:
-        """Tables 3-3, 3-7 and 4-1."""
+        """Tables 3-3, 3-7 and 4-1, at control points and at virtual ones."""
         collected: dict[str, list[np.ndarray]] = {}
-        sure = []
+        virtual: dict[str, list[np.ndarray]] = {}
+        sure, statuses = [], []
         for survey in self.surveys:
-            made, seconds = self.ours(survey)
-            ours = made.trajectory
+            found, made, windows = self.all_methods(survey)
+            vcp = self.virtual(survey, made.trajectory)
             rows, length = [], float(path_chainage(survey.trajectory)[-1])
-            for name, corrected in (("reported", None), ("landmark updating", update_by_landmarks(
-                    survey.trajectory, survey.marks)), ("the paper to the letter", self.letter(survey)[0]),
-                    ("this program", ours)):
+            for name, corrected in found.items():
                 errors = survey.errors(corrected)
                 collected.setdefault(name, []).append(errors)
                 rows.append((name, *figures(errors)))
-            self.table(f"Table 3-3 and 4-1: {survey.name}, {length:.0f} m, {len(survey.checks)} control points, "
-                       f"{len(survey.marks)} landmarks, {seconds / length:.4f} s a metre", HEADER, rows)
-            sure.append(covered(survey, made))
-        self.table("Table 3-7: all surveys", HEADER, [(name, *figures(np.concatenate(errors)))
-                                                      for name, errors in collected.items()])
-        self.table("Honesty of sigma", ("survey", "within 1 sigma", "within 2 sigma", "median sigma (m)"),
-                   [(survey.name, *shares) for survey, shares in zip(self.surveys, sure)])
+                if vcp is not None:
+                    moved = correction_between(survey.trajectory, corrected) if corrected else None
+                    virtual.setdefault(name, []).append(residuals(vcp, moved))
+            self.table(f"Tables 3-3 and 4-1: {survey.name}, {length:.0f} m, {len(survey.checks)} control points, "
+                       f"{len(survey.marks)} landmarks", HEADER, [*rows, *J_SURVEY_6])
+            sure.append((survey.name, *covered(survey, made)))
+            statuses.append((survey.name, *trust_of(survey, windows, found["the paper to the letter (3.2.4)"])))
+        self.table("Tables 3-7 and 4-1: all surveys, control points", HEADER,
+                   [*((name, *figures(np.concatenate(errors))) for name, errors in collected.items()), *J_ALL])
+        if virtual:
+            count = sum(len(part) for part in virtual["reported"])
+            self.table(f"All surveys, {count} virtual control points from corners of markings", HEADER,
+                       [(name, *figures(np.concatenate(errors))) for name, errors in virtual.items()],
+                       "The points' own scatter is part of these figures.")
+        self.table("Figure 3-30: all surveys", ("survey", "method", *HEADER[1:4]),
+                   [(self.surveys[k].name, name, *figures(errors[k])[:3]) for name, errors in collected.items()
+                    for k in range(len(self.surveys))])
+        self.table("Honesty of sigma of this program", ("survey", "within 1 sigma", "within 2 sigma",
+                                                        "median sigma (m)"), sure)
+        self.table("Statuses of the letter in plan", ("survey", "patches registered", "of these off by more than 0.2 m",
+                                                      "of the others"), statuses)
+
+    def virtual(self, survey: Survey, corrected: Trajectory) -> ControlPoints | None:
+        """Virtual control points of a survey, None without polygons of the reference."""
+        if self.polygons is None:
+            return None
+        corners = reference_corners(self.reference, self.polygons)
+        if not self.reference.has_heights:
+            corners[:, 2] = 0.0
+        return virtual_control(survey_corners(survey.markings), corners,
+                               correction_between(survey.trajectory, corrected))
 
     def sensitivity(self) -> None:
-        """Tables 3-4 to 3-6 and the patch lengths of figure 3-29, on the first survey."""
+        """Tables 3-4 to 3-6 and the patch lengths of figure 3-29, on the first survey: errors of patches."""
         survey = self.surveys[0]
-        header = ("", "paper mean 2D (m)", "paper max", "ours mean 2D (m)", "ours max", "windows min", "mean", "max")
-        for title, name, values in (("Table 3-4: NDT grid (m)", "ndt_grid", (0.5, 1.0, 2.0, 4.0)),
-                                    ("Table 3-5: initial window (patches)", "window_patches", (15, 30, 60, 120)),
-                                    ("Table 3-6: feature count", "feature_count", (200, 400, 600, 800)),
-                                    ("Figure 3-29: patch length (m)", "patch_length", (0.5, 1.0, 2.0, 4.0))):
+        header = ("", "letter mean 2D (m)", "letter max", "this program mean", "this program max", "windows min",
+                  "mean", "max", "J mean (m)", "J windows min / mean / max", "CPU of letter (s)")
+        for title, name, values, theirs, lengths in SENSITIVITY:
             rows = []
-            for value in values:
-                change = {name: value}
-                corrected, windows, _ = self.letter(survey, **change)
-                theirs, ours = (np.hypot(*survey.errors(made)[:, :2].T)
-                                for made in (corrected, self.ours(survey, **change)[0].trajectory))
+            for value, mean, window in zip(values, theirs, lengths):
+                corrected, windows, seconds = self.letter(survey, **{name: value})
+                made = self.ours(survey, **{name: value})[0]
+                letter, ours = (survey.patch_errors(found, windows.time) for found in (corrected, made.trajectory))
                 patches = windows.window_last - windows.window_first + 1
-                rows.append((f"{value:g}", theirs.mean(), theirs.max(), ours.mean(), ours.max(), int(patches.min()),
-                             f"{patches.mean():.1f}", int(patches.max())))
+                rows.append((f"{value:g}", letter.mean(), letter.max(), ours.mean(), ours.max(), int(patches.min()),
+                             f"{patches.mean():.1f}", int(patches.max()), mean, window, f"{seconds:.0f}"))
             self.table(f"{title}, {survey.name}", header, rows)
+
+    def heights(self) -> None:
+        """From how large an error in height chapter 4 to the letter finds the ground, on the first survey."""
+        if not self.reference.has_heights:
+            return
+        survey, rows = self.surveys[0], []
+        bias = float(np.nanmedian(survey.errors(None)[:, 2]))
+        for off in (0.0, 0.05, 0.1, 0.2, 0.5):
+            moved = moved_survey(survey, np.array([0.0, 0.0, off - bias]))
+            corrected, windows, _ = self.letter(moved, three_d=True)
+            item = figures(moved.errors(corrected))
+            rows.append((f"{off:g}", item[0], item[1], float(np.abs(moved.errors(corrected)[:, 2]).mean()),
+                         f"{100 * np.mean(windows.status == 0):.0f} %"))
+        self.table(f"Chapter 4 to the letter from errors in height, {survey.name}",
+                   ("initial error in height (m)", "mean 2D (m)", "max 2D", "mean error in height (m)", "registered"),
+                   rows)
 
     def agreement(self) -> None:
         """How far several surveys lie apart at control points that they share."""
@@ -182,32 +253,69 @@ class Evaluation:
             self.table("Surveys of the same street: how far they lie apart", ("surveys", "points", *HEADER[1:]), rows)
 
     def start_errors(self) -> None:
-        """Share of trials from an initial error of 3 m that end within 10 cm."""
-        rng, ended = np.random.default_rng(0), []
-        for number in range(self.trials):
-            survey = self.surveys[number % len(self.surveys)]
-            direction = rng.uniform(0, 2 * np.pi)
-            bias = residuals(survey.control)[:, :2].mean(axis=0)
-            move = START_ERROR * np.array([np.cos(direction), np.sin(direction)]) - bias
-            ended.append(self.trial(survey, np.append(move, 0.0)))
-        ended = np.array(ended)
-        self.table(f"From {START_ERROR:g} m of initial error",
-                   ("trials", f"within {SUCCESS:g} m", "mean 2D (m)", "worst"),
-                   [(len(ended), f"{100 * np.mean(ended < SUCCESS):.0f} %", float(np.mean(ended)), float(ended.max()))])
-
-    def trial(self, survey: Survey, move: np.ndarray) -> float:
-        """Mean error in plan of a survey that was moved before; infinite where it is refused."""
-        place = Trajectory(survey.trajectory.time, survey.trajectory.place + move, survey.trajectory.angles)
-        markings = replace(survey.markings, x=survey.markings.x + move[0], y=survey.markings.y + move[1])
-        control = ControlPoints(survey.control.id, survey.control.true, survey.control.time,
-                                survey.control.surveyed + move)
-        moved = replace(survey, trajectory=place, markings=markings, control=control)
-        try:
-            return float(np.hypot(*moved.errors(self.ours(moved)[0].trajectory)[:, :2].T).mean())
-        except UrbanMapError:
-            return np.inf
+        """Mean errors at control points of trials from given initial errors, for the letter and this program."""
+        rng, rows = np.random.default_rng(0), []
+        for size in START_ERRORS:
+            ended: dict[str, list[float]] = {"the paper to the letter (3.2.4)": [], "this program": []}
+            for number in range(self.trials):
+                survey = self.surveys[number % len(self.surveys)]
+                direction = rng.uniform(0, 2 * np.pi)
+                bias = residuals(survey.control)[:, :2].mean(axis=0)
+                move = size * np.array([np.cos(direction), np.sin(direction)]) - bias
+                moved = moved_survey(survey, np.append(move, 0.0))
+                ended["the paper to the letter (3.2.4)"].append(mean_error(moved, lambda it: self.letter(it)[0]))
+                ended["this program"].append(mean_error(moved, lambda it: self.ours(it)[0].trajectory))
+            for name, values in ended.items():
+                values = np.array(values)
+                rows.append((f"{size:g}", name, len(values), f"{100 * np.mean(values < SUCCESS):.0f} %",
+                             float(np.median(values)), float(values.max())))
+        self.table("Stability against initial errors", ("initial error (m)", "method", "trials", f"within {SUCCESS:g} m",
+                                                        "median of mean 2D (m)", "worst"), rows)
 
 
+def moved_survey(survey: Survey, move: np.ndarray) -> Survey:
+    """The survey as if it had been reported elsewhere, by (3,) m."""
+    place = Trajectory(survey.trajectory.time, survey.trajectory.place + move, survey.trajectory.angles)
+    old = survey.markings
+    x, y, z = (values + off for values, off in zip((old.x, old.y, old.z), move))
+    control = replace(survey.control, surveyed=survey.control.surveyed + move)
+    return replace(survey, trajectory=place, markings=replace(old, x=x, y=y, z=z), control=control)
+
+
+def mean_error(survey: Survey, correct: Callable[[Survey], Trajectory]) -> float:
+    """Mean error in plan at control points; infinite where the survey is refused."""
+    try:
+        return float(np.hypot(*survey.errors(correct(survey))[:, :2].T).mean())
+    except UrbanMapError:
+        return np.inf
+
+
+def trust_of(survey: Survey, windows: WindowResults, corrected: Trajectory) -> tuple[str, str, str]:
+    """Share of patches that the letter's windows call registered, and how many of these and of others are far off."""
+    sure = windows.status == REGISTERED
+    far = survey.patch_errors(corrected, windows.time) > 0.2 if survey.true is not None else np.zeros(len(sure), bool)
+    if len(far) != len(sure):
+        sure = sure[survey.true.within(windows.time)]
+    shares = (sure.mean(), far[sure].mean() if sure.any() else 0.0, far[~sure].mean() if (~sure).any() else 0.0)
+    return tuple(f"{100 * share:.1f} %" for share in shares)
+
+
+J_SURVEY_6 = [("J Table 3-3, reported", 1.186, 1.405, 0.19, "", "", ""),
+              ("J Table 3-3, landmark updating", 0.208, 0.664, 0.11, "", "", ""),
+              ("J Table 3-3, proposed", 0.102, 0.206, 0.05, "", "", "")]
+J_ALL = [("J Table 3-7, reported", 0.997, 2.064, 0.22, "", "", ""),
+         ("J Table 3-7, landmark updating", 0.208, 0.72, 0.16, "", "", ""),
+         ("J Table 3-7, proposed", 0.116, 0.277, 0.07, "", "", ""),
+         ("J Table 4-1, reported", "", "", "", 1.47, 2.07, 0.26),
+         ("J Table 4-1, landmark updating", "", "", "", 0.26, 0.71, 0.10),
+         ("J Table 4-1, proposed", "", "", "", 0.13, 0.39, 0.07)]
+SENSITIVITY = (
+    ("Table 3-4: NDT grid (m)", "ndt_grid", (0.5, 1.0, 2.0, 4.0), (5.01, 0.11, 1.20, 1.22), ("",) * 4),
+    ("Table 3-5: initial window (patches)", "window_patches", (15, 30, 60, 120), (0.80, 0.52, 0.11, 3.34),
+     ("39 / 59.2 / 95", "39 / 59.2 / 95", "60 / 64.7 / 95", "120 / 120 / 120")),
+    ("Table 3-6: required feature count", "feature_count", (200, 400, 600, 800), (2.37, 0.11, 0.72, 3.58),
+     ("60 / 60 / 60", "60 / 64.7 / 95", "69 / 90.1 / 130", "90 / 119.7 / 165")),
+    ("Figure 3-29: patch length (m)", "patch_length", (0.5, 1.0, 2.0, 4.0), ("",) * 4, ("",) * 4))
 HEADER = ("method", "mean 2D (m)", "max 2D", "std 2D", "mean 3D (m)", "max 3D", "std 3D")
 
 
@@ -236,30 +344,46 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--markings", type=Path, required=True, help="mask raster of the reference markings")
     parser.add_argument("--ground", type=Path, help="raster of ground heights: in space")
     parser.add_argument("--landmarks", type=int, default=15, help="every so many-th control point is a landmark")
-    parser.add_argument("--trials", type=int, default=40, help="trials from 3 m of initial error")
-    parser.add_argument("--tables", default="methods,sensitivity,agreement,start_errors")
+    parser.add_argument("--polygons", type=Path, help="marking polygons (GeoPackage): virtual control points")
+    parser.add_argument("--trials", type=int, default=8, help="trials from each initial error")
+    parser.add_argument("--tables", default="methods,sensitivity,agreement,heights,start_errors")
     parser.add_argument("--output", type=Path, help="Markdown file")
     return parser.parse_args()
+
+
+def read_surveys(city: Path | None, files: list[tuple[Path, Path, Path]], calibration: Path | None,
+                 landmarks: int) -> list[Survey]:
+    """Surveys of a sample city, or those of given files."""
+    if city:
+        calibration = calibration or city / "mms" / "calibration.json"
+        files = [(path, path.with_name(f"{path.stem}_trajectory.csv"), city / "truth" / f"control_{path.stem}.csv")
+                 for path in sorted(city.glob("mms/*.laz"))]
+    return [read_survey(points.stem, points, trajectory, control, calibration, landmarks)
+            for points, trajectory, control in files]
+
+
+def read_geopackage(path: Path) -> np.ndarray:
+    """Polygons of the first layer of a GeoPackage, in plan."""
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        table, column = database.execute("SELECT table_name, column_name FROM gpkg_geometry_columns").fetchone()
+        blobs = [blob for (blob,) in database.execute(f'SELECT "{column}" FROM "{table}"') if blob]
+    skipped = {0: 8, 1: 40, 2: 56, 3: 56, 4: 72}  # header with its envelope, by the flags' envelope code
+    return shapely.get_parts(shapely.force_2d(shapely.from_wkb([blob[skipped[blob[3] >> 1 & 7]:] for blob in blobs])))
 
 
 def main() -> int:
     """Make the tables."""
     given = arguments()
-    files, calibration = given.survey, given.calibration
-    if given.city:
-        calibration = calibration or given.city / "mms" / "calibration.json"
-        files = [(path, path.with_name(f"{path.stem}_trajectory.csv"),
-                  given.city / "truth" / f"control_{path.stem}.csv") for path in sorted(given.city.glob("mms/*.laz"))]
-    if not files:
+    if not given.city and not given.survey:
         print("Give --city or --survey.", file=sys.stderr)
         return 2
-    surveys = [read_survey(points.stem, points, trajectory, control, calibration, given.landmarks)
-               for points, trajectory, control in files]
-    evaluation = Evaluation(surveys, Reference.from_mask(given.markings, given.ground), given.trials)
+    surveys = read_surveys(given.city, given.survey, given.calibration, given.landmarks)
+    polygons = read_geopackage(given.polygons) if given.polygons else None
+    evaluation = Evaluation(surveys, Reference.from_mask(given.markings, given.ground), given.trials, polygons)
     for name in given.tables.split(","):
         getattr(evaluation, name.strip())()
     if given.output:
-        given.output.write_text("\n".join(evaluation.lines), encoding="utf-8")
+        given.output.write_text("\n".join(table.markdown() for table in evaluation.tables), encoding="utf-8")
     return 0
 
 

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""The papers' tables and figures on a sample city, beside the papers' own, as one HTML page.
+
+    python scripts/evaluate_papers.py --city FOLDER --markings mask.tif --ground ground.tif \\
+        --polygons markings.gpkg --output papers.html [--sections registration]
+
+The reference markings are made by “Road markings from aerial frames”. A section is a function that takes the inputs and
+returns tables; `SECTIONS` lists them in the order of the page.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from evaluate_registration import Evaluation, Table, read_geopackage, read_surveys
+
+from urbanmap_qgis.io.report import Report
+from urbanmap_qgis.mobile.registration.start.reference import Reference
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """Where the data lie.
+
+    Attributes
+    ----------
+    city : folder of a sample city. markings, ground : rasters of the aerial reference. polygons : its markings.
+    trials : from each initial error. landmarks : every so many-th control point is a landmark.
+    """
+
+    city: Path
+    markings: Path | None
+    ground: Path | None
+    polygons: Path | None
+    trials: int
+    landmarks: int
+
+
+def registration(inputs: Inputs) -> list[Table]:
+    """J 3.3 and 4.3: tables 3-3 to 3-7 and 4-1, figures 3-29 and 3-30, stability."""
+    if inputs.markings is None:
+        raise SystemExit("The registration needs --markings: make them with “Road markings from aerial frames”.")
+    polygons = read_geopackage(inputs.polygons) if inputs.polygons else None
+    evaluation = Evaluation(read_surveys(inputs.city, [], None, inputs.landmarks),
+                            Reference.from_mask(inputs.markings, inputs.ground), inputs.trials, polygons)
+    for part in (evaluation.methods, evaluation.sensitivity, evaluation.agreement, evaluation.heights,
+                 evaluation.start_errors):
+        part()
+    return evaluation.tables
+
+
+SECTIONS: tuple[tuple[str, str, Callable[[Inputs], list[Table]]], ...] = (
+    ("registration", "J 3.3 and 4.3: registration", registration),
+)
+"""Key, heading and function of each section."""
+
+
+def arguments() -> argparse.Namespace:
+    """Of the command line."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--city", type=Path, required=True, help="folder of a sample city")
+    parser.add_argument("--markings", type=Path, help="mask raster of the reference markings")
+    parser.add_argument("--ground", type=Path, help="raster of ground heights: in space")
+    parser.add_argument("--polygons", type=Path, help="marking polygons (GeoPackage): virtual control points")
+    parser.add_argument("--trials", type=int, default=8, help="trials from each initial error")
+    parser.add_argument("--landmarks", type=int, default=15, help="every so many-th control point is a landmark")
+    parser.add_argument("--sections", default=",".join(key for key, _, _ in SECTIONS))
+    parser.add_argument("--output", type=Path, required=True, help="HTML page")
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Make the page."""
+    given = arguments()
+    wanted = {key.strip() for key in given.sections.split(",")}
+    inputs = Inputs(given.city, given.markings, given.ground, given.polygons, given.trials, given.landmarks)
+    report = Report("The papers' tables and figures")
+    report.paragraph("J is E. Javanmardi, Toward precision 3D urban mapping (2018); rows and columns that begin with J "
+                     "are its own figures, on its own surveys in Tokyo. All others are measured on the sample city "
+                     "given.")
+    for key, heading, work in SECTIONS:
+        if key not in wanted:
+            continue
+        start = time.monotonic()
+        tables = work(inputs)
+        report.section(heading)
+        for table in tables:
+            report.paragraph(table.title)
+            report.table(table.header, [[f"{value:.3f}" if isinstance(value, float) else value for value in row]
+                                        for row in table.rows])
+            if table.note:
+                report.paragraph(table.note)
+        report.paragraph(f"Made in {time.monotonic() - start:.0f} s.")
+    report.write(given.output)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
