@@ -269,7 +269,8 @@ class Evaluation:
                 values = np.array(values)
                 rows.append((f"{size:g}", name, len(values), f"{100 * np.mean(values < SUCCESS):.0f} %",
                              float(np.median(values)), float(values.max())))
-        self.table("Stability against initial errors", ("initial error (m)", "method", "trials", f"within {SUCCESS:g} m",
+        self.table("Stability against initial errors", ("initial error (m)", "method", "trials",
+                                                        f"within {SUCCESS:g} m",
                                                         "median of mean 2D (m)", "worst"), rows)
 
 
