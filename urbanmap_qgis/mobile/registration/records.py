@@ -11,7 +11,7 @@ from ...errors import InputError
 REGISTERED, WEAK, AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED = range(5)
 """Status of a window. WEAK: found, but badly determined in a direction (see the covariance) or with little overlap.
 AMBIGUOUS: another place fits nearly as well (see the modes). NO_MARKINGS: too few points, or no reference there.
-NOT_CONVERGED: the iteration did not come to rest. Corrections of the last two are not to be used."""
+NOT_CONVERGED: the iteration did not converge. Corrections of the last two are not to be used."""
 
 STATUS_NAMES = ("registered", "weak", "ambiguous", "no markings", "not converged")
 
@@ -38,16 +38,19 @@ class RegistrationSettings:
     window_points : marking points that a window should have, counted instead of cells (J chapter 4, which gives no
         number); None counts cells (J 3.2.4.2).
     extend_at_end : a window grows at its end only (J 3.2.4.2), not at both ends about its patch (J chapter 4).
-    ndt_grid : m, finest grid but for `multi_resolution` (J: 1). iterations : Newton steps at most (J: 30).
+    ndt_grid : m, side of the cells of the normal distributions (J: 1). iterations : Newton steps at most (J: 30).
     subsampling : m, one point a cell of this side (J chapter 4: 0.3).
     three_d : also height, roll and pitch, against the reference's heights (J chapter 4).
-    multi_resolution : grids of 2, 1 and 0.5 times `ndt_grid` one after another, not `ndt_grid` alone.
+    ndt_levels : grids used one after another, in units of `ndt_grid` (J 3.2.4: one; chapter 4: 2.0 to 0.5 m).
     cells : the normal distributions that a point scores in: "neighbours", the 3 x 3 (x 3) cells around it; "own", its
         cell; "closest", the one with the closest mean (J eq. 11).
     start : find the start by correlation along the whole path, within `search` m. Without it windows start from
         the one before (J).
     search : m, largest error looked for.
     refinement : sub-pixel adjustment to the reference's coverage after NDT.
+    blurs : m, standard deviations of the Gaussians that the coverage is blurred by, one after another.
+    height_sigma, height_robust : m, of a point's height over the reference's ground: its standard deviation, and the
+        difference from which points lose their weight (Geman and McClure).
     shared_windows : windows are adjusted together about one smooth correction, so that drift within a window does not
         bend it. Without it each window is rigid and on its own (J).
     outlier_share : expected share of points that belong to no reference marking.
@@ -67,18 +70,22 @@ class RegistrationSettings:
     iterations: int = 30
     subsampling: float = 0.1
     three_d: bool = False
-    multi_resolution: bool = True
+    ndt_levels: tuple[float, ...] = (2.0, 1.0, 0.5)
     cells: str = "neighbours"
     start: bool = True
     search: float = 4.0
     refinement: bool = True
+    blurs: tuple[float, ...] = (0.15, 0.0)
+    height_sigma: float = 0.05
+    height_robust: float = 0.15
     shared_windows: bool = True
     outlier_share: float = 0.35
     reference_sigma: float = 0.015
     reference_sigma_z: float = 0.015
 
     def __post_init__(self) -> None:
-        lengths = (self.patch_length, self.feature_grid, self.ndt_grid, self.subsampling, self.search)
+        lengths = (self.patch_length, self.feature_grid, self.ndt_grid, self.subsampling, self.search,
+                   self.height_sigma, self.height_robust, *self.ndt_levels)
         limits = [number for number in (self.max_window_patches, self.window_points) if number is not None]
         counts = (self.window_patches, self.feature_count, self.feature_points, self.iterations, *limits)
         if not all(np.isfinite(lengths)) or min(lengths) <= 0 or min(counts) < 1:
@@ -103,10 +110,10 @@ class RegistrationSettings:
         `three_d` (J chapter 4): grids of 2, 1 and 0.5 m, windows of 30 patches or more by marking points, about
         their patch. J gives no number of points: that of 400 cells with 5 points each stands for it.
         """
-        letter = cls(subsampling=0.3, multi_resolution=False, cells="closest", start=False, refinement=False,
+        letter = cls(subsampling=0.3, ndt_levels=(1.0,), cells="closest", start=False, refinement=False,
                      shared_windows=False, max_window_patches=None, extend_at_end=True)
         if changes.get("three_d"):
-            letter = replace(letter, multi_resolution=True, window_patches=30, extend_at_end=False,
+            letter = replace(letter, ndt_levels=(2.0, 1.0, 0.5), window_patches=30, extend_at_end=False,
                              window_points=letter.feature_count * letter.feature_points)
         return replace(letter, **changes)
 
@@ -138,10 +145,10 @@ class WindowResults:
     window_length : (n,) m. features : (n,) occupied cells, or marking points where these are counted.
     points : (n,) subsampled points in the window.
     alias_ratio : (n,) score of the second best place in plan to that of the best, within the search; 0 if alone.
-    margin : (n,) by how much the best way through the whole survey beats the best that takes another place
+    margin : (n,) by how much the best path through the whole survey beats the best through another position
         here (log-likelihood of independent evidence; below about 3 is no proof; inf if there is no other place).
     status : (n,) int8, see REGISTERED and its fellows.
-    modes : (n, MODES, 2) dx, dy of the places that fit, the row's own first; NaN where there are fewer.
+    modes : (n, MODES, 2) dx, dy of the positions that fit, the row's own first; NaN where there are fewer.
     mode_scores : (n, MODES) log-likelihood of each (independent evidence of this window), own first.
     linearised : (n, 6), information : (n, 6, 6), gradient : (n, 6), see above; zeros where the patch has no points.
     three_d : whether height, roll and pitch were estimated.

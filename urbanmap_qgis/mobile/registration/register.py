@@ -1,8 +1,8 @@
 """Registration of a survey's marking points to the aerial reference, window by window (J 3.2.4 and chapter 4).
 
-Three steps: the best way through the scores of all shifts gives the start; on stretches of a few hundred metres the
+Three steps: the best path through the scores of all shifts gives the start; on sections of a few hundred metres the
 correction's course is adjusted, first to normal distributions (NDT) from coarse to fine, then to the sub-pixel
-coverage; last, each patch's window is adjusted as a rigid body about that course and tells how well it is determined.
+coverage; last, each patch's window is adjusted as a rigid body about that curve and says how well it is determined.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ from .start.reference import Reference
 BLOCK = 5
 """Patches of a block, whose scores of shifts are found together."""
 
-_SECTION_PATCHES = 400  # patches of a stretch's core
+_SECTION_PATCHES = 400  # patches of a section's core
 _AROUND = 10  # patches more than its windows need
-_DRIFT = 0.05  # m in the root of a metre, what the start lets the error wander by
+_DRIFT = 0.05  # m in the root of a metre: random walk of the error that the start allows
 _STANDING_DRIFT = 0.15  # m in the root of a second that the vehicle stands
 _PRIOR_SIGMA = 2.5  # m
 
@@ -47,7 +47,7 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
     ----------
     markings : points on paint, in the reference's CRS (m); what was measured outside the trajectory is left out.
     trajectory : the reported one. reference : markings, and heights where `settings.three_d`.
-    executor : stretches are worked on by it; results do not depend on it.
+    executor : sections are worked on by it; results do not depend on it.
 
     Raises
     ------

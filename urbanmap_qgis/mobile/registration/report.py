@@ -100,7 +100,7 @@ def _profiles(report: Report, made: RegisteredSurvey) -> None:
     if np.isfinite(off).any():
         report.figure(profile(chainage, [Series("windows", off, COLOURS[3], dots=True)], "chainage (m)", "m",
                               intervals=shades),
-                      "How far each window alone lies from the smooth correction, in plan")
+                      "Distance of each window's own correction from the smooth one, in plan")
     report.section("Windows")
     report.figure(profile(chainage, [Series("window length", windows.window_length, COLOURS[0])], "chainage (m)", "m"),
                   "Length of the window of each patch: as long as it needs for enough markings")
@@ -112,7 +112,7 @@ def _distrust(report: Report, made: RegisteredSurvey) -> None:
     report.section("What to distrust")
     found = unregistered_sections(made)
     if not found:
-        report.paragraph("Nothing: the whole way is registered.")
+        report.paragraph("Nothing: the whole path is registered.")
         return
     report.table(("From (m)", "to (m)", "from time (s)", "to time (s)", "status", "why", "largest sigma (m)"),
                  [(round(item.start, 1), round(item.end, 1), item.start_time, item.end_time, item.status,

@@ -26,7 +26,7 @@ from .records import RegistrationSettings, WindowResults
 from .register import register_windows
 from .start.reference import Reference
 
-_SHORTEST = 1.0  # m: shorter stretches are joined to what is around them when they are told
+_SHORTEST = 1.0  # m: shorter sections are joined to what is around them when they are listed
 
 
 @dataclass(frozen=True)
@@ -71,7 +71,7 @@ class UnregisteredSection:
 
     Attributes
     ----------
-    start, end : m of way.  start_time, end_time : s.  status, reason : of its patches.
+    start, end : chainage, m.  start_time, end_time : s.  status, reason : of its patches.
     sigma : largest standard deviation in plan, m.
     """
 

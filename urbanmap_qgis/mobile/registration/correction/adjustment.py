@@ -1,7 +1,7 @@
 """One smooth correction of the trajectory from the windows' results: no step between patches, with honest sigma.
 
 Windows give evidence on the error near their patches (J 3.2.4.3). Here it is adjusted together with a model of how the
-error drifts, robustly: stretches whose evidence contradicts the rest lose their weight, gaps are bridged, and each
+error drifts, robustly: sections whose observations contradict the rest lose their weight, gaps are bridged, and each
 patch says how its correction was found.
 """
 
@@ -49,16 +49,16 @@ class CorrectionSettings:
 
     Attributes
     ----------
-    node_length : m of the drift's clock between the nodes of the correction.
+    node_length : m of path parameter between the nodes of the correction.
     rate_sigma, rate_correlation_length, random_walk, initial_sigma, time_weight, stop_walk : see `GaussMarkovDrift`;
         the survey itself scales the rate and the random walk.
-    block_length : m of path whose evidence is tested, and loses its weight, as one.
-    single : how many times as hard as usual a single piece may pull.
-    region : how many times as much as usual the pieces around may pull in the mean.
+    block_length : m of path whose observations are tested, and lose their weight, as one.
+    single : how many times as large as usual a single piece's misfit may be (its root).
+    region : how many times as large as usual the mean misfit of the pieces around may be.
     gross : standard deviations from which a block's contradiction is gross.
-    min_margin : log-likelihood by which a place must beat all others.
+    min_margin : log-likelihood by which a position must beat all others.
     search : m, largest error east or north that the windows looked for: a correction as large is no find.
-    support_length : m of path to either side whose markings must fix the place of a registered patch.
+    support_length : m of path to either side whose markings must fix the position of a registered patch.
     registered_sigma : m in plan, a registered patch has at most, also by the markings around alone.
     trusted_sigma : m in plan, a patch that is to be trusted has at most.
     blurs : m, by which the reference is softened in the rounds on the points.
@@ -104,7 +104,7 @@ class Correction:
     weight : (n,) 0 to 1, of the patch's own evidence; NaN where it has none.
     residual : (n, 6) the window's own correction less this one; NaN where there is none.
     three_d : whether height, roll and pitch were estimated.
-    drift_factor : how many times as large as expected the drift is. noise_factor : the same of the evidence's variance.
+    drift_factor : how many times as large as expected the drift is. noise_factor : of the observations' variance.
     """
 
     time: np.ndarray
@@ -161,7 +161,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     normals = normal_equations_of(windows, np.interp(windows.time, trajectory.time, path_parameter))
     if not normals.present.any():
         raise InsufficientDataError(
-            "No stretch of the survey could be registered to the reference markings: check that both show the same "
+            "No section of the survey could be registered to the reference markings: check that both show the same "
             "streets in the same coordinate system, and that the survey has intensities that show paint.")
     model, at_patches = settings.model(), normals.path_parameter
     chain = _Chain(normals, _nodes(path_parameter, settings.node_length), trajectory, path_parameter)
@@ -187,7 +187,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
 
 def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: GaussMarkovDrift, allowed: np.ndarray,
                  settings: CorrectionSettings, progress: Progress) -> tuple[_Chain, _Fit]:
-    """Gauss and Newton's method on the points' own evidence, from the windows' correction."""
+    """Gauss and Newton's method on the points' own normal equations, from the windows' correction."""
     held = free.with_angles(_ANGLE_PRIOR)
     for number, blur in enumerate(settings.blurs):
         progress.step(number / len(settings.blurs))
@@ -209,7 +209,7 @@ def _onto_points(points: Evaluate, chain: _Chain, fit: _Fit, free: GaussMarkovDr
 
 @dataclass(frozen=True)
 class _Curve:
-    """The correction (m, 6) at clock readings (m,)."""
+    """The correction (m, 6) at path parameters (m,)."""
 
     chain: _Chain
     state: np.ndarray
@@ -232,7 +232,7 @@ class _Fit:
 
 
 class _Chain:
-    """The normal equations: nodes along the clock, the evidence on the node next to each piece."""
+    """The normal equations: nodes along the path, the observations on the node next to each piece."""
 
     def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray):
         self.nodes = nodes
@@ -246,7 +246,7 @@ class _Chain:
         self.node, self.ahead = self._next_node(normals.path_parameter)
 
     def with_normals(self, normals: NormalEquations) -> _Chain:
-        """The same nodes with other evidence."""
+        """The same nodes with other normal equations."""
         other = copy(self)
         other._take(normals)
         return other
@@ -303,7 +303,7 @@ class _Chain:
 
     def at(self, state: np.ndarray, covariance: np.ndarray,
            path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Values (n, d) and covariances (n, d, d) at clock readings (n,)."""
+        """Values (n, d) and covariances (n, d, d) at path parameters (n,)."""
         node, ahead = self._next_node(path_parameter)
         value = _smooth_between(self.nodes, state, path_parameter)
         d = self.size
@@ -315,7 +315,7 @@ class _Chain:
 
 
 def _nodes(path_parameter: np.ndarray, length: float) -> np.ndarray:
-    """Readings of the clock at which the correction has nodes, at most `length` apart, at least two."""
+    """Path parameters at which the correction has nodes, at most `length` apart, at least two."""
     count = max(int(np.ceil((path_parameter[-1] - path_parameter[0]) / length)), 1)
     return np.linspace(path_parameter[0], path_parameter[-1], count + 1)
 
@@ -355,7 +355,7 @@ def _reweighted_fit(chain: _Chain, model: GaussMarkovDrift, allowed: np.ndarray,
 
 
 def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: CorrectionSettings) -> np.ndarray:
-    """Weights (n,) of single pieces: those whose points pull much harder than the survey's usually do lose theirs.
+    """Weights (n,) of single pieces: those with a much larger misfit than the survey's usual one lose theirs.
 
     They lie on markings that are not the reference's: painted anew beside the old ones, or something else that shines.
     """
@@ -373,10 +373,10 @@ def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: Correctio
 
 def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
                  single: np.ndarray, share: np.ndarray, noise: float) -> np.ndarray:
-    """For each block (b,): how far its own evidence in plan lies from what all others say, as a reduced chi square.
+    """For each block (b,): how far its own observations in plan lie from what all others say, as a reduced chi square.
 
     `single` (n,) and `share` (b,) are the weights of pieces and blocks with which the values were found; NaN is given
-    for a block without evidence.
+    for a block without observations.
     """
     plan, count = normals.in_plan(), len(share)
     lean, information = np.zeros((count, len(plan))), np.zeros((count, len(plan), len(plan)))
@@ -400,7 +400,7 @@ def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.nda
 
 
 def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
-    """Weights (b,) of blocks by their reduced chi square, and the factor of the evidence's variance."""
+    """Weights (b,) of blocks by their reduced chi square, and the factor of the observations' variance."""
     fair = test[np.isfinite(test)]
     if len(fair) >= _MIN_BLOCKS:  # the median, so that gross blocks do not raise it
         noise = max(_MIN_NOISE, noise * float(np.clip(np.median(fair) / 0.8, 0.5, 2.0)))
@@ -411,7 +411,7 @@ def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) 
 
 def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: np.ndarray,
                         settings: CorrectionSettings) -> np.ndarray:
-    """Mask (n,) of patches of doubt whose own place lies where all sure ones say, and no other place does."""
+    """Mask (n,) of patches of doubt whose own position lies where all sure ones say, and no other one does."""
     inverse = np.linalg.inv(covariance[:, :2, :2] + np.eye(2) * settings.reference_sigma**2)
 
     def away(place):
@@ -461,7 +461,7 @@ def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSe
 
 
 def _smooth_between(nodes: np.ndarray, state: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
-    """Values (m, d) at clock readings (m,): cubics that meet the nodes' values and rates."""
+    """Values (m, d) at path parameters (m,): cubics that meet the nodes' values and rates."""
     step = np.clip(np.searchsorted(nodes, path_parameter, side="right") - 1, 0, len(nodes) - 2)
     length = (nodes[step + 1] - nodes[step])[:, None]
     t = np.clip((path_parameter - nodes[step])[:, None] / length, 0.0, 1.0)

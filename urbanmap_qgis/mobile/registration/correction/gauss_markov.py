@@ -1,8 +1,8 @@
-"""How the error of a survey's trajectory drifts: a Gauss-Markov process over the driven path and over time.
+"""How the error of a survey's trajectory drifts: a Gauss-Markov process over path and time.
 
 The error's rate wanders and forgets itself within a length (an integrated Ornstein-Uhlenbeck process), on top of a
-small random walk: smooth where it is observed, and nearly rigid with growing uncertainty where it is not. The clock of
-the process is the driven way, to which time adds a little: a waiting vehicle is neither forgotten nor frozen.
+small random walk: smooth where it is observed, and nearly rigid with growing uncertainty where it is not. It runs
+over a path parameter: chainage, to which time adds a little, so that a standing vehicle drifts on slowly.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ class GaussMarkovDrift:
 
     Attributes
     ----------
-    rate_sigma : (6,) standard deviation of the drift, per metre of clock.
-    correlation_length : m of clock in which the rate forgets itself.
-    random_walk : (6,) random walk, in the root of a metre of clock.
+    rate_sigma : (6,) standard deviation of the drift, per metre of path parameter.
+    correlation_length : m of path parameter in which the rate forgets itself.
+    random_walk : (6,) random walk, in the root of a metre of path parameter.
     initial_sigma : (6,) standard deviation of the error as a whole.
     time_weight : m/s; a second counts as so many metres driven.
     stop_walk : m in the root of a second: random walk of the place while the vehicle stands.
@@ -36,7 +36,7 @@ class GaussMarkovDrift:
     stop_walk: float
 
     def scaled(self, factor: float) -> GaussMarkovDrift:
-        """The same with drift and wander `factor` times as large."""
+        """The same with drift and random walk `factor` times as large."""
         return replace(self, rate_sigma=self.rate_sigma * factor, random_walk=self.random_walk * factor)
 
     def with_angles(self, factor: float) -> GaussMarkovDrift:
@@ -47,7 +47,7 @@ class GaussMarkovDrift:
 
     def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray,
               active: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
-        """Transitions (k, 2, 2) of (error, rate) and their precisions (k, d, 2, 2) between k + 1 clock readings.
+        """Transitions (k, 2, 2) of (error, rate) and their precisions (k, d, 2, 2) between k + 1 path parameters.
 
         Parameters
         ----------
@@ -74,7 +74,7 @@ class GaussMarkovDrift:
 
 
 def path_parameters_of(trajectory: Trajectory, time_weight: float) -> np.ndarray:
-    """Readings (n,) of the process's clock at the trajectory's epochs, m."""
+    """Path parameters (n,) at the trajectory's epochs, m."""
     return path_chainage(trajectory) + time_weight * (trajectory.time - trajectory.time[0])
 
 

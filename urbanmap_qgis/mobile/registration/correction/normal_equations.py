@@ -1,4 +1,4 @@
-"""What each piece of the path says of the error, in a form that adds up."""
+"""Normal equations of each piece of the path, which add up."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PLANE, SPACE = (0, 1, 5), (0, 1, 2, 3, 4, 5)
 
 @dataclass(frozen=True)
 class NormalEquations:
-    """Log-likelihood of corrections c of n pieces of path, off = c - place: pull . off - off' information off / 2.
+    """Log-likelihood of corrections c of n pieces of path, off = c - place: gradient . off - off' information off / 2.
 
     Attributes
     ----------
@@ -33,11 +33,11 @@ class NormalEquations:
 
     @property
     def normal_vector(self) -> np.ndarray:
-        """(n, d) pull at no correction at all."""
+        """(n, d) gradient at no correction at all (the normal vector b)."""
         return self.gradient + np.einsum("nij,nj->ni", self.information, self.place)
 
     def gradient_at(self, value: np.ndarray) -> np.ndarray:
-        """(n, d) pull at corrections (n, d)."""
+        """(n, d) gradient at corrections (n, d)."""
         return self.gradient - np.einsum("nij,nj->ni", self.information, value - self.place)
 
 
@@ -46,7 +46,7 @@ class NormalEquations:
         return [number for number, parameter in enumerate(self.active) if parameter in PLANE]
 
     def misfit(self, value: np.ndarray) -> np.ndarray:
-        """(n,) reduced chi square in plan of corrections (n, d): how hard each piece pulls away from them."""
+        """(n,) reduced chi square in plan of corrections (n, d): how far each piece's observations lie from them."""
         plan = self.in_plan()
         sizes, axes = np.linalg.eigh(self.information[:, plan][:, :, plan])
         there = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
@@ -56,7 +56,7 @@ class NormalEquations:
 
 
 def normal_equations_of(windows: WindowResults, path_parameter: np.ndarray) -> NormalEquations:
-    """The evidence of windows' results at clock readings (n,): that of the patches' own points where it is given.
+    """The normal equations of windows' results at path parameters (n,): those of the patches' own points where given.
 
     Otherwise windows are rigid and share their points; each counts for its own patch, with its share of the points.
     """

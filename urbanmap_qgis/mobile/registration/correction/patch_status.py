@@ -28,12 +28,12 @@ def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubt
     n = len(own)
     reason = np.full(n, "", dtype=object)
     status = np.where((own <= registered) & (sigma <= registered), REGISTERED, BRIDGED).astype(np.int8)
-    reason[sigma > registered] = "the markings do not fix the place well"
-    reason[own > registered] = "the markings around do not fix the place in all directions"
+    reason[sigma > registered] = "the markings do not fix the position well"
+    reason[own > registered] = "the markings around do not fix the position in all directions"
     reason[~np.isfinite(own)] = "no markings registered around the patch"
     rejected = weight <= _REJECTED
     status[rejected], reason[rejected] = BRIDGED, "the markings here contradict those around"
-    status[doubtful], reason[doubtful] = BRIDGED, "another place of the markings fits as well"
+    status[doubtful], reason[doubtful] = BRIDGED, "another position of the markings fits as well"
     status[sigma > trusted] = DISTRUSTED
     if not (np.isfinite(own) & ~doubtful).any():
         status[:] = DISTRUSTED
@@ -41,7 +41,7 @@ def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubt
 
 
 def own_sigma(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray, extent: float) -> np.ndarray:
-    """(n,) m: standard deviation in the worst direction in plan by the evidence within `extent` of clock readings (n,).
+    """(n,) m: worst standard deviation in plan by the observations within `extent` of path parameters (n,).
 
     Infinite where there is none.
     """

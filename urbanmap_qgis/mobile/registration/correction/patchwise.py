@@ -15,8 +15,8 @@ from ..start.patches import divide_path
 from .adjustment import Correction, CorrectionSettings
 from .patch_status import DISTRUSTED, REGISTERED, plan_sigma
 
-_REASONS = {WEAK: "the markings of the window do not fix the place well",
-            AMBIGUOUS: "another place of the markings fits as well or better",
+_REASONS = {WEAK: "the markings of the window do not fix the position well",
+            AMBIGUOUS: "another position of the markings fits as well or better",
             NO_MARKINGS: "no markings in the window: moved as the patch before",
             NOT_CONVERGED: "the matching of the window did not converge"}
 

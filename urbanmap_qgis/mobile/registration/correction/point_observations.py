@@ -27,16 +27,15 @@ from .normal_equations import PLANE, SPACE, NormalEquations
 _FINE = 4  # parts of a piece in which points are thinned
 _SECTION_PATCHES = 100  # pieces whose reference is held in memory
 _AROUND = 2.0  # m
-_HEIGHT_SIGMA, _HEIGHT_ROBUST = 0.05, 0.15  # m, of a point's height against the ground
 _CHANCE, _SURE = 0.03, 0.15
-"""Share of a stretch's points on reference markings: what chance alone gives, and what is surely more than chance."""
+"""Share of a section's points on reference markings: what chance alone gives, and what is surely more than chance."""
 _AVERAGED = 2  # pieces to either side over which curvatures are averaged
 _OVERLAP_PIECES = 3  # pieces to either side over which the share is taken
 
 
 @dataclass(frozen=True)
 class PointObservations:
-    """Thinned marking points of a survey, by pieces of the drift's clock, and the reference they are laid on.
+    """Thinned marking points of a survey, by pieces of the path parameter, and the reference they are laid on.
 
     Attributes
     ----------
@@ -54,25 +53,25 @@ class PointObservations:
     @classmethod
     def of(cls, markings: MarkingPoints, trajectory: Trajectory, path_parameter: np.ndarray, length: float,
            reference: Reference, settings: RegistrationSettings) -> PointObservations:
-        """Pieces of `length` m of the clock, whose readings at the trajectory's epochs are `path_parameter` (e,)."""
+        """Pieces of `length` m of path parameter, which at the trajectory's epochs is `path_parameter` (e,)."""
         usable = trajectory.within(markings.time) & np.isfinite(markings.x + markings.y + markings.z)
         count = max(int(np.ceil((path_parameter[-1] - path_parameter[0]) / length)), 1)
         middle = np.minimum((np.arange(count) + 0.5) * length, path_parameter[-1])
         time = np.interp(middle, path_parameter, trajectory.time)
         pose = interpolate(trajectory, time)
         times, places = [np.repeat(time, _FINE), np.repeat(middle, _FINE)], [pose.place, pose.angles]
-        none = np.zeros(len(path_parameter))  # the clock counts the waits already
+        none = np.zeros(len(path_parameter))  # the path parameter counts the stops already
         fine = Patches(length / _FINE, *times, *(np.repeat(values, _FINE, axis=0) for values in places),
                        np.zeros(_FINE * count), trajectory.time, path_parameter, none)
         points = thin_points(markings.take(usable), trajectory, fine, settings.subsampling)
         return cls(points, middle, np.linalg.inv(angle_rates(pose.angles)), reference, settings)
 
     def about(self, curve: Callable[[np.ndarray], np.ndarray], blur: float) -> NormalEquations:
-        """What the points say about a course, which gives corrections (m, 6) at clock readings (m,).
+        """Normal equations about a curve, which gives corrections (m, 6) at path parameters (m,).
 
         Parameters
         ----------
-        blur : m, by which the reference is softened: how far off the course may be.
+        blur : m, by which the reference is softened: how far off the curve may be.
         """
         count = len(self.path_parameter)
         sums, share = PatchSums(np.zeros((count, 6)), np.zeros((count, 6, 6))), np.zeros((count, 2))
@@ -106,16 +105,17 @@ class PointObservations:
         hessian = {(0, 0): terms.hxx * point_weight, (0, 1): terms.hxy * point_weight, (1, 1): terms.hyy * point_weight}
         if self.settings.three_d:
             ground = self.reference.ground_part(*low, *high).at(moved[:, 0], moved[:, 1])
-            gradient[2], hessian[2, 2] = _height_terms(ground - moved[:, 2], point_weight)
+            gradient[2], hessian[2, 2] = _height_terms(ground - moved[:, 2], point_weight, self.settings)
         counted = by_patch(np.column_stack([np.ones(len(points)), terms.share > 0.5]), piece, count)
         return sum_points(lever_arm, tuple(gradient), hessian, piece, count), counted
 
 
-def _height_terms(off: np.ndarray, point_weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _height_terms(off: np.ndarray, point_weight: np.ndarray,
+                  settings: RegistrationSettings) -> tuple[np.ndarray, np.ndarray]:
     """First and second derivative of the score by height, robust (Geman and McClure); 0 where no ground is known."""
     known = np.isfinite(off)
     off = np.where(known, off, 0.0)
-    weight = known * point_weight / (_HEIGHT_SIGMA * (1 + (off / _HEIGHT_ROBUST) ** 2)) ** 2
+    weight = known * point_weight / (settings.height_sigma * (1 + (off / settings.height_robust) ** 2)) ** 2
     return weight * off, -weight
 
 

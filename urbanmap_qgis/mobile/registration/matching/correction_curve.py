@@ -1,7 +1,7 @@
-"""The smooth course of the correction along the path, that all windows are adjusted about.
+"""The smooth curve of the correction along the path, that all windows are adjusted about.
 
-A course is a shift and a turn for each patch. It is the most likely one under the points' scores and an error that
-wanders slowly with the way driven (a random walk): a banded system, solved at once for the whole stretch.
+A curve is a translation and a rotation for each patch. It is the most likely one under the points' scores and an error
+that changes slowly with chainage (a random walk): a banded system, solved at once for the whole section.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from .ndt_match import rotation_matrix
 from .patch_sums import PatchSums
 
 DRIFT = np.array([0.02, 0.02, 0.02, 3e-4, 3e-4, 3e-4])
-"""Wander of an error in the root of a metre driven: m, and radians."""
+"""Random walk of an error in the root of a metre driven: m, and radians."""
 
 STANDING_DRIFT = np.array([0.15, 0.15, 0.15, 5e-4, 5e-4, 5e-4])
-"""Wander of an error in the root of a second that the vehicle stands: m, and radians."""
+"""Random walk of an error in the root of a second that the vehicle stands: m, and radians."""
 
 _PRIOR_SIGMA = np.array([3.0, 3.0, 5.0, 0.01, 0.01, 0.01])  # standard deviation of the whole error, m and radians
 
@@ -41,7 +41,7 @@ class CorrectionCurve:
     rotation: np.ndarray
 
     def moved(self, points: PatchPoints) -> np.ndarray:
-        """(m, 3) the points as this course corrects them."""
+        """(m, 3) the points as this curve corrects them."""
         path_parameter = self.chainage + self.stop_time
         before = np.clip(np.searchsorted(path_parameter, points.path_parameter) - 1, 0, max(len(path_parameter) - 2, 0))
         after = np.minimum(before + 1, len(path_parameter) - 1)
@@ -60,7 +60,7 @@ class CorrectionCurve:
 
 
 def _composed(second: np.ndarray, first: np.ndarray) -> np.ndarray:
-    """Rotation vectors of turns (n, 3) one after another."""
+    """Rotation vectors of rotations (n, 3) one after another."""
     matrix = rotation_matrix(second) @ rotation_matrix(first)
     cosine = np.clip((np.trace(matrix, axis1=1, axis2=2) - 1) / 2, -1, 1)
     axis = np.stack([matrix[:, 2, 1] - matrix[:, 1, 2], matrix[:, 0, 2] - matrix[:, 2, 0],
@@ -69,7 +69,7 @@ def _composed(second: np.ndarray, first: np.ndarray) -> np.ndarray:
 
 
 def curve_step(curve: CorrectionCurve, sums: PatchSums, active: tuple[int, ...]) -> np.ndarray:
-    """(n, 6) movements of the patches about their corrected places, towards the most likely course.
+    """(n, 6) movements of the patches about their corrected places, towards the most likely curve.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def curve_step(curve: CorrectionCurve, sums: PatchSums, active: tuple[int, ...])
     step = np.zeros((count, 6))
     try:
         step[:, parameters] = _solve_chain(blocks, diagonal, stiff, gradient)
-    except LinAlgError:  # not yet near a maximum: curvatures turned about lead uphill all the same
+    except LinAlgError:  # not yet near a maximum: absolute curvatures lead uphill all the same
         step[:, parameters] = _solve_chain(absolute_curvatures(blocks), diagonal, stiff, gradient)
     return step
 
@@ -114,13 +114,13 @@ def _solve_chain(blocks: np.ndarray, diagonal: np.ndarray, stiff: np.ndarray, ri
 
 
 def _stiffness(curve: CorrectionCurve, parameters: list[int]) -> np.ndarray:
-    """(n - 1, p) inverse variances of the wander from each patch to the next."""
+    """(n - 1, p) inverse variances of the random walk from each patch to the next."""
     driven, stopped = np.maximum(np.diff(curve.chainage), 1e-3)[:, None], np.diff(curve.stop_time)[:, None]
     return 1.0 / (DRIFT[parameters] ** 2 * driven + STANDING_DRIFT[parameters] ** 2 * stopped)
 
 
 def curve_covariance(curve: CorrectionCurve, information: np.ndarray, active: tuple[int, ...]) -> np.ndarray:
-    """(n, 6, 6) covariance of the course at each patch, 0 in what is not active: what evidence and wander leave open.
+    """(n, 6, 6) covariance of the curve at each patch, 0 in what is not active, from observations and random walk.
 
     `information` (n, 6, 6) of the patches, each about its own corrected place, not curved upwards anywhere.
     """
@@ -140,6 +140,6 @@ def curve_covariance(curve: CorrectionCurve, information: np.ndarray, active: tu
 
 
 def absolute_curvatures(information: np.ndarray) -> np.ndarray:
-    """Curvatures (n, p, p) with the sign of negative directions turned about."""
+    """Curvatures (n, p, p) with negative ones made positive."""
     values, vectors = np.linalg.eigh(information)
     return np.einsum("nij,nj,nkj->nik", vectors, np.abs(values), vectors)

@@ -103,7 +103,7 @@ class Derivatives:
 
 
 def rigid_derivatives(points: np.ndarray, centre: np.ndarray, terms: PointTerms) -> Derivatives:
-    """Exact derivatives by a rigid movement: points go to centre + shift + exp(turn) (point - centre), at rest."""
+    """Exact derivatives by a rigid motion to centre + translation + exp(rotation) (point - centre), at zero."""
     r = points - centre
     g, h = terms.gradient, terms.hessian
     if points.shape[1] == 2:
@@ -129,7 +129,7 @@ def rigid_derivatives(points: np.ndarray, centre: np.ndarray, terms: PointTerms)
 
 
 def cross_matrices(r: np.ndarray) -> np.ndarray:
-    """(m, 3, 3) by which a small turn (3,) moves points at r (m, 3): turn x r."""
+    """(m, 3, 3) by which a small rotation (3,) moves points at r (m, 3): rotation x r."""
     zero = np.zeros(len(r))
     x, y, z = r.T
     return np.stack([np.stack([zero, z, -y], axis=1), np.stack([-z, zero, x], axis=1),
@@ -148,7 +148,7 @@ def rotation_matrix(rotation: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class RigidMotion:
-    """A rigid movement of points about a centre: centre + shift + turn (p - centre).
+    """A rigid movement of points about a centre: centre + translation + rotation (p - centre).
 
     Attributes
     ----------
@@ -161,7 +161,7 @@ class RigidMotion:
 
     @classmethod
     def identity(cls, centre: np.ndarray, translation: np.ndarray | None = None) -> RigidMotion:
-        """No turn; by default no shift either."""
+        """No rotation; by default no translation either."""
         centre = np.asarray(centre, dtype=np.float64)
         zero = np.zeros(len(centre))
         return cls(centre, zero if translation is None else np.asarray(translation, float), np.eye(len(centre)))
@@ -179,11 +179,11 @@ class RigidMotion:
 
 @dataclass(frozen=True)
 class Match:
-    """Where Newton's method came to rest.
+    """Where Newton's method converged.
 
     Attributes
     ----------
-    pose : the movement. derivatives : at it. steps : taken. converged : whether it came to rest.
+    pose : the movement. derivatives : at it. steps : taken. converged : whether it did.
     """
 
     pose: RigidMotion
@@ -228,9 +228,9 @@ def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: M
 
 
 def uphill_step(gradient: np.ndarray, hessian: np.ndarray, extent: float = 1.0) -> np.ndarray:
-    """Newton's step towards a maximum; where the score is not curved downwards, curvatures are turned about.
+    """Newton's step towards a maximum; where the score is not curved downwards, absolute curvatures are taken.
 
-    `extent` : m, size of the point set, which makes turns and shifts comparable.
+    `extent` : m, size of the point set, which makes rotations and translations comparable.
     """
     d = 2 if len(gradient) == 3 else 3
     scale = np.concatenate([np.ones(d), np.full(len(gradient) - d, 1.0 / extent)])

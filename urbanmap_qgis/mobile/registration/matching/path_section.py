@@ -1,4 +1,4 @@
-"""One stretch of the path: the course of its correction, and the windows about it."""
+"""One section of the path: its correction curve, and the windows about it."""
 
 from __future__ import annotations
 
@@ -19,23 +19,19 @@ from .patch_sums import PLANE, SPACE, PatchSums, by_patch, point_gradients, sum_
 from .subpixel import FieldTerms, MarkingField, field_terms
 
 _AROUND = 3.0  # m of reference beyond where points can come to lie
-_LEVELS = (2.0, 1.0, 0.5)  # of the NDT grid
-_BLURS = (0.15, 0.0)  # m, of the sub-pixel field
-_TOLERANCE = np.array([0.002, 0.002, 0.002, 1e-4, 1e-4, 1e-4])  # m and radians
-_STEP_LIMIT = np.array([0.3, 0.3, 0.5, 0.01, 0.01, 0.01])  # step of the course
-_CLUSTER = 2.0  # m: markings nearer than this share their errors
-_CLUSTER_PATCHES = 4
+_TOLERANCE = np.array([0.002, 0.002, 0.002, 1e-4, 1e-4, 1e-4])  # m and radians: well below the sigma of a window
+_STEP_LIMIT = np.array([0.3, 0.3, 0.5, 0.01, 0.01, 0.01])  # of the curve in one step: a third of a cell of 1 m
+_CLUSTER, _CLUSTER_PATCHES = 2.0, 4  # m and patches: markings nearer than this share their errors
 _CONSISTENT = 0.12  # contradiction up to which a window's clusters agree (0.05 to 0.10 on two cities)
-_GROUP_SIZE, _GROUP_PATCHES = 4.0, 10  # m and patches of a cluster that can be outvoted
-_ROUNDS = 6
-_SOFT = 2.0
-_USUAL_EXCESS, _MIN_VARIANCE = 0.08, 1e-3
-_HEIGHT_SIGMA = 0.05  # m, of a point's height against the ground
-_HEIGHT_ROBUST = 0.15  # m
-_MIN_EXCESS = 0.02
-_EVENED = 5  # patches to either side
-_ON_MARKING = 0.5
-_WEAK_PRIOR = np.array([0.1, 0.1, 0.1, 0.003, 0.003, 0.003])  # of a window about the course, m and radians
+# Set on the sample cities "canyon", "elevated road" and "repainted" and on the independent one:
+_GROUP_SIZE, _GROUP_PATCHES = 4.0, 10  # m and patches of a group of points that is reweighted as one
+_ROUNDS = 6  # of reweighting
+_SOFT = 2.0  # reduced chi square of a group at which its weight is a half
+_USUAL_EXCESS, _MIN_VARIANCE = 0.08, 1e-3  # variance of a group's gradient by its terms' squares, and at least
+_MIN_EXCESS = 0.02  # by how much a window's clusters disagree at least
+_EVENED = 5  # patches to either side over which information is averaged
+_WEAK_PRIOR = np.array([0.1, 0.1, 0.1, 0.003, 0.003, 0.003])  # of a window about the curve, m and radians
+_ON_MARKING = 0.5  # coverage from which a point lies on a marking
 
 
 @dataclass(frozen=True)
@@ -64,15 +60,15 @@ class PathSection:
 
 @dataclass(frozen=True)
 class AdjustedSection:
-    """What came out for the k patches of a stretch's core.
+    """What came out for the k patches of a section's core.
 
     Attributes
     ----------
     translation, rotation : (k, 3) the windows' corrections (m; rotation vectors in the map's axes, radians).
     covariance : (k, 6, 6) without the reference's floor, m and radians; 0 in what was not estimated.
-    curve : (k, 6) the course they were adjusted about. information, gradient : of the patches' own points about it.
+    curve : (k, 6) the curve they were adjusted about. information, gradient : of the patches' own points about it.
     score, overlap : (k,). points : (k,) in the window. near : (k,) how many of them lie near any reference marking.
-    converged : (k,) whether the course came to rest.
+    converged : (k,) whether the curve converged.
     """
 
     translation: np.ndarray
@@ -88,7 +84,7 @@ class AdjustedSection:
 
 
 def adjust_section(section: PathSection, reference: Reference, settings: RegistrationSettings) -> AdjustedSection:
-    """CorrectionCurve of the stretch, and its windows about it."""
+    """Correction curve of the section, and its windows about it."""
     count = len(section.chainage)
     translation = np.column_stack([section.start_shift, np.zeros(count)])
     curve = CorrectionCurve(section.chainage, section.stop_time, translation, np.zeros((count, 3)))
@@ -99,9 +95,9 @@ def adjust_section(section: PathSection, reference: Reference, settings: Registr
     if settings.three_d:
         curve = _level(curve, scene)
     stages = [partial(_ndt_sums, grid=level * settings.ndt_grid)
-              for level in (_LEVELS if settings.multi_resolution else (1.0,))]
+              for level in settings.ndt_levels]
     if settings.refinement:
-        stages += [partial(_field_sums, blur=blur) for blur in _BLURS]
+        stages += [partial(_field_sums, blur=blur) for blur in settings.blurs]
     for number, stage in enumerate(stages):
         tolerance = _TOLERANCE if number == len(stages) - 1 else 5 * _TOLERANCE
         curve, converged = _converge(curve, scene, stage(scene), settings.iterations, tolerance)
@@ -122,7 +118,7 @@ def _contradiction(curve: CorrectionCurve, scene: _Scene) -> np.ndarray:
 
 def _reweighted(curve: CorrectionCurve, scene: _Scene,
                 contradiction: np.ndarray) -> tuple[CorrectionCurve, bool, _Scene]:
-    """The course where windows contradict themselves: clusters that pull hard lose weight in turn (J: repainted)."""
+    """The curve where windows contradict themselves: groups with large gradients lose weight (J: repainted)."""
     share = np.clip((contradiction - _CONSISTENT) / _CONSISTENT, 0.0, 1.0)[scene.patch]
     field, whole, converged = MarkingField.of(scene.coverage, 0.0, scene.settings.background), scene, False
     for _ in range(_ROUNDS):
@@ -133,7 +129,7 @@ def _reweighted(curve: CorrectionCurve, scene: _Scene,
 
 
 def _cluster_weights(moved: np.ndarray, field: MarkingField, scene: _Scene) -> np.ndarray:
-    """(m,) weights of points by how hard their cluster pulls against what its evidence lets expect (Cauchy)."""
+    """(m,) weights of points by the gradient of their group against what its observations let expect (Cauchy)."""
     terms = field_terms(field, moved[:, 0], moved[:, 1])
     cluster = _cluster_numbers(moved, scene.patch // _GROUP_PATCHES, _GROUP_SIZE)
     count = int(cluster.max()) + 1
@@ -155,7 +151,7 @@ def _cluster_numbers(moved: np.ndarray, group: np.ndarray, side: float) -> np.nd
 
 @dataclass(frozen=True)
 class _Scene:
-    """What is needed throughout a stretch."""
+    """What is needed throughout a section."""
 
     section: PathSection
     settings: RegistrationSettings
@@ -188,7 +184,7 @@ class _Scene:
 
 def _converge(curve: CorrectionCurve, scene: _Scene, sums: Callable[[CorrectionCurve], PatchSums], iterations: int,
             tolerance: np.ndarray) -> tuple[CorrectionCurve, bool]:
-    """Newton's method on the course until no patch moves by more than `tolerance`."""
+    """Newton's method on the curve until no patch moves by more than `tolerance`."""
     for _ in range(iterations):
         total = sums(curve)
         lever_arms = scene.section.place + curve.translation - scene.origin
@@ -249,12 +245,13 @@ def _height_terms(scene: _Scene, moved: np.ndarray) -> tuple[tuple, dict]:
     off = scene.ground.at(moved[:, 0], moved[:, 1]) - moved[:, 2]
     known = np.isfinite(off)
     off = np.where(known, off, 0.0)
-    weight = known * scene.point_weight / (_HEIGHT_SIGMA * (1 + (off / _HEIGHT_ROBUST) ** 2)) ** 2
+    sigma, robust = scene.settings.height_sigma, scene.settings.height_robust
+    weight = known * scene.point_weight / (sigma * (1 + (off / robust) ** 2)) ** 2
     return (None, None, weight * off), {(2, 2): -weight}
 
 
 def _level(curve: CorrectionCurve, scene: _Scene) -> CorrectionCurve:
-    """Height of the course: the middle difference to the ground.
+    """Height of the curve: the middle difference to the ground.
 
     Raises
     ------
@@ -296,7 +293,7 @@ def _normals_about(curve: CorrectionCurve, scene: _Scene) -> tuple[PatchSums, np
 
 def _windows_about(curve: CorrectionCurve, converged: bool, contradiction: np.ndarray,
                    scene: _Scene) -> AdjustedSection:
-    """Each window as a rigid body about the course, and what the patches say on their own."""
+    """Each window as a rigid body about the curve, and what the patches say on their own."""
     section, points, active = scene.section, scene.section.points, list(scene.active)
     window, scatter, (own, terms) = _normals_about(curve, scene)
     step, covariance, excess = _solve(window, scatter, active)
@@ -331,7 +328,7 @@ def _padded(step: np.ndarray, section: PathSection, patches: int) -> np.ndarray:
 
 
 def _scatter(moved: np.ndarray, gradient: tuple, scene: _Scene) -> np.ndarray:
-    """(n, 6, 6) squares of the gradients of clusters of points, by patch: how uneven the evidence really is."""
+    """(n, 6, 6) squares of the gradients of clusters of points, by patch: how uneven the observations really are."""
     group = scene.patch // _CLUSTER_PATCHES
     cluster = _cluster_numbers(moved, group, _CLUSTER)
     order = np.argsort(cluster, kind="stable")
@@ -346,7 +343,7 @@ def _scatter(moved: np.ndarray, gradient: tuple, scene: _Scene) -> np.ndarray:
 
 def _solve(window: PatchSums, scatter: np.ndarray, active: list[int]
            ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Movements of windows (k, 6), their covariances (k, 6, 6), and by how much evidence is counted too often (k,)."""
+    """Movements of windows (k, 6), their covariances (k, 6, 6), and how much too often observations count (k,)."""
     count, width = len(window.gradient), len(active)
     information = window.information[:, active][:, :, active]
     gradient = window.gradient[:, active]

@@ -1,4 +1,4 @@
-"""Rows of results: corrections in the trajectory's own angles, statuses, other places that fit."""
+"""Results of the patches: corrections in the trajectory's own angles, statuses, other positions that fit."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ _CHANCE_OVERLAP = 0.25  # below, it may be chance
 _CHANCE_SIGMA = 1.0  # m
 _LARGEST_SIGMA = 0.10  # m in plan
 _PROOF = 3.0  # log-likelihood
-_APART = 3  # cells (0.6 m): places nearer are one
-_OTHER = 4  # cells: a way this far off is another place
+_APART = 3  # cells (0.6 m): positions nearer are one
+_OTHER = 4  # cells: a path this far off goes through another position
 
 
 @dataclass(frozen=True)
@@ -40,8 +40,8 @@ class InitialShifts:
     Attributes
     ----------
     block : patches of a block. shift : (b, 2) m, east and north, where each block starts from.
-    scores : (b, s, s) of all shifts about the best way's shift. deficit : (b, s, s) see `BestPath`.
-    best : (b, 2) cells, shift of the best way.
+    scores : (b, s, s) of all shifts about the best path's shift. deficit : (b, s, s) see `BestPath`.
+    best : (b, 2) cells, shift of the best path.
     """
 
     block: int
@@ -58,7 +58,7 @@ class InitialShifts:
 
 @dataclass(frozen=True)
 class AlternativePositions:
-    """Other places than the row's own. alias_ratio, margin : (n,). offsets : (n, MODES - 1, 2) m. scores likewise."""
+    """Other positions than the row's own. alias_ratio, margin : (n,). offsets : (n, MODES - 1, 2) m, scores."""
 
     alias_ratio: np.ndarray
     margin: np.ndarray
@@ -68,7 +68,7 @@ class AlternativePositions:
 
 
 def alternative_positions(start: InitialShifts, windows: Windows, patches: int) -> AlternativePositions:
-    """Second and third best places of each window by its own points, and how surely the survey excludes any other."""
+    """Second and third best positions of each window by its own points, and how surely any other is excluded."""
     running = np.concatenate([np.zeros((1, *start.scores.shape[1:])),
                               np.cumsum(start.scores, axis=0, dtype=np.float64)])
     middle = start.scores.shape[1] // 2
@@ -94,7 +94,7 @@ def alternative_positions(start: InitialShifts, windows: Windows, patches: int) 
 
 
 def _margins(start: InitialShifts) -> np.ndarray:
-    """(b,) by how much the best way beats the best one that takes another place at the block."""
+    """(b,) by how much the best path beats the best one through another position at the block."""
     size = start.deficit.shape[1]
     offset = np.arange(size) - size // 2
     margin = np.full(len(start.deficit), np.inf)
@@ -111,7 +111,7 @@ def _margins(start: InitialShifts) -> np.ndarray:
 
 def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Sequence, settings: RegistrationSettings
              ) -> WindowResults:
-    """Rows of all patches from the stretches' results (see `AdjustedSection`)."""
+    """Rows of all patches from the sections' results (see `AdjustedSection`)."""
     def column(name: str) -> np.ndarray:
         return np.concatenate([getattr(part, name) for part in parts])
 

@@ -19,7 +19,6 @@ from .path_section import AdjustedSection
 from .results import InitialShifts, angle_changes, assemble
 from .windows import Windows
 
-_LEVELS = (2.0, 1.0, 0.5)  # of the NDT grid: J chapter 4 goes from 2.0 to 0.5 m
 _TILE = 400  # patches that share normal distributions
 _AROUND = 3.0  # m of reference beyond the largest error looked for
 _ON_MARKING = 0.5  # coverage from which a point lies on a marking
@@ -130,7 +129,7 @@ def _maps(points: np.ndarray, reference: Reference, settings: RegistrationSettin
         require_same_datum(ground.at(points[:, 0], points[:, 1]) - points[:, 2])
         height = ground.at(places[:, 0], places[:, 1])
         places = np.column_stack([places, height])[np.isfinite(height)]
-    grids = [level * settings.ndt_grid for level in (_LEVELS if settings.multi_resolution else (1.0,))]
+    grids = [level * settings.ndt_grid for level in settings.ndt_levels]
     maps = [(build_ndt(places, grid), Mixture.of(settings.outlier_share, grid, dimensions)) for grid in grids]
     if not all(len(ndt) for ndt, _ in maps):
         return maps, None

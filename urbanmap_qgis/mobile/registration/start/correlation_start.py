@@ -1,4 +1,4 @@
-"""Where the survey lies within a few metres: correlation of markings, and the best way through all of the survey.
+"""Where the survey lies within a few metres: correlation of markings, and the best path through all of the survey.
 
 For each block of driven path the score of every shift is found by correlation with the reference. Since the error of
 a trajectory drifts slowly, the shifts of blocks that follow each other are nearly the same: the best sequence of
@@ -57,7 +57,7 @@ def score_image(coverage: Coverage, background: float) -> ScoreImage:
 
 
 def shift_scores(x: np.ndarray, y: np.ndarray, weight: np.ndarray, image: ScoreImage, max_shift: int) -> np.ndarray:
-    """Score of all shifts of a point set, (2 reach + 1, 2 reach + 1) float32: rows north, columns east.
+    """Score of all shifts of a point set, (2 max_shift + 1, 2 max_shift + 1) float32: rows north, columns east.
 
     Parameters
     ----------
@@ -143,7 +143,7 @@ def best_path(scores: np.ndarray, step_variance: np.ndarray, prior_sigma: float)
 
 
 def alternative_spread(path: BestPath, apart: float) -> np.ndarray:
-    """(b, 2, 2) m2: how far the best way may be off because others, more than `apart` m away, fit nearly as well."""
+    """(b, 2, 2) m2: how far the best path may be off because others, more than `apart` m away, fit nearly as well."""
     offset = np.arange(path.deficit.shape[1]) - path.deficit.shape[1] // 2
     spread = np.zeros((len(path.deficit), 2, 2))
     for block, (east, north) in enumerate(path.shift):

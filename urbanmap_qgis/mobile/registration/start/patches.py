@@ -42,7 +42,7 @@ class Patches:
 
     @property
     def path_parameter(self) -> np.ndarray:
-        """(n,) m driven and s waited, together: between patches errors change evenly with it."""
+        """(n,) chainage (m) and time of stops (s) together: between patches errors change evenly with it."""
         return self.chainage + self.stop_time
 
     def path_parameter_at(self, time: np.ndarray) -> np.ndarray:
@@ -55,7 +55,7 @@ class Patches:
 
 
 def divide_path(trajectory: Trajectory, length: float) -> Patches:
-    """Patches of `length` m along the driven path; a vehicle that waits makes none.
+    """Patches of `length` m along the driven path; a vehicle that stands makes none.
 
     Raises
     ------
