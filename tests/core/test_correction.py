@@ -167,7 +167,7 @@ def test_fast_drift_is_noticed():
 def test_nothing_registered_is_refused():
     drive = simulate(0, length=60.0)
     lost = replace(drive.windows, status=np.full(len(drive.windows), NO_MARKINGS, np.int8))
-    with pytest.raises(InsufficientDataError, match="No stretch of the survey could be registered"):
+    with pytest.raises(InsufficientDataError, match="No section of the survey could be registered"):
         adjust_correction(lost, drive.reported)
 
 
