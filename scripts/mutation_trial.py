@@ -194,9 +194,10 @@ def pytest_in(folder: Path, arguments: list[str], limit: float | None = None, **
 def measured_reach(folder: Path) -> dict[str, dict]:
     """For each test file: hash, and for each of its tests the functions that it enters and its seconds.
 
-    Measured for the files that are new or changed since the last time; the others are taken as kept.
+    Measured for the files that are new or changed since the last time, the others are taken as kept; all are measured
+    when the core has other functions than then.
     """
-    kept_file = KEPT / "reach.json"
+    kept_file = KEPT / f"reach_{core_functions(folder)}.json"
     kept = json.loads(kept_file.read_text(encoding="utf-8")) if kept_file.is_file() else {}
     hashes = {path.name: hashlib.sha256(path.read_bytes()).hexdigest() for path in (folder / TESTS).glob("test_*.py")
               if path.name != STRUCTURE}
@@ -221,6 +222,13 @@ def measured_reach(folder: Path) -> dict[str, dict]:
         KEPT.mkdir(parents=True, exist_ok=True)
         kept_file.write_text(json.dumps(reach), encoding="utf-8")
     return reach
+
+
+def core_functions(folder: Path) -> str:
+    """Hash of the names of all functions of the core."""
+    names = sorted(f"{path.relative_to(folder)}:{name}" for path in (folder / CORE).rglob("*.py")
+                   for name in function_names(path).values())
+    return hashlib.sha256("\n".join(names).encode()).hexdigest()[:12]
 
 
 def function_names(path: Path) -> dict[int, str]:
