@@ -37,6 +37,8 @@ _BAND = 5
 _COUPLING_EVIDENCE = 20.0
 _MIN_SHARE = 1e-9
 _MIN_WEIGHT = 1e-3
+_UNSEEN = 2.0
+"""Errors that nothing was seen of walk this many times as fast as expected: so that most navigations do not faster."""
 
 
 @dataclass(frozen=True)
@@ -111,14 +113,14 @@ class RandomWalkDrift:
         """Variances (m, 3) of the drift at times (m,) with what the tie points do not tell of the walk itself.
 
         What they tell of it holds for as long a time as they span; farther beyond the first and the last of them
-        errors are taken to walk at least as fast as is expected of a navigation.
+        errors are taken to walk at least twice as fast as is expected of a navigation.
         """
         own = self.at(time)
         beyond = np.maximum(self.first - time, time - self.last) - (self.last - self.first)
         total = np.zeros_like(own)
         for weight, other in self.alternatives:
             known = np.array([other.walk.position_walk, other.walk.position_walk, other.walk.heading_walk])
-            unseen = np.maximum(np.array([POSITION_WALK, POSITION_WALK, HEADING_WALK]) ** 2 - known**2, 0.0)
+            unseen = np.maximum((_UNSEEN * np.array([POSITION_WALK, POSITION_WALK, HEADING_WALK])) ** 2 - known**2, 0.0)
             total += weight * (other.variances(time) + (other.at(time) - own) ** 2
                                + np.maximum(beyond, 0.0)[:, None] * unseen)
         return total
