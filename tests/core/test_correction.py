@@ -138,6 +138,16 @@ def test_slip_by_a_dash_is_not_followed(change, most):
     assert (made.status[there] != REGISTERED).mean() > 0.8
 
 
+def test_a_step_that_lasts_is_followed():
+    drive, step = simulate(0), np.array([1.2, 0.9])
+    made = adjust_correction(shifted(drive, 250.0, 1000.0, step).windows, drive.reported)
+    truth = drive.error[:, :2] + np.where(made.chainage >= 250.0, 1.0, 0.0)[:, None] * step
+    away = np.abs(made.chainage - 250.0) > 20.0
+    off = np.hypot(*(made.value[:, :2] - truth).T)
+    assert off[away].max() < 0.15
+    assert (off[(made.status == REGISTERED)] < 0.3).all()
+
+
 def test_sure_place_resolves_a_doubt():
     drive = simulate(1, crossings=25.0)
     doubted = shifted(drive, 100.0, 130.0, (0.0, 0.0), margin=1.0)

@@ -24,6 +24,7 @@ from .matching.rigid_windows import register_rigid_windows
 from .matching.windows import Windows, choose_windows
 from .records import RegistrationSettings, WindowResults
 from .start.correlation_start import CELL, OBSERVATION_AREA, best_path, centred, score_image, shift_scores
+from .start.fast_drift import fast_drift_rate
 from .start.patch_points import PatchPoints, thin_points
 from .start.patches import Patches, divide_path
 from .start.reference import Reference
@@ -106,15 +107,26 @@ def _start(points: PatchPoints, patches: Patches, reference: Reference, settings
         raise InsufficientDataError("There is no reference marking near the survey: check the CRS of both and that the "
                                     "reference covers the drive.")
     scores = np.concatenate(scores)
-    path = best_path(scores, _step_variances(patches), _PRIOR_SIGMA)
+    variances = _step_variances(patches)
+    path = best_path(scores, variances, _PRIOR_SIGMA)
+    middle = patches.chainage[_block_middles(patches)]
+    fast = fast_drift_rate(middle, path.shift * CELL)
+    if fast.any():  # once more, with the step let loose where the first way has one
+        loose = np.maximum(fast[1:], fast[:-1]) * np.diff(middle)
+        path = best_path(scores, np.maximum(variances, loose**2), _PRIOR_SIGMA)
     shift = path.shift if settings.start else np.zeros_like(path.shift)
     return InitialShifts(BLOCK, shift * CELL, centred(scores, path.shift), path.deficit, path.shift)
 
 
 def _step_variances(patches: Patches) -> np.ndarray:
     """(b - 1,) m2, variance of the error's change from each block to the next."""
-    middle = np.minimum(np.arange(0, len(patches), BLOCK) + BLOCK // 2, len(patches) - 1)
+    middle = _block_middles(patches)
     return _DRIFT ** 2 * np.diff(patches.chainage[middle]) + _STANDING_DRIFT ** 2 * np.diff(patches.stop_time[middle])
+
+
+def _block_middles(patches: Patches) -> np.ndarray:
+    """(b,) numbers of the patches in the middle of the blocks."""
+    return np.minimum(np.arange(0, len(patches), BLOCK) + BLOCK // 2, len(patches) - 1)
 
 
 def _block_scores(piece: _Blocks, reference: Reference, settings: RegistrationSettings) -> tuple[np.ndarray, int]:
@@ -139,6 +151,7 @@ def _block_scores(piece: _Blocks, reference: Reference, settings: RegistrationSe
 
 def _sections(points: PatchPoints, patches: Patches, windows: Windows, start: InitialShifts):
     """Pieces of the path with the points of all windows in them."""
+    fast = fast_drift_rate(patches.chainage, start.shift_at(np.arange(len(patches))))
     for core_first in range(0, len(patches), _SECTION_PATCHES):
         core_last = min(core_first + _SECTION_PATCHES, len(patches)) - 1
         core = slice(core_first, core_last + 1)
@@ -147,5 +160,5 @@ def _sections(points: PatchPoints, patches: Patches, windows: Windows, start: In
         here = np.arange(first, last + 1)
         yield PathSection(first, core_first - first, core_last - first, patches.chainage[here], patches.stop_time[here],
                       patches.place[here],
-                      start.shift_at(here), windows.first[core] - first, windows.last[core] - first,
+                      start.shift_at(here), fast[here], windows.first[core] - first, windows.last[core] - first,
                       points.of_patches(first, last))

@@ -18,9 +18,19 @@ from ....progress import SILENT, Progress
 from ...trajectory import Trajectory, gaps, jumps
 from ..matching.block_chain import solve_chain
 from ..records import WindowResults
+from .error_steps import window_steps
 from .gauss_markov import GaussMarkovDrift, jump_steps, path_parameters_of, stop_steps
 from .normal_equations import NormalEquations, normal_equations_of
-from .patch_status import DISTRUSTED, own_sigma, patch_statuses, plan_sigma
+from .patch_status import (
+    BRIDGED,
+    DISTRUSTED,
+    REGISTERED,
+    contradicted,
+    opposing_spread,
+    own_sigma,
+    patch_statuses,
+    plan_sigma,
+)
 
 Evaluate = Callable[[Callable[[np.ndarray], np.ndarray], float], NormalEquations]
 """Normal equations about a correction curve (corrections (m, 6) at path parameters (m,)), the reference blurred by so
@@ -40,6 +50,7 @@ _MIN_REPORTED = 0.6  # the same for the standard deviations: how quiet a short s
 _SEARCH_MARGIN, _SEARCH_SHARE = 0.4, 0.02  # m from the largest error looked for; share of patches that may be there
 _MIN_BLOCKS = 5  # from which the variance of the evidence can be told
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
+_STEP_SOFTNESS = 0.2  # share of the information that pieces on a step keep
 _NO_WEIGHT = 0.02  # weight that stands for evidence that is not believed at all
 
 
@@ -164,12 +175,14 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
             "No section of the survey could be registered to the reference markings: check that both show the same "
             "streets in the same coordinate system, and that the survey has intensities that show paint.")
     model, at_patches = settings.model(), normals.path_parameter
-    chain = _Chain(normals, _nodes(path_parameter, settings.node_length), trajectory, path_parameter)
+    nodes = _nodes(path_parameter, settings.node_length)
+    chain = _Chain(normals, nodes, trajectory, path_parameter,
+                   window_steps(windows, np.interp(nodes, at_patches, windows.chainage), settings.min_margin))
     sure = windows.margin >= settings.min_margin
     allowed = np.where(sure, 1.0, 0.0) if (sure & normals.present).any() else np.ones(len(windows))
     if points is not None:
         model = model.with_angles(_ANGLE_PRIOR)
-    fit = _robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.5))
+    fit = _robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.4))
     doubtful = normals.present & ~sure
     if doubtful.any() and (allowed == 0).any():
         agreeing = doubtful & _only_own_mode_fits(windows, *chain.at(fit.state, fit.covariance, at_patches), settings)
@@ -234,16 +247,20 @@ class _Fit:
 class _Chain:
     """The normal equations: nodes along the path, the observations on the node next to each piece."""
 
-    def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray):
-        self.nodes = nodes
+    def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray,
+                 fast: np.ndarray):
+        self.nodes, self.fast = nodes, fast
         rising = np.concatenate([[True], np.diff(path_parameter) > 0])
         time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
         self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
         self._take(normals)
 
     def _take(self, normals: NormalEquations) -> None:
-        self.normals, self.size = normals, len(normals.active)
+        self.size = len(normals.active)
         self.node, self.ahead = self._next_node(normals.path_parameter)
+        moving = np.concatenate([self.fast[:1], np.maximum(self.fast[1:], self.fast[:-1]), self.fast[-1:]]) > 0
+        # Where the error changes fast its own linearisation is worth less.
+        self.normals = normals.softened(np.where(moving[self.node], _STEP_SOFTNESS, 1.0)) if moving.any() else normals
 
     def with_normals(self, normals: NormalEquations) -> _Chain:
         """The same nodes with other normal equations."""
@@ -260,7 +277,8 @@ class _Chain:
         """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
         k, d = len(self.nodes), self.size
         diagonal, ahead, right = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2)), np.zeros((k, d, 2))
-        transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active)
+        transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active,
+                                              self.fast)
         own = np.arange(d)
         carried = np.einsum("kji,kdjl->kdil", transition, precision)  # F' P
         diagonal[1:, own, :, own, :] += np.moveaxis(precision, 1, 0)
@@ -437,9 +455,12 @@ def _result(windows: WindowResults, chain: _Chain, fit: _Fit, at_patches: np.nda
     piece = np.searchsorted(0.5 * (normals.path_parameter[1:] + normals.path_parameter[:-1]), at_patches)
     weight = np.where(normals.present, fit.weight, np.nan)[piece]
     residual = windows.correction - value
+    opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
+    covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
     own = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, settings.support_length)
     status, reason = patch_statuses(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
                            settings.trusted_sigma)
+    status[opposed & (status == REGISTERED)], reason[opposed] = BRIDGED, "the window here contradicts the correction"
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
                       normals.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight)

@@ -46,16 +46,18 @@ class GaussMarkovDrift:
                        initial_sigma=self.initial_sigma * part)
 
     def steps(self, path_parameter: np.ndarray, stopped: np.ndarray, jump: np.ndarray,
-              active: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
+              active: tuple[int, ...], fast: np.ndarray | float = 0.0) -> tuple[np.ndarray, np.ndarray]:
         """Transitions (k, 2, 2) of (error, rate) and their precisions (k, d, 2, 2) between k + 1 path parameters.
 
         Parameters
         ----------
         stopped : (k,) s that the vehicle stands in each step.
         jump : (k,) m by which the trajectory jumps: the error may jump by so much too, and angles by a degree a metre.
+        fast : (k,) m by which the error in plan changes in each step where it does so faster than drift (a re-fix).
         """
         place = np.isin(active, (0, 1, 2))
         loose = np.where(place, self.stop_walk**2 * stopped[:, None], 0.0) + jump[:, None] ** 2
+        loose = loose + np.isin(active, (0, 1)) * np.broadcast_to(fast, len(jump))[:, None] ** 2
         h = np.maximum(np.diff(path_parameter), 1e-6)[:, None]
         rate2 = (self.rate_sigma[list(active)] ** 2)[None, :]
         ratio = h / self.correlation_length

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,6 +40,10 @@ class NormalEquations:
         """(n, d) gradient at corrections (n, d)."""
         return self.gradient - np.einsum("nij,nj->ni", self.information, value - self.place)
 
+    def softened(self, share: np.ndarray) -> NormalEquations:
+        """The same with the information of each piece times `share` (n,)."""
+        return replace(self, gradient=self.gradient * share[:, None],
+                       information=self.information * share[:, None, None])
 
     def in_plan(self) -> list[int]:
         """Which of the d parameters move points in plan alone: dx, dy and dheading."""

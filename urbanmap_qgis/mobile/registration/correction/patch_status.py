@@ -11,6 +11,9 @@ STATUS_NAMES = ("registered", "bridged", "not to be trusted")
 """registered: found from markings around the patch. bridged: between or beyond registered patches, by the model of the
 drift. not to be trusted: too far from them, or contradictory or ambiguous markings."""
 
+_CONTRADICTION = 9.2  # squared Mahalanobis distance in plan that chance exceeds in 1 % of the cases
+_MIN_CONTRADICTION = 0.1  # m: smaller differences are within what drift in a window does
+_OPPOSED_SHARE = 0.5  # of the difference that is one standard deviation then
 _REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 
 
@@ -38,6 +41,27 @@ def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubt
     if not (np.isfinite(own) & ~doubtful).any():
         status[:] = DISTRUSTED
     return status, reason
+
+
+def contradicted(residual: np.ndarray, covariance: np.ndarray, own: np.ndarray, usable: np.ndarray) -> np.ndarray:
+    """(n,) mask of patches whose own window lies farther from the correction than both covariances allow.
+
+    Parameters
+    ----------
+    residual : (n, 2) m, window less correction in plan. covariance, own : (n, 2, 2) of the correction and the window.
+    usable : (n,) windows that carry a correction.
+    """
+    there = usable & np.isfinite(residual).all(axis=1) & np.isfinite(own).all(axis=(1, 2))
+    inverse = np.linalg.inv(np.where(there[:, None, None], covariance + own, np.eye(2)))
+    off = np.where(there[:, None], residual, 0.0)
+    distance = np.einsum("ni,nij,nj->n", off, inverse, off)
+    return there & (distance > _CONTRADICTION) & (np.hypot(*off.T) > _MIN_CONTRADICTION)
+
+
+def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
+    """(n, 2, 2) m2 added where correction and window contradict each other: either may be right."""
+    off = np.where(opposed[:, None], np.nan_to_num(residual), 0.0)
+    return _OPPOSED_SHARE**2 * off[:, :, None] * off[:, None, :]
 
 
 def own_sigma(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray, extent: float) -> np.ndarray:

@@ -33,12 +33,14 @@ class CorrectionCurve:
     ----------
     chainage, stop_time : (n,) m driven and s waited up to the patches' middles. translation : (n, 3) m.
     rotation : (n, 3) rotation vectors in the map's axes, radians.
+    fast_drift : (n,) or one for all, m a metre: what the error in plan may change by beside the usual wander.
     """
 
     chainage: np.ndarray
     stop_time: np.ndarray
     translation: np.ndarray
     rotation: np.ndarray
+    fast_drift: np.ndarray | float = 0.0
 
     def moved(self, points: PatchPoints) -> np.ndarray:
         """(m, 3) the points as this curve corrects them."""
@@ -56,7 +58,8 @@ class CorrectionCurve:
         """After small movements (n, 6) about the corrected places."""
         small = np.abs(self.rotation).max(initial=0.0) + np.abs(step[:, 3:]).max(initial=0.0) < 0.02
         rotation = self.rotation + step[:, 3:] if small else _composed(step[:, 3:], self.rotation)
-        return CorrectionCurve(self.chainage, self.stop_time, self.translation + step[:, :3], rotation)
+        return CorrectionCurve(self.chainage, self.stop_time, self.translation + step[:, :3], rotation,
+                               self.fast_drift)
 
 
 def _composed(second: np.ndarray, first: np.ndarray) -> np.ndarray:
@@ -116,7 +119,9 @@ def _solve_chain(blocks: np.ndarray, diagonal: np.ndarray, stiff: np.ndarray, ri
 def _stiffness(curve: CorrectionCurve, parameters: list[int]) -> np.ndarray:
     """(n - 1, p) inverse variances of the random walk from each patch to the next."""
     driven, stopped = np.maximum(np.diff(curve.chainage), 1e-3)[:, None], np.diff(curve.stop_time)[:, None]
-    return 1.0 / (DRIFT[parameters] ** 2 * driven + STANDING_DRIFT[parameters] ** 2 * stopped)
+    fast = np.broadcast_to(curve.fast_drift, len(curve.chainage))
+    fast = np.maximum(fast[1:], fast[:-1])[:, None] * (np.array(parameters) < 2)
+    return 1.0 / (DRIFT[parameters] ** 2 * driven + (fast * driven) ** 2 + STANDING_DRIFT[parameters] ** 2 * stopped)
 
 
 def curve_covariance(curve: CorrectionCurve, information: np.ndarray, active: tuple[int, ...]) -> np.ndarray:

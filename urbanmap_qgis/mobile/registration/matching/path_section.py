@@ -42,6 +42,7 @@ class PathSection:
     ----------
     first : number of the first patch in the survey. core_first, core_last : of the core, counted from `first`.
     chainage : (n,) m. stop_time : (n,) s stood up to there. place : (n, 3) m, reported. start_shift : (n, 2) m.
+    fast_drift : (n,) m a metre, see `fast_drift_rate`.
     window_first, window_last : (k,) of the core's windows, counted from `first`.
     points : thinned marking points of these patches.
     """
@@ -53,6 +54,7 @@ class PathSection:
     stop_time: np.ndarray
     place: np.ndarray
     start_shift: np.ndarray
+    fast_drift: np.ndarray
     window_first: np.ndarray
     window_last: np.ndarray
     points: PatchPoints
@@ -87,7 +89,8 @@ def adjust_section(section: PathSection, reference: Reference, settings: Registr
     """Correction curve of the section, and its windows about it."""
     count = len(section.chainage)
     translation = np.column_stack([section.start_shift, np.zeros(count)])
-    curve = CorrectionCurve(section.chainage, section.stop_time, translation, np.zeros((count, 3)))
+    curve = CorrectionCurve(section.chainage, section.stop_time, translation, np.zeros((count, 3)),
+                            section.fast_drift)
     points = section.points
     if not len(points):
         return _empty(section, curve)
@@ -266,7 +269,7 @@ def _level(curve: CorrectionCurve, scene: _Scene) -> CorrectionCurve:
     middle = float(np.median(off[known]))
     translation = curve.translation.copy()
     translation[:, 2] = middle
-    return CorrectionCurve(curve.chainage, curve.stop_time, translation, curve.rotation)
+    return CorrectionCurve(curve.chainage, curve.stop_time, translation, curve.rotation, curve.fast_drift)
 
 
 def _normals_about(curve: CorrectionCurve, scene: _Scene) -> tuple[PatchSums, np.ndarray, tuple]:

@@ -1,0 +1,240 @@
+#!/usr/bin/env python3
+"""What registration makes of faulty trajectories: steps, ramps, wrong headings and far starts put into sample cities.
+
+    python scripts/evaluate_faults.py --city FOLDER MARKINGS GROUND [--city ...] [--faults step,ramp] --output table.md
+
+FOLDER is a sample city, MARKINGS its mask or polygons by “Road markings from aerial frames”, GROUND its raster. Each
+fault is added to the reported trajectory, the marking points move with it, and the corrected trajectory is compared
+with the true one at every patch.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from urbanmap_qgis.errors import UrbanMapError
+from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.mobile.calibration import read_calibration
+from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
+from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
+from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
+from urbanmap_qgis.mobile.registration.start.reference import Reference
+from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, path_chainage
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+WRONG = 0.3
+"""m in plan: a patch that is farther off must not be called registered."""
+
+NEAR_STEP = 20.0
+"""m of path before and after a step in which the correction may be off within its sigma."""
+
+
+@dataclass(frozen=True)
+class DrivenSurvey:
+    """A survey with its marking points, reported and true trajectory."""
+
+    name: str
+    markings: MarkingPoints
+    reported: Trajectory
+    true: Trajectory
+
+
+@dataclass(frozen=True)
+class Fault:
+    """What is added to a reported trajectory: change (e, 6) of position (m) and angles (degrees) along it.
+
+    Attributes
+    ----------
+    name : of the fault.  change : of chainage (e,) m and trajectory.  span : of chainage, m, in which it changes fast.
+    """
+
+    name: str
+    change: Callable[[np.ndarray, Trajectory], np.ndarray]
+    span: tuple[float, float] = (np.inf, np.inf)
+
+
+def step_fault(size: float, length: float, share: float = 0.5, bearing: float = 40.0) -> Fault:
+    """A GNSS re-fix: `size` m within `length` m of path after `share` of a survey of 190 m."""
+    begin = 190.0 * share - 0.5 * length
+    direction = np.array([np.sin(np.radians(bearing)), np.cos(np.radians(bearing))])
+
+    def change(chainage, _trajectory):
+        made = np.zeros((len(chainage), 6))
+        made[:, :2] = size * np.clip((chainage - begin) / length, 0.0, 1.0)[:, None] * direction
+        return made
+
+    return Fault(f"step of {size:g} m in {length:g} m", change, (begin, begin + length))
+
+
+def ramp_fault(size: float) -> Fault:
+    """An error that grows evenly by `size` m along the drive (odometer scale)."""
+    def change(chainage, trajectory):
+        made, heading = np.zeros((len(chainage), 6)), np.radians(trajectory.angles[:, 2])
+        along = size * (chainage / chainage[-1] - 0.5)
+        made[:, 0], made[:, 1] = along * np.sin(heading[0]), along * np.cos(heading[0])
+        return made
+
+    return Fault(f"ramp of {size:g} m", change)
+
+
+def constant_fault(name: str, change: tuple[float, ...]) -> Fault:
+    """The same (6,) change everywhere."""
+    return Fault(name, lambda chainage, _trajectory: np.tile(np.array(change, float), (len(chainage), 1)))
+
+
+FAULTS = {
+    "none": [constant_fault("as reported", (0, 0, 0, 0, 0, 0))],
+    "step": [step_fault(size, length) for size, length in ((1.0, 20.0), (1.5, 20.0), (2.0, 20.0), (3.0, 20.0),
+                                                           (1.5, 60.0), (3.0, 60.0))],
+    "ramp": [ramp_fault(1.4), ramp_fault(4.0)],
+    "heading": [constant_fault("heading 2 degrees off", (0, 0, 0, 0, 0, 2.0))],
+    "start": [constant_fault("3 m off at the start", (2.1, -2.1, 0, 0, 0, 0)),
+              constant_fault("5 m off at the start", (3.5, -3.5, 0, 0, 0, 0))],
+}
+
+
+def faulty(survey: DrivenSurvey, fault: Fault) -> DrivenSurvey:
+    """The survey as a navigation with the fault would have placed it."""
+    change = fault.change(path_chainage(survey.reported), survey.reported)
+    wrong = Trajectory(survey.reported.time, survey.reported.place + change[:, :3],
+                       survey.reported.angles + change[:, 3:])
+    markings = survey.markings.take(survey.reported.within(survey.markings.time))
+    place = move_points(np.column_stack([markings.x, markings.y, markings.z]), markings.time, survey.reported, wrong)
+    return replace(survey, markings=replace(markings, x=place[:, 0], y=place[:, 1], z=place[:, 2]), reported=wrong)
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came out of one run, at the patches: error (n, 6), sigma (n, 6), status (n,), near the step (n,) bool."""
+
+    error: np.ndarray
+    before: np.ndarray
+    sigma: np.ndarray
+    status: np.ndarray
+    near: np.ndarray
+    seconds: float
+
+    @property
+    def plan(self) -> np.ndarray:
+        """(n,) m."""
+        return np.hypot(self.error[:, 0], self.error[:, 1])
+
+
+def run(survey: DrivenSurvey, fault: Fault, reference: Reference, settings: RegistrationSettings) -> Outcome | str:
+    """The survey with the fault, registered; or why it was refused."""
+    wrong = faulty(survey, fault)
+    begin = time.process_time()
+    try:
+        made = register_markings(wrong.markings, wrong.reported, reference, RegistrationRun(settings))
+    except UrbanMapError as error:
+        return str(error)
+    correction = made.correction
+    before, after, true = (interpolate(item, correction.time, "hold") for item in (wrong.reported, made.trajectory,
+                                                                                   survey.true))
+    error, old = (np.column_stack([item.place - true.place, (item.angles - true.angles + 180.0) % 360.0 - 180.0])
+                  for item in (after, before))
+    chainage = correction.chainage
+    near = (chainage > fault.span[0] - NEAR_STEP) & (chainage < fault.span[1] + NEAR_STEP)
+    return Outcome(error, old, correction.sigma(), correction.status, near, time.process_time() - begin)
+
+
+HEADER = ("fault", "city", "mean (m)", "max away from the step (m)", "max near it (m)", "near: within 2 sigma",
+          "registered", "distrusted", "registered and wrong", "all: 1 sigma", "2 sigma")
+
+
+def row(fault: str, city: str, made: Outcome | str) -> tuple:
+    """Figures of one run."""
+    if isinstance(made, str):
+        return (fault, city, f"refused: {made[:60]}", *[""] * (len(HEADER) - 3))
+    ratio = np.abs(made.error[:, :2]) / made.sigma[:, :2]
+    kept = made.status != DISTRUSTED
+    plan, near = made.plan, made.near
+    return (fault, city, float(plan.mean()), float(plan[~near].max(initial=0.0)), float(plan[near].max(initial=0.0)),
+            percent((ratio[near] < 2).all(axis=1)), percent(made.status == REGISTERED), percent(~kept),
+            int(((made.status == REGISTERED) & (plan > WRONG)).sum()), percent(ratio[kept] < 1),
+            percent(ratio[kept] < 2))
+
+
+ATTITUDE_HEADER = ("fault", "city", "height before (m)", "after", "2 sigma", "roll before (deg)", "after", "2 sigma",
+                   "pitch before (deg)", "after", "2 sigma", "heading before (deg)", "after", "2 sigma")
+
+
+def attitude_row(fault: str, city: str, made: Outcome) -> tuple:
+    """Mean errors of height and angles before and after, and how many lie within two sigma."""
+    kept, found = made.status != DISTRUSTED, []
+    for axis in (2, 3, 4, 5):
+        found += [float(np.abs(made.before[:, axis]).mean()), float(np.abs(made.error[:, axis]).mean()),
+                  percent(np.abs(made.error[kept, axis]) < 2 * made.sigma[kept, axis])]
+    return (fault, city, *found)
+
+
+def percent(mask: np.ndarray) -> str:
+    """Share of a mask, as text."""
+    return f"{100 * mask.mean():.0f} %" if mask.size else "-"
+
+
+def table(header: tuple[str, ...], rows: list[tuple]) -> list[str]:
+    """Lines of a Markdown table."""
+    cells = [[f"{value:.3f}" if isinstance(value, float) else str(value) for value in row] for row in rows]
+    return ["| " + " | ".join(header) + " |", "|" + "---|" * len(header),
+            *("| " + " | ".join(row) + " |" for row in cells), ""]
+
+
+def read_survey(city: Path, name: str) -> DrivenSurvey:
+    """A survey of a sample city."""
+    cloud = open_cloud([city / "mms" / f"{name}.laz"])
+    reported = read_trajectory(city / "mms" / f"{name}_trajectory.csv", cloud.crs_wkt).trajectory
+    true = read_trajectory(city / "truth" / f"{name}_trajectory.csv", cloud.crs_wkt).trajectory
+    markings = survey_markings(cloud, reported, ExtractionSettings(),
+                               read_calibration(city / "mms" / "calibration.json"))
+    return DrivenSurvey(name, markings, reported, true)
+
+
+def read_reference(markings: Path, ground: Path) -> Reference:
+    """Mask or polygons, with heights of the ground."""
+    if markings.suffix == ".tif":
+        return Reference.from_mask(markings, ground)
+    import pyogrio
+    import shapely
+
+    return Reference.from_polygons(shapely.from_wkb(pyogrio.raw.read(markings)[2]), ground)
+
+
+def main() -> int:
+    """Make the tables."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--city", nargs=3, type=Path, action="append", required=True,
+                        metavar=("FOLDER", "MARKINGS", "GROUND"))
+    parser.add_argument("--faults", default=",".join(FAULTS))
+    parser.add_argument("--survey", default="survey_01")
+    parser.add_argument("--output", type=Path, help="Markdown file")
+    given = parser.parse_args()
+    rows, attitudes = [], []
+    for folder, markings, ground in given.city:
+        survey, reference = read_survey(folder, given.survey), read_reference(markings, ground)
+        settings = RegistrationSettings(three_d=True)
+        for fault in [item for kind in given.faults.split(",") for item in FAULTS[kind.strip()]]:
+            made = run(survey, fault, reference, settings)
+            rows.append(row(fault.name, folder.name, made))
+            if isinstance(made, Outcome):
+                attitudes.append(attitude_row(fault.name, folder.name, made))
+            print("\n".join(table(HEADER, rows[-1:])[2:3]), flush=True)
+    lines = table(HEADER, rows) + table(ATTITUDE_HEADER, attitudes)
+    print("\n".join(lines))
+    if given.output:
+        given.output.write_text("\n".join(lines), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,59 @@
+"""Steps in the error of a trajectory (a GNSS re-fix): told from drift and from shifts that go back, and followed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from urbanmap_qgis.mobile.registration.correction.error_steps import window_steps
+from urbanmap_qgis.mobile.registration.correction.patch_status import contradicted, opposing_spread
+from urbanmap_qgis.mobile.registration.start.fast_drift import fast_drift_rate
+
+CHAINAGE = np.arange(0.0, 300.0, 0.5)
+
+
+def error_of(steps, drift=0.002):
+    """East and north errors (n, 2): drift, and steps (from m, to m, size m)."""
+    east = drift * CHAINAGE
+    for start, end, size in steps:
+        east = east + size * np.clip((CHAINAGE - start) / (end - start), 0, 1)
+    return np.column_stack([east, 0.3 - 0.5 * east])
+
+
+@pytest.mark.parametrize(("size", "length"), [(1.0, 20.0), (3.0, 20.0), (3.0, 60.0)])
+def test_rate_of_a_step(size, length):
+    start = 150.0 - 0.5 * length
+    rate = fast_drift_rate(CHAINAGE, error_of([(start, start + length, size)]))
+    expected = np.hypot(1.0, 0.5) * (size / length + 0.002)
+    assert rate[CHAINAGE == 150.0] == pytest.approx(expected, rel=0.02)
+    assert not rate[np.abs(CHAINAGE - 150.0) > 0.5 * length + 10].any()
+
+
+def test_drift_is_no_step_nor_is_a_shift_that_goes_back():
+    assert not fast_drift_rate(CHAINAGE, error_of([], drift=0.01)).any()
+    assert not fast_drift_rate(CHAINAGE, error_of([(100.0, 101.0, 5.0), (150.0, 151.0, -5.0)])).any()
+
+
+class _Windows:
+    def __init__(self, shift, margin=np.inf):
+        n = len(shift)
+        self.chainage, self.usable, self.margin = CHAINAGE, np.ones(n, bool), np.full(n, margin)
+        self.linearised = np.column_stack([shift, np.zeros((n, 4))])
+        self.information = np.broadcast_to(np.eye(6), (n, 6, 6))
+
+
+def test_steps_of_the_windows_and_none_of_doubtful_ones():
+    nodes, shift = np.arange(0.0, 300.0, 2.0), error_of([(140.0, 160.0, 2.0)])
+    steps = window_steps(_Windows(shift), nodes, 3.0)
+    inside = (nodes[1:] > 140) & (nodes[:-1] < 160)
+    assert steps[inside].sum() == pytest.approx(2.0 * np.hypot(1, 0.5), rel=0.25)
+    assert not window_steps(_Windows(shift, margin=1.0), nodes, 3.0).any()
+
+
+def test_contradicted_windows():
+    residual = np.array([[0.5, 0.0], [0.05, 0.0], [0.5, 0.0], [np.nan, np.nan]])
+    covariance = np.broadcast_to(np.eye(2) * 0.02**2, (4, 2, 2))
+    own = np.array([np.eye(2) * size**2 for size in (0.03, 0.001, 1.0, 0.03)])
+    mask = contradicted(residual, covariance, own, np.ones(4, bool))
+    assert mask.tolist() == [True, False, False, False]
+    assert np.sqrt(opposing_spread(residual, mask)[:, 0, 0]) == pytest.approx([0.25, 0, 0, 0])
