@@ -16,27 +16,28 @@ MIN_HEIGHT = 2.0
 
 
 def candidate_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, on_roof: np.ndarray, several: np.ndarray,
-                     outline: shapely.Geometry, ground: float) -> np.ndarray:
+                     classed: np.ndarray, outline: shapely.Geometry, ground: float) -> np.ndarray:
     """Mask (n,) of a building's points that can be roof.
 
-    Points of roofs, and those in the outline that lie on a smooth surface well above the ground and are not trees:
-    a model that left a part of its building out must not be measured on the rest alone.
+    Points of roofs, and those in the outline well above the ground that the cloud classes as building or that lie on
+    a smooth surface and are not trees: a model that left a part of its building out must not be measured on the rest
+    alone.
 
     Parameters
     ----------
     x, y, z : (n,) m. on_roof : (n,) whether a roof took the point. several : (n,) whether its pulse had several
-        returns. ground : height of the ground, m; NaN where unknown.
+        returns. classed : (n,) whether it is of class 6. ground : height of the ground, m; NaN where unknown.
     """
     shapely.prepare(outline)
     inside = shapely.contains_xy(outline, x, y)
     high = z >= ground + MIN_HEIGHT if np.isfinite(ground) else np.ones(len(z), bool)
-    left = inside & high & ~on_roof
+    result = on_roof | (inside & high & classed)
+    left = inside & high & ~result
     if not left.any():
-        return on_roof.copy()
+        return result
     use = np.flatnonzero(high)
     density = max(np.count_nonzero(inside & high), 1) / max(outline.area, 1.0)
     surface = roof_surface(x[use], y[use], z[use], outline, density, several[use])
     smooth = (surface.roughness <= MAX_ROUGHNESS) & ~surface.trees(RoofParameters().max_roughness)
-    result = on_roof.copy()
     result[use] |= left[use] & smooth.ravel()[surface.cell_of_point]
     return result

@@ -19,6 +19,7 @@ from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .fit_points import candidate_points
 from .model_status import BLOCK, GROUND_UNKNOWN, LOST_ROOFS, NOT_MODELLED, OK, SIMPLIFIED, ModelFacts, judge, quality
+from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints, has_curved_walls
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import checked_sloped_solids, is_sloped
@@ -201,8 +202,9 @@ def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geome
     on_roof = records["roof_id"] > 0
     use = on_roof
     if outline is not None and not on_roof.all():
-        several = np.asarray(layout.view(records).number_of_returns) > 1
-        use = candidate_points(x, y, z, on_roof, several, outline, base)
+        points = layout.view(records)
+        several, classed = np.asarray(points.number_of_returns) > 1, np.asarray(points.classification) == BUILDING_CLASS
+        use = candidate_points(x, y, z, on_roof, several, classed, outline, base)
     return FitPoints(np.column_stack([x, y, z])[use], on_roof[use])
 
 
