@@ -47,7 +47,7 @@ def roofs_of(*rows, status="ok"):
 
 
 def made(outline, roofs, base=0.0, points=None, **more):
-    fit = None if points is None else FitPoints(points, np.ones(len(points), bool))
+    fit = None if points is None else FitPoints(points, np.ones(len(points), int))
     return model_building(1, outline, "", roofs, base, fit, **more)
 
 
@@ -77,6 +77,13 @@ def test_parapets_are_explained():
 
 def test_lost_roofs_reach_the_model():
     assert made(BOX, roofs_of((BOX, 8.0), status="lost roofs; outline from points, regular")).status == LOST_ROOFS
+
+
+@pytest.mark.parametrize(("height", "status"), [(9.2, LOST_ROOFS), (8.3, OK)])
+def test_a_roof_without_a_polygon_is_lost_where_no_other_explains_it(height, status):
+    points = np.concatenate([grid_points(0, 0, 20, 10, 8.0), grid_points(8, 3, 12, 7, height)])
+    fit = FitPoints(points, np.repeat([1, 2], [1250, 100]))
+    assert model_building(1, BOX, "", roofs_of((BOX, 8.0)), 0.0, fit).status == status
 
 
 def test_twelve_centimetres_are_no_sound_building():

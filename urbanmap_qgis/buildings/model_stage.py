@@ -18,14 +18,25 @@ from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .fit_points import candidate_points
-from .model_status import BLOCK, GROUND_UNKNOWN, LOST_ROOFS, NOT_MODELLED, OK, SIMPLIFIED, ModelFacts, judge, quality
+from .model_status import (
+    BLOCK,
+    GROUND_UNKNOWN,
+    LOST_AREA,
+    LOST_ROOFS,
+    NOT_MODELLED,
+    OK,
+    SIMPLIFIED,
+    ModelFacts,
+    judge,
+    quality,
+)
 from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints, has_curved_walls
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import checked_sloped_solids, is_sloped
 from .planes.roof_type import roof_type
 from .polygon_stage import LEVELS_BETTER
-from .quality import ModelFit, RoofCell, model_fit
+from .quality import ModelFit, RoofCell, height_differences, model_fit, surface_distances, unexplained_points
 from .solids.plan_partition import partition_plan
 from .solids.solid import building_solids
 from .solids.validity import check_solid
@@ -93,10 +104,10 @@ class BuildingModel:
 
 @dataclass(frozen=True)
 class FitPoints:
-    """Points (n, 3) that can be roof, m, and whether a roof took each (n,)."""
+    """Points (n, 3) that can be roof, m, and the roof that took each (n,), 0 for none."""
 
     xyz: np.ndarray
-    on_roof: np.ndarray
+    roof: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -205,7 +216,7 @@ def _fit_points(layout: PointLayout, records: np.ndarray, outline: shapely.Geome
         points = layout.view(records)
         several, classed = np.asarray(points.number_of_returns) > 1, np.asarray(points.classification) == BUILDING_CLASS
         use = candidate_points(x, y, z, on_roof, several, classed, outline, base)
-    return FitPoints(np.column_stack([x, y, z])[use], on_roof[use])
+    return FitPoints(np.column_stack([x, y, z])[use], records["roof_id"][use].astype(np.int64))
 
 
 def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list[BuildingModel]]:
@@ -261,10 +272,11 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
                           roof_type=roof_type(roof_cells(solids)) if solids else "", base_source=source)
     if not solids:
         return replace(model, quality=0.0)
-    return _judged(model if points is None else _measured(model, points), outline, roofs, open_share)
+    return _judged(model if points is None else _measured(model, points), outline,
+                   _lost_roofs(model, points, roofs), open_share)
 
 
-def _judged(model: BuildingModel, outline: shapely.Geometry | None, roofs: RoofInput,
+def _judged(model: BuildingModel, outline: shapely.Geometry | None, lost: bool,
             open_share: float) -> BuildingModel:
     """The model with the status and the quality that its facts give."""
     fit = model.fit
@@ -274,8 +286,7 @@ def _judged(model: BuildingModel, outline: shapely.Geometry | None, roofs: RoofI
     facts = ModelFacts(top - model.base, area, official,
                        fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
                        fit.rmse_z95 if fit else math.nan,
-                       any(str(status).startswith(LOST_ROOFS) for status in roofs.status),
-                       outline is not None and has_curved_walls(outline))
+                       lost, outline is not None and has_curved_walls(outline))
     status, reason = judge(model.status, model.reason, facts)
     figure = quality(status, fit.rmse_z, fit.rmse_z95, fit.not_explained, model.unseen) if fit else math.nan
     return replace(model, status=status, reason=reason, quality=figure)
@@ -301,12 +312,30 @@ def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
     return solids, SIMPLIFIED, f"one height for all roofs, as the detailed solid is not valid ({problems[0]})"
 
 
+def _lost_roofs(model: BuildingModel, points: FitPoints | None, roofs: RoofInput) -> bool:
+    """Whether a roof found in the points is not in the model, and no other surface of it explains its points."""
+    said = any(str(status).startswith(LOST_ROOFS) for status in roofs.status)
+    if points is None:
+        return said
+    absent = ~np.isin(points.roof, [0, *roofs.roof_id.tolist()])
+    xyz = points.xyz[absent]
+    if not len(xyz):
+        return False
+    cells = roof_cells(model.solids)
+    dz = height_differences(*xyz.T, cells)
+    far = unexplained_points(*xyz[:, :2].T, dz, surface_distances(*xyz.T, cells, wall_rectangles(model.solids)), cells)
+    density = np.count_nonzero(points.roof) / ground_area(model.solids)
+    missed = np.bincount(points.roof[absent][far & np.isfinite(dz)])
+    return bool(missed.max(initial=0) >= LOST_AREA * density)
+
+
 def _measured(model: BuildingModel, points: FitPoints) -> BuildingModel:
     """The model with its figures of fit."""
     cells, walls = roof_cells(model.solids), wall_rectangles(model.solids)
-    fit = model_fit(*points.xyz.T, cells, walls, points.on_roof)
+    on_roof = points.roof > 0
+    fit = model_fit(*points.xyz.T, cells, walls, on_roof)
     plan = shapely.union_all([cell.polygon for cell in cells])
-    roof = points.xyz[points.on_roof]
+    roof = points.xyz[on_roof]
     density = len(roof) / plan.area
     return replace(model, fit=fit, density=density, unseen=unseen_share(plan, roof, density))
 

@@ -33,6 +33,9 @@ MAX_NOT_EXPLAINED = 0.25
 MAX_RMSE = 1.0
 """RMSE of height (m) of the best 95 % of the candidate points from which the fit is poor."""
 
+LOST_AREA = 4.0
+"""Area (m2) of a roof without a polygon from which it is lost, where no other surface explains its points."""
+
 MIN_HEIGHT = 1.5
 """Height (m) over the ground below which nothing is called a sound building."""
 

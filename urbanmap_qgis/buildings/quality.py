@@ -17,8 +17,8 @@ EXPLAINED = 0.5
 PARAPET_HEIGHT, PARAPET_REACH = 1.5, 1.0
 """A point up to so much over a roof (m) and so near to its edge (m) is its parapet, which the model leaves out."""
 
-WALL_POINT = 0.3
-"""Distance (m) of a point that no roof took from a wall up to which it is a point of that wall."""
+WALL_POINT = 1.0
+"""Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are rough."""
 
 
 @dataclass(frozen=True)
@@ -73,19 +73,22 @@ def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]
         return ModelFit(len(x), *[np.nan] * 5, 0.0 if len(x) else np.nan, 1.0 if len(x) else np.nan)
     dz = height_differences(x, y, z, cells)
     over = np.isfinite(dz)
+    on_wall = np.zeros(len(x), bool)
     if on_roof is not None and len(walls) and not on_roof.all():
         other = np.flatnonzero(~on_roof)
-        over[other[_wall_distances(x[other], y[other], z[other], walls).min(axis=1) < WALL_POINT]] = False
+        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls).min(axis=1) < WALL_POINT
+        over &= ~on_wall
     distance = surface_distances(x, y, z, cells, walls)
     absolute = np.sort(np.abs(dz[over]))
     best = absolute[:max(int(np.ceil(BEST_SHARE * len(absolute))), 1)]
     median = float(np.median(absolute)) if len(absolute) else np.nan
     return ModelFit(len(x), _rms(absolute), _rms(best), median, _rms(distance), float(np.percentile(distance, 95)),
-                    float(np.isfinite(dz).mean()), float(_not_explained(x, y, dz, distance, cells).mean()))
+                    float(np.isfinite(dz).mean()),
+                    float((unexplained_points(x, y, dz, distance, cells) & ~on_wall).mean()))
 
 
-def _not_explained(x: np.ndarray, y: np.ndarray, dz: np.ndarray, distance: np.ndarray,
-                   cells: list[RoofCell]) -> np.ndarray:
+def unexplained_points(x: np.ndarray, y: np.ndarray, dz: np.ndarray, distance: np.ndarray,
+                       cells: list[RoofCell]) -> np.ndarray:
     """Mask (n,) of the points that neither a surface of the model nor a parapet on one of its roofs explains."""
     far = distance > EXPLAINED
     low = np.flatnonzero(far & (dz > 0) & (dz <= PARAPET_HEIGHT))
