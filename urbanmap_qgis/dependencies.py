@@ -32,12 +32,17 @@ class InstallError(UrbanMapError):
 
 @dataclass(frozen=True)
 class Package:
-    """A package as Python imports it and as pip names it."""
+    """A package as Python imports it and as pip names it.
+
+    `below` is the first version that does not work; `tested_below` the first that nobody has tried, which is not
+    installed but taken where it is there.
+    """
 
     import_name: str
     distribution: str
     minimum: tuple[int, ...] = ()
     below: tuple[int, ...] = ()
+    tested_below: tuple[int, ...] = ()
 
     @property
     def requirement(self) -> str:
@@ -45,8 +50,9 @@ class Package:
         limits = []
         if self.minimum:
             limits.append(">=" + ".".join(map(str, self.minimum)))
-        if self.below:
-            limits.append("<" + ".".join(map(str, self.below)))
+        first = self.below or self.tested_below
+        if first:
+            limits.append("<" + ".".join(map(str, first)))
         return self.distribution + ",".join(limits)
 
 
@@ -71,15 +77,15 @@ class Missing:
 PACKAGES = {
     package.import_name: package
     for package in (
-        Package("numpy", "numpy", (1, 22)),
-        Package("scipy", "scipy", (1, 9)),
-        Package("shapely", "shapely", (2, 0)),
-        Package("pyproj", "pyproj", (3, 2)),
-        Package("rasterio", "rasterio", (1, 3)),
-        Package("laspy", "laspy", (2, 4)),
-        Package("lazrs", "lazrs", (0, 5)),
+        Package("numpy", "numpy", (1, 22), (), (3,)),
+        Package("scipy", "scipy", (1, 9), (), (2,)),
+        Package("shapely", "shapely", (2, 0), (), (3,)),
+        Package("pyproj", "pyproj", (3, 2), (), (4,)),
+        Package("rasterio", "rasterio", (1, 3), (), (2,)),
+        Package("laspy", "laspy", (2, 4), (), (3,)),
+        Package("lazrs", "lazrs", (0, 5), (), (1,)),
         Package("cv2", "opencv-python-headless", (4, 5), (5,)),
-        Package("skimage", "scikit-image", (0, 19)),
+        Package("skimage", "scikit-image", (0, 19), (), (1,)),
     )
 }
 

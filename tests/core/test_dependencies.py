@@ -84,7 +84,7 @@ def test_too_old_package_is_missing_and_says_so(monkeypatch, version, found):
     items = find_missing(["shapely"])
     assert bool(items) is found
     if found:
-        assert str(items[0]) == "shapely>=2.0 (found 1.8.5)"
+        assert str(items[0]) == "shapely>=2.0,<3 (found 1.8.5)"
 
 
 def test_opencv_5_is_refused(monkeypatch):
