@@ -45,7 +45,7 @@ class Navigation:
 
     Attributes
     ----------
-    kepler, glonass : broadcast records.  precise : SP3 orbits, used before the broadcast ones where they reach.
+    kepler, glonass : broadcast records.  precise : SP3 orbits, used before the broadcast ones where they extend.
     ionosphere : coefficients of the files.  notes : sentences on damage.
     """
 
@@ -65,9 +65,9 @@ class Navigation:
         first, last = [], []
         for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
             if len(times):
-                reach = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
-                first.append((times - reach).min())
-                last.append((times + reach).max())
+                max_age = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
+                first.append((times - max_age).min())
+                last.append((times + max_age).max())
         for orbits in self.precise:
             first.append(orbits.time[0])
             last.append(orbits.time[-1])
@@ -80,8 +80,8 @@ class Navigation:
         """
         times = [np.zeros((0, 2))]
         for names, toe in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
-            reach = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
-            times.append(np.stack([toe - reach, toe + reach], axis=1).reshape(-1, 2))
+            max_age = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
+            times.append(np.stack([toe - max_age, toe + max_age], axis=1).reshape(-1, 2))
         times += [np.array([[orbits.time[0], orbits.time[-1]]]) for orbits in self.precise]
         records = np.concatenate(times)
         records = records[np.argsort(records[:, 0], kind="stable")]
@@ -94,8 +94,8 @@ class Navigation:
     def covers(self, first: float, last: float) -> bool:
         """Whether any orbit is good for a time between two GPS times."""
         for names, times in ((self.kepler.satellite, self.kepler.toe), (self.glonass.satellite, self.glonass.toe)):
-            reach = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
-            if np.any((times + reach >= first) & (times - reach <= last)):
+            max_age = np.array([MAX_EPHEMERIS_AGE.get(name[0], 0.0) for name in names])
+            if np.any((times + max_age >= first) & (times - max_age <= last)):
                 return True
         return any(orbits.time[-1] >= first and orbits.time[0] <= last for orbits in self.precise)
 

@@ -168,7 +168,7 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
         _count(left_out, reason, paths.states.status == status)
         unplaced[status] = set(satellite[paths.states.status == status].tolist())
     good = np.isfinite(paths.distance)
-    # The clock is told by the codes themselves; at the true time of reception the antenna was a little back.
+    # The clock follows from the codes themselves; at the true time of reception the antenna was a little back.
     rough = code - paths.distance + SPEED_OF_LIGHT * (paths.states.clock - paths.states.delay)
     clock = grouped_median(rough[good], epoch[good], len(time))
     late = np.where(np.isfinite(clock) & (np.abs(clock) < 0.05 * SPEED_OF_LIGHT), clock, 0.0) / SPEED_OF_LIGHT
