@@ -25,8 +25,9 @@ from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
+from urbanmap_qgis.mobile.markings.records import MarkingPoints
 from urbanmap_qgis.mobile.registration.correction.patch_status import DISTRUSTED, REGISTERED
-from urbanmap_qgis.mobile.registration.records import MarkingPoints, RegistrationSettings
+from urbanmap_qgis.mobile.registration.records import RegistrationSettings
 from urbanmap_qgis.mobile.registration.stage import RegistrationRun, register_markings, survey_markings
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.trajectory import Trajectory, interpolate, move_points, path_chainage
