@@ -24,7 +24,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         "After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the "
         "block round them (in shade in proportion less). Then goes what is no paint: what is as bright on one side "
         "(kerbs, walls, edges of shadows), bright bodies wider than paint (vehicles, roofs) and short pieces at them, "
-        "leaves, specks, and roof edges along what is hidden.\n"
+        "leaves, specks, and roof edges along what is hidden. The ground beside must be smooth and grey as roads "
+        "are: a confidence tells how much it is.\n"
         "Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 or 16 bit, of any size. Give "
         "roads where you have them: bright lines on roofs, plots and paving are then left out. Give building "
         "outlines, or the mask of what buildings hide, where they lean in the image."
@@ -54,6 +55,13 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                           0.1, 5.0, advanced=True)
         self.add_number("MIN_AREA", "Minimum marking area", "Smaller pieces are left out.", 0.06, 0.0, 100.0, unit="m2",
                         advanced=True)
+        self.add_number("MIN_CONFIDENCE", "Minimum confidence", "Markings (parts of long ones) with less confidence "
+                        "that they are paint on a road, 0 to 1, are left out: those on textured or coloured ground "
+                        "such as grass and earth, and faint ones. 0 keeps all. Where roads are given, the ground "
+                        "needs no proof.", 0.2, 0.0, 1.0)
+        self.add_distance("FILL_WIDTH", "Width of filled paint", "Paint up to this width, such as arrow heads and "
+                          "letters, is filled between its edges; at most the maximum stroke width fills nothing.", 1.5,
+                          0.0, 5.0, advanced=True)
         self.add_vector("SHIFTS", "Shifts between images", "Points of “Orthorectify frames” that tell how far the "
                         "frames of this orthophoto disagree; shown in the report.", optional=True)
         self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
@@ -63,8 +71,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_raster_output("OUTPUT", "Marking mask", "255 where there is a marking, otherwise 0; pixels as the "
                                "orthophoto's.")
         self.add_layer_output("OUTPUT_POLYGONS", "Road markings", "Outlines of the markings, with area (m2), length "
-                              "and width of the stroke (m), mean contrast (grey values) and colour.", optional=True,
-                              by_default=True)
+                              "and width of the stroke (m), mean contrast (grey values), colour and "
+                              "confidence (0 to 1).", optional=True, by_default=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers and areas, shifts between frames, "
                              "coverage, pictures of the markings over the orthophoto, and what to distrust.",
                              HTML_FILTER, optional=True)
@@ -121,7 +129,9 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         rules = CleanSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
-                              min_area=self.parameterAsDouble(parameters, "MIN_AREA", context))
+                              min_area=self.parameterAsDouble(parameters, "MIN_AREA", context),
+                              min_confidence=self.parameterAsDouble(parameters, "MIN_CONFIDENCE", context),
+                              fill_width=self.parameterAsDouble(parameters, "FILL_WIDTH", context))
         clean = self.parameterAsBool(parameters, "CLEAN", context) and not paper
         return MarkingSettings(self.parameterAsDouble(parameters, "BLOCK_SIZE", context),
                                self.parameterAsDouble(parameters, "CONTRAST", context), paper,
@@ -195,7 +205,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                 progress.warn(tr("{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and "
                                  "have no height there.").format(self.label_of("GROUND"), without, len(found)))
         fields = make_fields(("area", "real"), ("length", "real"), ("width", "real"), ("contrast", "real"),
-                             ("colour", "text"))
-        columns = {name: getattr(found, name) for name in ("area", "length", "width", "contrast", "colour")}
+                             ("colour", "text"), ("confidence", "real"))
+        columns = {name: getattr(found, name)
+                   for name in ("area", "length", "width", "contrast", "colour", "confidence")}
         return self.write_layer(parameters, "OUTPUT_POLYGONS", context, fields, columns, crs, geometries, kind,
                                 style="road_markings", progress=progress.part(0.9, 1.0))

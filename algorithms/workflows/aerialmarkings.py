@@ -37,7 +37,7 @@ class AerialMarkings(UrbanMapAlgorithm):
         self.add_from(SurfaceFromAls, SURFACE_RESOLUTION="RESOLUTION", label="Resolution of the surface", advanced=True)
         self.add_from(SurfaceFromAls, "POINTS_CRS")
         self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
-        self.add_from(RoadMarkingsFromOrthophoto, "BLOCK_SIZE", "CONTRAST", advanced=True)
+        self.add_from(RoadMarkingsFromOrthophoto, "BLOCK_SIZE", "CONTRAST", "MIN_CONFIDENCE", advanced=True)
         self.add_from(RoadMarkingsFromOrthophoto, "WORKERS", "OUTPUT")
         self.add_from(RoadMarkingsFromOrthophoto, "OUTPUT_POLYGONS", optional=True, by_default=True)
         self.add_from(OrthorectifyFrames, OUTPUT_ORTHOPHOTO="OUTPUT", optional=True, by_default=True)
@@ -73,7 +73,8 @@ class AerialMarkings(UrbanMapAlgorithm):
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         method = "paper" if paper else self.parameterAsString(parameters, "MARKING_METHOD", context)
         found = run("roadmarkingsfromorthophoto", METHOD=method,
-                    **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "WORKERS", "OUTPUT", "OUTPUT_POLYGONS", "OUTPUT_REPORT"),
+                    **pick("ROADS", "BLOCK_SIZE", "CONTRAST", "MIN_CONFIDENCE", "WORKERS", "OUTPUT", "OUTPUT_POLYGONS",
+                           "OUTPUT_REPORT"),
                     **told, INPUT=ortho["OUTPUT"], GROUND=als["OUTPUT_GROUND"])
         results = {"OUTPUT": found["OUTPUT"], "COUNT": found["COUNT"], "HOLE_AREA": ortho["HOLE_AREA"],
                    "OUTPUT_ORTHOPHOTO": ortho["OUTPUT"], "OUTPUT_GROUND": als["OUTPUT_GROUND"]}

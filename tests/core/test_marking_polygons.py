@@ -81,10 +81,12 @@ def test_parts_are_joined_across_seams():
     x, y = PLACE * (columns + 0.5, rows + 0.5)
     distance = np.hypot(x - 109.6, y - 190.4)
     field = (0.15 - np.abs(distance - 3.85)).astype(np.float32) * 100
-    markings = Markings(field > 0, field, np.where(field > 0, 80, 0).astype(np.float32), field > 0)
+    markings = Markings(field > 0, field, np.where(field > 0, 80, 0).astype(np.float32), field > 0,
+                        np.where(field > 0, np.float32(0.7), 0))
     whole = polygons_of(markings)
     assert len(whole) == 1 and len(whole.polygons[0].interiors) == 1
     assert whole.area[0] == pytest.approx(ring.area, rel=0.02)
+    assert whole.confidence[0] == pytest.approx(0.7)
     assert whole.contrast[0] == pytest.approx(80) and whole.colour[0] == "yellow"
     for tile in (7, 31, 64):
         cut = polygons_of(markings, tile)
@@ -96,7 +98,7 @@ def test_parts_are_joined_across_seams():
 def test_markings_at_the_images_edge_are_closed():
     field = np.full((20, 20), -1, np.float32)
     field[:3, :] = field[:, 17:] = 1
-    markings = Markings(field > 0, field, field, np.zeros((20, 20), bool))
+    markings = Markings(field > 0, field, field, np.zeros((20, 20), bool), field)
     found = polygons_of(markings)
     assert len(found) == 1 and found.polygons[0].is_valid and found.colour[0] == "white"
 

@@ -28,7 +28,8 @@ SURE = OrthophotoQuality([PairShift("a.tif", "b.tif", 0.01, 0.0, 0.004, 50, Fals
 def found():
     boxes = np.array([shapely.box(10 * k, 5, 10 * k + 3, 5.2) for k in range(4)], object)
     colours = np.array(["white", "white", "white", "yellow"], object)
-    polygons = MarkingPolygons(boxes, np.full(4, 0.6), np.full(4, 3.0), np.full(4, 0.2), np.full(4, 80.0), colours)
+    polygons = MarkingPolygons(boxes, np.full(4, 0.6), np.full(4, 3.0), np.full(4, 0.2), np.full(4, 80.0), colours,
+                               np.full(4, 0.9))
     return MarkingResult(polygons, 0.12, 500.0, 2.4)
 
 
@@ -64,7 +65,7 @@ def test_coarse_pixels_are_told(found):
 
 def test_an_empty_result_is_told(found, orthophoto, tmp_path):
     empty = np.zeros(0)
-    none = MarkingPolygons(np.zeros(0, object), empty, empty, empty, empty, np.zeros(0, object))
+    none = MarkingPolygons(np.zeros(0, object), empty, empty, empty, empty, np.zeros(0, object), empty)
     nothing = replace(found, polygons=none, marked_area=0.0)
     write_marking_report(tmp_path / "r.html", orthophoto, nothing, replace(SURE, pairs=None, views=None), {})
     page = (tmp_path / "r.html").read_text(encoding="utf-8")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import multiprocessing
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -16,7 +17,13 @@ from rasterio.transform import Affine
 
 from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
 from urbanmap_qgis.aerial.marking_filter import CleanSettings
-from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, level_adjustment_of, paint_brightness
+from urbanmap_qgis.aerial.road_markings import (
+    MarkingSettings,
+    find_markings,
+    level_adjustment_of,
+    noise_of,
+    paint_brightness,
+)
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress
 
@@ -73,6 +80,9 @@ def scores(found, truth):
 def search(bands, settings, roads=None):
     everywhere = np.ones(bands.shape[1:], dtype=bool)
     levels = level_adjustment_of(paint_brightness(bands).ravel())
+    if settings.cleaning:
+        noise = np.percentile(noise_of(bands, everywhere, PIXEL, levels, settings), 5)
+        levels = replace(levels, noise=float(noise))
     return find_markings(bands, everywhere, roads, PIXEL, levels, settings)
 
 
@@ -135,9 +145,11 @@ def test_result_does_not_depend_on_the_cut(tmp_path, tile):
     cut = markings_from_orthophoto(path, tmp_path / "cut.tif", tile=tile)
     assert np.array_equal(read_mask(tmp_path / "whole.tif"), read_mask(tmp_path / "cut.tif"))
     assert len(whole.polygons) == len(cut.polygons) > 10
-    assert np.allclose(whole.polygons.area, cut.polygons.area, rtol=1e-6)
-    assert np.allclose(whole.polygons.contrast, cut.polygons.contrast)
-    assert list(whole.polygons.colour) == list(cut.polygons.colour)
+    # An edge that lies on a seam may lose a thousandth of a pixel, and so change places in the order.
+    for figure in ("area", "contrast", "confidence"):
+        one, other = (np.sort(getattr(made.polygons, figure)) for made in (whole, cut))
+        assert np.allclose(one, other, rtol=1e-6, atol=1e-3)
+    assert sorted(whole.polygons.colour) == sorted(cut.polygons.colour)
 
 
 @pytest.mark.parametrize("kind", ["threads", "processes"])

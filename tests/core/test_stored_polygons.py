@@ -73,7 +73,7 @@ def tile_of(row, line):
     box = shapely.bounds(parts)
     measures = np.column_stack([shapely.area(parts), shapely.length(parts), -box[:, 1] - 0.5, box[:, 0] + 0.5])
     pixels = shapely.area(parts)
-    return TilePolygons(parts, seam, pixels, 50.0 * pixels, np.zeros(4), measures, top)
+    return TilePolygons(parts, seam, pixels, 50.0 * pixels, np.zeros(4), 0.5 * pixels, measures, top)
 
 
 def test_markings_are_joined_and_leave_the_memory(tmp_path, monkeypatch):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -12,7 +13,13 @@ import rasterio
 from rasterio.features import rasterize
 
 from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
-from urbanmap_qgis.aerial.road_markings import MarkingSettings, find_markings, level_adjustment_of, paint_brightness
+from urbanmap_qgis.aerial.road_markings import (
+    MarkingSettings,
+    find_markings,
+    level_adjustment_of,
+    noise_of,
+    paint_brightness,
+)
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 CITY = DATA / "city"
@@ -60,6 +67,8 @@ def test_drone(name):
     bands = np.ascontiguousarray(np.moveaxis(pixels[..., ::-1], 2, 0))
     everywhere = np.ones(pixels.shape[:2], dtype=bool)
     levels = level_adjustment_of(paint_brightness(bands).ravel())
+    noise = np.percentile(noise_of(bands, everywhere, 0.03, levels, MarkingSettings()), 5)
+    levels = replace(levels, noise=float(noise))
     mask = find_markings(bands, everywhere, None, 0.03, levels, MarkingSettings()).mask
     labelled = json.loads((DRONE / f"{name}.json").read_text(encoding="utf-8"))["shapes"]
     truth = np.zeros(mask.shape, np.uint8)

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
@@ -37,6 +37,7 @@ from .road_markings import (
     image_brightness,
     level_adjustment_of,
     margin_pixels,
+    noise_of,
 )
 from .worker_resources import WorkerResource, worker_resource
 
@@ -282,7 +283,7 @@ def _tile_markings(scene: _OrthophotoReader, rows: slice, columns: slice, levels
     allowed = seen if roads is None else seen & roads
     if not allowed.any():
         empty = np.zeros(seen.shape, dtype=np.float32)
-        return Markings(allowed, empty - 1, empty, allowed), allowed, window
+        return Markings(allowed, empty - 1, empty, allowed, empty), allowed, window
     return find_markings(bands, seen, roads, scene.pixel, levels, settings), allowed, window
 
 
@@ -304,24 +305,34 @@ def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, col
 
 
 def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progress) -> LevelAdjustment | None:
-    """Levels from small pieces spread over the image; None where there is nothing to look at.
+    """Levels and noise from small pieces spread over the image; None where there is nothing to look at.
 
     They are taken once for the whole image, so that tiles do not differ.
     """
-    values = []
+    values = [image_brightness(bands, settings)[seen if roads is None else seen & roads]
+              for bands, seen, roads in _samples(scene, progress.part(0.0, 0.5))]
+    values = np.concatenate(values)
+    if not len(values):
+        return None
+    if settings.paper:
+        return level_adjustment_of(values, 0.0)
+    levels = level_adjustment_of(values)
+    if settings.cleaning is None:
+        return levels
+    found = np.concatenate([noise_of(bands, seen, scene.pixel, levels, settings)
+                            for bands, seen, _ in _samples(scene, progress.part(0.5, 1.0))])
+    return replace(levels, noise=float(np.percentile(found, 5)) if len(found) else 0.0)
+
+
+def _samples(scene: _OrthophotoReader, progress: Progress
+             ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray | None]]:
+    """Bands, where ground is seen, and roads of small pieces spread over the image."""
     side = _SAMPLE_SIDE
     across = _spread(scene.columns, side)
     for number, row in enumerate(_spread(scene.rows, side)):
         progress.step(number / _SAMPLES)
         for column in across:
-            bands, seen, roads = scene.read(slice(row, min(row + side, scene.rows)),
-                                            slice(column, min(column + side, scene.columns)))
-            allowed = seen if roads is None else seen & roads
-            values.append(image_brightness(bands, settings)[allowed])
-    values = np.concatenate(values)
-    if not len(values):
-        return None
-    return level_adjustment_of(values, 0.0) if settings.paper else level_adjustment_of(values)
+            yield scene.read(slice(row, min(row + side, scene.rows)), slice(column, min(column + side, scene.columns)))
 
 
 def _spread(length: int, side: int) -> list[int]:

@@ -6,10 +6,12 @@ does not depend on how an image is cut: pieces of `max_length` or more are judge
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import cv2
 import numpy as np
+
+from .marking_confidence import REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,8 @@ class CleanSettings:
     wear_gap : flakes of worn paint this near to each other are one piece.
     border_share : pieces with this share of pixels along the edge of what is hidden are roof edges that a mask left.
     max_length : pieces of this length or more are not judged by their shape.
+    min_confidence : pieces (parts of long ones) with less confidence that they are paint on a road are left out.
+    confidence : how it is measured. fill_width : paint up to this width, such as arrow heads, is filled.
     """
 
     max_width: float = 0.8
@@ -41,11 +45,47 @@ class CleanSettings:
     wear_gap: float = 0.36
     border_share: float = 0.6
     max_length: float = 12.0
+    min_confidence: float = 0.2
+    confidence: ConfidenceSettings = field(default_factory=ConfidenceSettings)
+    fill_width: float = 1.5
 
     @property
     def reach(self) -> float:
         """How far, m, the result at a pixel looks round itself."""
-        return 2 * self.max_length + 2 * self.max_width + 2 * self.vehicle_width + self.vehicle_gap
+        return (2 * self.max_length + 2 * self.max_width + 2 * self.vehicle_width + self.vehicle_gap + REACH
+                + 2 * self.fill_width)
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """Bright pixels of a piece of image and what they are judged by; all but `bands` (rows, columns).
+
+    Attributes
+    ----------
+    core : bool, bright pixels. bands : (1 or 3 and more, rows, columns). image : levelled brightness. road : the same
+    without all that is narrower than `max_width`. threshold : grey values that paint stands out by. seen : bool, where
+    ground is seen. roads : bool, None where unknown. noise : of the image, see `marking_confidence.texture`.
+    """
+
+    core: np.ndarray
+    bands: np.ndarray
+    image: np.ndarray
+    road: np.ndarray
+    threshold: np.ndarray
+    seen: np.ndarray
+    roads: np.ndarray | None
+    noise: float
+
+
+@dataclass(frozen=True)
+class Cleaned:
+    """What is paint: `core` (bool), its `confidence` (float32, 0 where no core), the `ground` brightness round it and
+    `vehicles`, where vehicles are near (bool); all (rows, columns)."""
+
+    core: np.ndarray
+    confidence: np.ndarray
+    ground: np.ndarray
+    vehicles: np.ndarray
 
 
 def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
@@ -54,20 +94,17 @@ def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
     return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
 
 
-def remove_non_markings(core: np.ndarray, image: np.ndarray, road: np.ndarray, threshold: np.ndarray, seen: np.ndarray,
-          pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Pixels of `core` that are paint.
-
-    Parameters
-    ----------
-    core : bool (rows, columns), bright pixels. image : levelled brightness. road : the same without all that is
-    narrower than `max_width`. threshold : grey values that paint stands out by. seen : bool, where ground is
-    seen.
-    """
-    narrow = core & (image - road > settings.top_hat_ratio * threshold)
-    vehicles = vehicle_zones(road, threshold, pixel, settings)
-    inner = cv2.erode(seen.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
-    return filtered_components(narrow, vehicles, seen & ~inner, pixel, settings)
+def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings) -> Cleaned:
+    """Pixels of the candidates that are paint."""
+    relief = (found.image - found.road) / found.threshold
+    narrow = found.core & (relief > settings.top_hat_ratio)
+    ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
+                           found.noise, settings.confidence)
+    confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence)
+    vehicles = vehicle_zones(found.road, found.threshold, pixel, settings)
+    inner = cv2.erode(found.seen.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    kept, confidence = filtered_components(narrow, vehicles, found.seen & ~inner, confidence, pixel, settings)
+    return Cleaned(kept, confidence, ground.brightness, vehicles)
 
 
 def vehicle_zones(road: np.ndarray, threshold: np.ndarray, pixel: float,
@@ -100,22 +137,34 @@ def coarse_step(disc_pixel: float) -> int:
     return max(int(disc_pixel / 13), 1)
 
 
-def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, pixel: float,
-                  settings: CleanSettings) -> np.ndarray:
-    """Pieces of `mask` that are large enough, no short ones at a vehicle, and not just along a border.
+def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarray, confidence: np.ndarray,
+                        pixel: float, settings: CleanSettings) -> tuple[np.ndarray, np.ndarray]:
+    """Pieces of `mask` that are large enough, sure enough, no vehicle's, and not just along a border.
 
     `vehicles` and `border` are bool (rows, columns): near to a vehicle, and at the edge of what is hidden.
+    `confidence` is that of pixels.
+
+    Returns
+    -------
+    The kept pixels, bool, and their confidence: that of their piece, or of the part of a long one; 0 elsewhere.
     """
     joined = cv2.dilate(mask.astype(np.uint8), disc_kernel(settings.wear_gap, pixel))
     count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
-    labels = np.where(mask, labels, 0)
-    size, at_vehicle, at_border = (np.bincount(labels[part], minlength=count) for part in
-                                   (mask, mask & vehicles, mask & border))
+    inside = np.nonzero(mask)
+    labels = labels[inside]
+    size, at_vehicle, at_border, sure = (np.bincount(labels, values, minlength=count) for values in (
+        None, vehicles[inside], border[inside], confidence[inside]))
     length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
     own_length = length - settings.wear_gap
     kept = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
     kept &= (at_vehicle < settings.vehicle_share * size) | (own_length > settings.line_length)
     kept &= at_border < settings.border_share * size
-    kept |= length >= settings.max_length
+    long = length >= settings.max_length
+    kept |= long
     kept[0] = False
-    return kept[labels]
+    value = np.where(long[labels], along_strokes(confidence, mask, pixel)[inside],
+                     (sure / np.maximum(size, 1))[labels].astype(np.float32))
+    good = kept[labels] & (value >= settings.min_confidence)
+    chosen, values = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
+    chosen[inside], values[inside] = good, np.where(good, value, 0)
+    return chosen, values

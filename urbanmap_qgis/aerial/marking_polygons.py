@@ -43,7 +43,8 @@ class TilePolygons:
     Attributes
     ----------
     polygons : (n,) shapely polygons. at_seam : (n,) bool, they touch the tile's edge.
-    pixels, contrast, yellow : (n,) number of pixel centres inside, sum of contrasts, number of yellow ones.
+    pixels, contrast, yellow, confidence : (n,) number of pixel centres inside, sum of contrasts, number of yellow ones,
+        sum of confidences.
     measures : (n, 4) area, perimeter, north and west end, in the CRS, before whole ones (not at the seam) were
         simplified. top : first row of the tile.
     """
@@ -53,6 +54,7 @@ class TilePolygons:
     pixels: np.ndarray
     contrast: np.ndarray
     yellow: np.ndarray
+    confidence: np.ndarray
     measures: np.ndarray
     top: int
 
@@ -66,6 +68,7 @@ class MarkingPolygons:
     polygons : (n,) shapely polygons, an array or in a file. area : (n,) m2.
     length, width : (n,) m, of the stroke if it were straightened.
     contrast : (n,) mean grey values (of 255 after level adjustment) above the road. colour : (n,) "white" or "yellow".
+    confidence : (n,) 0 to 1 that it is paint on a road; NaN where it was not measured.
     """
 
     polygons: np.ndarray | StoredPolygons
@@ -74,6 +77,7 @@ class MarkingPolygons:
     width: np.ndarray
     contrast: np.ndarray
     colour: np.ndarray
+    confidence: np.ndarray
 
     def __len__(self) -> int:
         return len(self.polygons)
@@ -106,7 +110,7 @@ def tile_polygons(markings: Markings, window: tuple[slice, slice], rows: slice, 
     count = len(polygons) + 1
     inside = markings.mask[own]
     sums = [np.bincount(labels[inside], weights=weights, minlength=count)[1:] for weights in
-            (None, markings.contrast[own][inside], markings.yellow[own][inside])]
+            (None, markings.contrast[own][inside], markings.yellow[own][inside], markings.confidence[own][inside])]
     moved = shapely.transform(polygons, lambda points: points + np.array([columns.start, rows.start]))
     measures = _measures(moved, transform)
     moved[~at_seam] = _simplified(moved[~at_seam])
@@ -183,11 +187,11 @@ def merge_tile_polygons(pieces: Iterable[TilePolygons], transform: Affine, metre
         rows.close()
 
 
-_FIGURES = _AREA, _PERIMETER, _NORTH, _WEST, _PIXELS, _CONTRAST, _YELLOW_PIXELS = range(7)
+_FIGURES = _AREA, _PERIMETER, _NORTH, _WEST, _PIXELS, _CONTRAST, _YELLOW_PIXELS, _CONFIDENCE = range(8)
 
 
 def _finished(pieces: Iterable[TilePolygons], transform: Affine) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Whole markings in pixels and their figures (n, 7), as soon as no further tile can hold a part of them."""
+    """Whole markings in pixels and their figures (n, 8), as soon as no further tile can hold a part of them."""
     waiting = _no_parts()
     top = None
     for piece in pieces:
@@ -195,7 +199,7 @@ def _finished(pieces: Iterable[TilePolygons], transform: Affine) -> Iterator[tup
             waiting, done = _closed(waiting, piece.top)
             yield _joined(done, transform)
         top = piece.top
-        sums = np.column_stack([piece.pixels, piece.contrast, piece.yellow])
+        sums = np.column_stack([piece.pixels, piece.contrast, piece.yellow, piece.confidence])
         inner = ~piece.at_seam
         yield piece.polygons[inner], np.column_stack([piece.measures[inner], sums[inner]])
         outlines = shapely.make_valid(piece.polygons[piece.at_seam])
@@ -204,7 +208,7 @@ def _finished(pieces: Iterable[TilePolygons], transform: Affine) -> Iterator[tup
 
 
 def _no_parts() -> tuple[np.ndarray, np.ndarray]:
-    return np.empty(0, dtype=object), np.empty((0, 3))
+    return np.empty(0, dtype=object), np.empty((0, 4))
 
 
 def _closed(waiting: tuple[np.ndarray, np.ndarray], top: int) -> tuple[tuple, tuple]:
@@ -245,7 +249,8 @@ def _sorted(store: StoredPolygons, rows: StoredRows, metres_per_unit: float) -> 
     contrast = rows.column(_CONTRAST)[order] / pixels
     yellow = rows.column(_YELLOW_PIXELS)[order] > 0.5 * pixels
     colour = np.array([WHITE, YELLOW], dtype=object)[yellow.astype(np.intp)]
-    return MarkingPolygons(store, area, length, area / length, contrast, colour)
+    confidence = rows.column(_CONFIDENCE)[order] / pixels
+    return MarkingPolygons(store, area, length, area / length, contrast, colour, confidence)
 
 
 def _to_crs(points: np.ndarray, transform: Affine) -> np.ndarray:

@@ -99,6 +99,8 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
         report.section("Figures of the markings")
         report.histogram(found.polygons.width, "width (m)", "Markings by width", upper=1.0)
         report.histogram(found.polygons.contrast, "grey values above the road", "Markings by contrast")
+        if np.isfinite(found.polygons.confidence).all():
+            report.histogram(found.polygons.confidence, "confidence", "Markings by confidence", upper=1.0)
     _pictures(report, Path(orthophoto), found)
     report.section("Settings")
     if note:
@@ -131,7 +133,8 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
     if found.pixel > _COARSE:
         doubts.append(f"With pixels of {found.pixel:.2f} m lane lines are narrower than a pixel: many are missed.")
     if not evidence.roads:
-        doubts.append("No roads were given: bright lines on roofs, plots and paving may be among the markings.")
+        doubts.append("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and lines "
+                      "of car parks may be among the markings; cut by their confidence, or give roads.")
     alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
     if alone > _ONE_VIEW:
         doubts.append(f"{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and "

@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
-from .marking_filter import CleanSettings, disc_kernel, remove_non_markings
+from .marking_confidence import clear_of_paint, texture
+from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
 
 YELLOW_WEIGHT = 0.5
 """How much of red less blue is added to red: yellow paint on light paving is no brighter than it, but warmer."""
@@ -62,11 +63,15 @@ PAPER_MARKINGS = MarkingSettings(paper=True, cleaning=None)
 
 @dataclass(frozen=True)
 class LevelAdjustment:
-    """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it."""
+    """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it.
+
+    noise : texture of the smoothest ground of the image, grey values, see `noise_of`.
+    """
 
     low: float
     high: float
     middle: float
+    noise: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -76,13 +81,15 @@ class Markings:
     Attributes
     ----------
     mask : bool, pixel centres on paint. field : float32, brightness less that half-way between paint and road: its zero
-    line is the paint's edge. contrast : float32, grey values above the road. yellow : bool.
+    line is the paint's edge. contrast : float32, grey values above the road. yellow : bool. confidence : float32, 0 to
+    1, see `marking_confidence`; NaN where it is not measured.
     """
 
     mask: np.ndarray
     field: np.ndarray
     contrast: np.ndarray
     yellow: np.ndarray
+    confidence: np.ndarray
 
 
 def image_brightness(bands: np.ndarray, settings: MarkingSettings) -> np.ndarray:
@@ -137,15 +144,55 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     image = (raw - np.float32(levels.low)) * np.float32(255.0 / (levels.high - levels.low))
     if settings.paper:
         return thresholded(image, bands, seen, allowed, pixel, settings)
+    image, threshold, bright = _bright(image, seen, pixel, levels, settings)
+    core = bright & allowed
+    width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
+    road = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc_kernel(width, pixel), borderType=cv2.BORDER_REPLICATE)
+    if not settings.cleaning:
+        unknown = np.full(core.shape, np.nan, np.float32)
+        return _refined(core, image, road, bands, allowed, pixel, unknown)
+    found = Candidates(core & ~_green(bands), bands, image, road, threshold, seen, roads, levels.noise)
+    made = remove_non_markings(found, pixel, settings.cleaning)
+    core, road = _filled(made, image, road, allowed, pixel, settings.cleaning)
+    return _refined(core, image, road, bands, allowed, pixel, made.confidence)
+
+
+def _bright(image: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
+            settings: MarkingSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The levelled image (the block's mean where ground is not seen), grey values that paint stands out by, and where
+    the image does."""
     mean = _mean_of_seen(image, seen, pixel, settings.block_size)
     image = np.where(seen, image, mean)
     threshold = settings.contrast * np.clip(mean / max(levels.middle, 1.0), SHADE_FLOOR, 1.0)
-    core = (image > mean + threshold) & allowed
-    width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
-    road = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc_kernel(width, pixel), borderType=cv2.BORDER_REPLICATE)
-    if settings.cleaning:
-        core = remove_non_markings(core & ~_green(bands), image, road, threshold, seen, pixel, settings.cleaning)
-    return _refined(core, image, road, bands, allowed, pixel)
+    return image, threshold, image > mean + threshold
+
+
+def noise_of(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
+             settings: MarkingSettings) -> np.ndarray:
+    """Textures (n,) of the clear ground of a sample, grey values; the least of them are the image's own noise."""
+    raw = image_brightness(bands, settings)
+    image = (raw - np.float32(levels.low)) * np.float32(255.0 / (levels.high - levels.low))
+    image, _, bright = _bright(image, seen, pixel, levels, settings)
+    clear = clear_of_paint(bright, seen, pixel)
+    found = texture(image, clear, pixel, settings.cleaning.confidence.texture_lag)
+    return found[np.isfinite(found) & (clear > 0)]
+
+
+def _filled(made: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndarray, pixel: float,
+            settings: CleanSettings) -> tuple[np.ndarray, np.ndarray]:
+    """Paint wider than strokes (arrow heads, letters), and the road's brightness with the ground's in its place.
+
+    Its rim is found as narrow; what the rim encloses and is as bright, up to `fill_width`, belongs to it.
+    """
+    if settings.fill_width <= settings.max_width:
+        return made.core, road
+    side = max(round(settings.fill_width / pixel) | 1, 3)
+    square = np.ones((side, side), np.uint8)
+    closed = cv2.morphologyEx(made.core.astype(np.uint8), cv2.MORPH_CLOSE, square) > 0
+    paint = cv2.dilate(np.where(made.core, image, np.float32(0)), square)
+    wide = (closed & ~made.core & allowed & ~made.vehicles & (road > 0.5 * (paint + made.ground)))
+    near = cv2.dilate(wide.astype(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)) > 0
+    return made.core | wide, np.where(near, np.minimum(road, made.ground), road)
 
 
 def thresholded(image: np.ndarray, bands: np.ndarray, seen: np.ndarray, allowed: np.ndarray, pixel: float,
@@ -165,7 +212,7 @@ def thresholded(image: np.ndarray, bands: np.ndarray, seen: np.ndarray, allowed:
         red = bands[0].astype(np.float32)
         yellow = mask & (red - bands[2] > YELLOW_SHARE * red)
     return Markings(mask, np.where(mask, np.float32(1), np.float32(-1)),
-                    np.where(mask, image - mean, np.float32(0)), yellow)
+                    np.where(mask, image - mean, np.float32(0)), yellow, np.full(mask.shape, np.nan, np.float32))
 
 
 def _block_pixels(pixel: float, block_size: float) -> int:
@@ -191,7 +238,7 @@ def _green(bands: np.ndarray) -> np.ndarray:
 
 
 def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,
-             pixel: float) -> Markings:
+             pixel: float, confidence: np.ndarray) -> Markings:
     """The paint round core pixels, up to half-way between the paint's brightness and the road's.
 
     The half-way line is where an edge lies whatever the blur; a threshold over the mean is not.
@@ -208,4 +255,5 @@ def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.nd
         warmth = red - bands[2]
         ground = cv2.erode(warmth, spread)
         yellow = mask & (np.maximum(warmth, warmth - ground) > YELLOW_SHARE * red) & (warmth > 0.5 * YELLOW_SHARE * red)
-    return Markings(mask, above, np.where(mask, image - road, np.float32(0)), yellow)
+    confidence = np.where(mask, cv2.dilate(confidence, spread), np.float32(0))
+    return Markings(mask, above, np.where(mask, image - road, np.float32(0)), yellow, confidence)

@@ -1,0 +1,83 @@
+"""Confidence of markings: asphalt, grass, roofs and wide paint drawn with known places."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+import rasterio
+from rasterio.transform import Affine
+
+from urbanmap_qgis.aerial.marking_confidence import clear_of_paint, texture
+from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.marking_filter import Cleaned, CleanSettings
+from urbanmap_qgis.aerial.road_markings import MarkingSettings, _filled
+
+PIXEL = 0.1
+
+
+def scene(seed=2):
+    """(rows, columns, 3): asphalt on the left, earth and grass on the right, all with lines of the same brightness."""
+    rng = np.random.default_rng(seed)
+    image = np.full((400, 600, 3), 95.0)
+    image[:200, 300:] = (120, 112, 92)
+    image[200:, 300:] = (95, 100, 80)
+    image[200:, 300:] += cv2.GaussianBlur(rng.normal(0, 60, (200, 300)), (0, 0), 1.2)[..., None]
+    for left in (60, 360):
+        for top in (60, 260):
+            image[top:top + 40, left:left + 2] = 215
+    image = cv2.GaussianBlur(image, (0, 0), 0.6) + rng.normal(0, 1.5, image.shape)
+    return np.clip(image, 0, 255).astype(np.uint8)
+
+
+def found_in(tmp_path, image, area=None, **rules):
+    path = tmp_path / "o.tif"
+    with rasterio.open(path, "w", driver="GTiff", width=image.shape[1], height=image.shape[0], count=3, dtype="uint8",
+                       crs="EPSG:6677", transform=Affine(PIXEL, 0, 0, 0, -PIXEL, 0)) as out:
+        out.write(np.moveaxis(image, -1, 0))
+    settings = MarkingSettings(cleaning=CleanSettings(**rules))
+    made = markings_from_orthophoto(path, tmp_path / "m.tif", area, settings)
+    with rasterio.open(tmp_path / "m.tif") as source:
+        return made, source.read(1) > 0
+
+
+def test_paint_on_asphalt_stays_and_stripes_on_grass_and_earth_go(tmp_path):
+    image = scene()
+    _, every = found_in(tmp_path, image, min_confidence=0.0)
+    made, mask = found_in(tmp_path, image)
+    assert every[60:100, 360:362].mean() > 0.8 and every[:, 310:].sum() > 500
+    assert mask[60:100, 60:62].mean() > 0.9 and mask[260:300, 60:62].mean() > 0.9
+    assert mask[:, 310:].sum() < 0.05 * every[:, 310:].sum()
+    assert len(made.polygons) and (made.polygons.confidence > 0.2).all() and (made.polygons.confidence <= 1).all()
+
+
+def test_known_roads_need_no_proof(tmp_path):
+    import shapely
+
+    _, mask = found_in(tmp_path, scene(), SearchArea(roads=[shapely.box(30.5, -20.0, 60.0, 0.0)]))
+    assert mask[60:100, 360:362].mean() > 0.8
+
+
+def test_paint_inside_a_rim_is_filled_and_road_is_not():
+    """A rim of 1.2 m round paint, and one round asphalt."""
+    core, image = np.zeros((60, 100), bool), np.full((60, 100), 90, np.float32)
+    image[20:32, 20:32] = 200
+    for left in (20, 60):
+        cv2.rectangle(view := core[20:32, left:left + 12].view(np.uint8), (0, 0), (11, 11), 1, 2)
+        core[20:32, left:left + 12] = view > 0
+    image[core] = 200
+    road = np.where(np.arange(100) < 50, image, 90).astype(np.float32)  # the opening keeps what is wide
+    nothing = np.zeros(core.shape, bool)
+    made = Cleaned(core, core.astype(np.float32), np.full(core.shape, 90, np.float32), nothing)
+    filled, ground = _filled(made, image, road, ~nothing, PIXEL, CleanSettings())
+    assert filled[20:32, 20:32].all() and not filled[23:29, 63:69].any()
+    assert ground[26, 26] == 90 and filled.sum() == core.sum() + (~core[20:32, 20:32]).sum()
+    assert (_filled(made, image, road, ~nothing, PIXEL, CleanSettings(fill_width=0.0))[0] == core).all()
+
+
+def test_texture_is_the_noise_of_plain_ground():
+    rng = np.random.default_rng(0)
+    image = rng.normal(100, 3, (200, 200)).astype(np.float32)
+    clear = clear_of_paint(np.zeros(image.shape, bool), np.ones(image.shape, bool), PIXEL)
+    assert np.median(texture(image, clear, PIXEL, 0.2)) == pytest.approx(3.0, rel=0.05)
+    assert np.isinf(texture(image, np.zeros_like(image), PIXEL, 0.2)).all()

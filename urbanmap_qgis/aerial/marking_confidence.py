@@ -1,0 +1,189 @@
+"""How surely a bright narrow thing is paint on a road: by the ground beside it and by its own contrast.
+
+Paint lies on asphalt or concrete, which is smooth, grey and wide; grass, earth, leaves and shingle are not. All of it
+has bounded reach (`REACH`), so that large images can be worked on in tiles.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+
+@dataclass(frozen=True)
+class ConfidenceSettings:
+    """What the ground beside paint is like. Each pair is a ramp: no confidence at the first value, full at the second.
+
+    The values were tuned on two drone photographs (SiteB, SiteD of The-DRIFT) and checked on others.
+
+    Parameters
+    ----------
+    max_texture : standard deviation over `texture_lag`, grey values after level adjustment, that smooth ground has at
+    most; in noisy images `noise_factor` times the image's own noise.
+    max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness that grey ground
+    has at most.
+    max_step : difference from the mean brightness of such ground within 4 m, as a share of it.
+    beside : share of smooth grey ground within 0.7 m of the paint. around : the same within 5 m. open_ground : as a
+    share of all ground; it stands in for `beside` where all is too near to paint to be looked at.
+    contrast : of the top-hat, in thresholds; `faint` is the confidence at the first, as worn paint lies there.
+    warmer : how much warmer than the ground paint is: white is neutral, yellow warm, asphalt never warmer than either.
+    """
+
+    max_texture: float = 5.0
+    noise_factor: float = 3.0
+    texture_lag: float = 0.2
+    max_warmth: float = 0.06
+    max_green: float = 0.07
+    max_step: float = 0.5
+    beside: tuple[float, float] = (0.1, 0.5)
+    around: tuple[float, float] = (0.25, 0.6)
+    open_ground: tuple[float, float] = (0.15, 0.5)
+    contrast: tuple[float, float] = (1.4, 4.0)
+    faint: float = 0.4
+    warmer: tuple[float, float] = (-0.06, -0.01)
+
+
+REACH = 14.0
+"""m round a pixel that its confidence depends on: half the boxes below, one after the other."""
+
+_CLEAR_OF_PAINT = 0.2
+_TEXTURE_BOX, _BRIGHTNESS_BOX, _AROUND_BOX, _BESIDE_BOX, _BESIDE, _MEAN_BOX = 1.2, 8.0, 10.0, 2.4, 0.7, 2.5
+_STEP_SLACK = 6.0  # grey values: dark ground may differ by these whatever its share
+_MIN_PAIRS = 0.02
+_MAX_DIFFERENCE = 100.0  # grey values; keeps sums of squares whole
+_PRIOR = np.float32(0.03)  # share of the box that weighs as much as the stand-in
+
+
+@dataclass(frozen=True)
+class GroundBeside:
+    """The ground round markings; all (rows, columns).
+
+    Attributes
+    ----------
+    clear : float32, 1 where ground is seen and no bright thing is near. smooth : float32, 1 where that is smooth, grey
+        and about as bright as such ground around. brightness : float32, mean of the smooth ground within 4 m.
+        warmth : likewise; None for grey images.
+    """
+
+    clear: np.ndarray
+    smooth: np.ndarray
+    brightness: np.ndarray
+    warmth: np.ndarray | None
+
+
+def texture(image: np.ndarray, clear: np.ndarray, pixel: float, lag: float) -> np.ndarray:
+    """Standard deviation of brightness between pixels `lag` metres apart, clear ground only; infinite where there is
+    hardly any, (rows, columns) float32."""
+    step = max(round(lag / pixel), 1)
+    squares, pairs = np.zeros_like(image), np.zeros_like(image)
+    for one, other in ((np.s_[step:], np.s_[:-step]), (np.s_[:, step:], np.s_[:, :-step])):
+        weight = clear[one] * clear[other]
+        difference = np.clip(image[one] - image[other], -_MAX_DIFFERENCE, _MAX_DIFFERENCE)
+        squares[one] += np.rint(difference * difference) * weight
+        pairs[one] += weight
+    squares, pairs = (_box(values, _TEXTURE_BOX, pixel) for values in (squares, pairs))
+    # Sums over boxes that run along leave rounding errors below 0.
+    found = np.sqrt(np.maximum(squares, 0) / np.maximum(2 * pairs, np.float32(1e-3)))
+    return np.where(pairs > _MIN_PAIRS, found, np.float32(np.inf))
+
+
+def clear_of_paint(bright: np.ndarray, seen: np.ndarray, pixel: float) -> np.ndarray:
+    """Where ground is seen and nothing bright is near, (rows, columns) float32 of 0 and 1."""
+    side = 2 * max(round(_CLEAR_OF_PAINT / pixel), 1) + 1
+    near = cv2.dilate(bright.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side)))
+    return (seen & (near == 0)).astype(np.float32)
+
+
+def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright: np.ndarray, seen: np.ndarray,
+                  pixel: float, noise: float, settings: ConfidenceSettings) -> GroundBeside:
+    """The smooth grey ground of a piece of image.
+
+    Parameters
+    ----------
+    bands : (1 or 3 and more, rows, columns), red, green, blue first. image : levelled brightness. road : the same
+    without what is as narrow as paint. bright : bool, what may be paint. seen : bool. noise : texture of the image's
+    smoothest ground.
+    """
+    clear = clear_of_paint(bright, seen, pixel)
+    rough = texture(image, clear, pixel, settings.texture_lag)
+    smooth = clear * (rough < max(settings.max_texture, settings.noise_factor * noise))
+    warmth = None
+    if len(bands) >= 3:
+        warmth, green = colours_of(bands, clear)
+        smooth *= (warmth < settings.max_warmth) & (np.abs(green) < settings.max_green)
+    mean = _mean_where(road, smooth, _BRIGHTNESS_BOX, pixel)
+    smooth *= np.abs(road - mean) < settings.max_step * np.abs(mean) + _STEP_SLACK
+    mean = _mean_where(road, smooth, _BRIGHTNESS_BOX, pixel)
+    if warmth is not None:
+        warmth = _mean_where(warmth, smooth, _BRIGHTNESS_BOX, pixel, 200)
+    return GroundBeside(clear, smooth, mean, warmth)
+
+
+def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Warmth (red - blue) and green (less the mean of red and blue) as shares of the brightness, over 3 x 3 pixels
+    (5 x 5 of those with a weight), because JPEG spreads colours; (rows, columns) float32 each."""
+    red, green, blue = (band.astype(np.float32) for band in bands[:3])
+    if weight is None:
+        red, green, blue = (cv2.blur(band, (3, 3), borderType=cv2.BORDER_REPLICATE) for band in (red, green, blue))
+    else:
+        share = np.maximum(cv2.blur(weight, (5, 5), borderType=cv2.BORDER_REPLICATE), np.float32(1e-3))
+        red, green, blue = (cv2.blur(band * weight, (5, 5), borderType=cv2.BORDER_REPLICATE) / share
+                            for band in (red, green, blue))
+    brightness = np.maximum((red + green + blue) / 3, np.float32(1e-3))
+    return (red - blue) / brightness, (green - (red + blue) / 2) / brightness
+
+
+def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, ground: GroundBeside,
+                       roads: np.ndarray | None, pixel: float, settings: ConfidenceSettings) -> np.ndarray:
+    """Confidence, 0 to 1, that bright pixels are paint on a road, (rows, columns) float32.
+
+    Parameters
+    ----------
+    core : bool, pixels that may be paint. relief : their top-hat in thresholds. ground : round them. roads : bool,
+    known roads, in which the ground needs no proof; None for unknown.
+    """
+    contrast = _ramp(relief, settings.contrast)
+    if roads is not None:
+        return 0.5 + 0.5 * contrast
+    confidence = settings.faint + (1 - settings.faint) * contrast
+    if ground.warmth is not None:
+        confidence *= _ramp(colours_of(bands)[0] - ground.warmth, settings.warmer)
+    return confidence * _on_road(core, ground, pixel, settings)
+
+
+def _on_road(core: np.ndarray, ground: GroundBeside, pixel: float, settings: ConfidenceSettings) -> np.ndarray:
+    """Confidence that bright pixels lie on a road, by the smooth grey ground beside and around them."""
+    side = 2 * max(round(_BESIDE / pixel), 1) + 1
+    ring = cv2.dilate(core.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))) > 0
+    ring = ring * ground.clear
+    smooth = _box(ground.smooth, _AROUND_BOX, pixel)
+    around = smooth / np.maximum(_box(ground.clear, _AROUND_BOX, pixel), np.float32(0.05))
+    # Between the bars of a crossing no ground is clear: smooth ground around then stands in for what lies beside.
+    beside = ((_box(ring * ground.smooth, _BESIDE_BOX, pixel) + _PRIOR * _ramp(smooth, settings.open_ground))
+              / (_box(ring, _BESIDE_BOX, pixel) + _PRIOR))
+    return _ramp(beside, settings.beside) * _ramp(around, settings.around)
+
+
+def along_strokes(confidence: np.ndarray, core: np.ndarray, pixel: float) -> np.ndarray:
+    """Mean of the confidence over the bright pixels within 1.25 m, for strokes too long to be judged as one."""
+    return _mean_where(confidence, core.astype(np.float32), _MEAN_BOX, pixel, 255)
+
+
+def _ramp(values: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
+    low, high = ends
+    return np.clip((values - np.float32(low)) / np.float32(high - low), 0, 1)
+
+
+def _box(values: np.ndarray, side: float, pixel: float) -> np.ndarray:
+    """Mean over a box with a side in m. Whole numbers are given: their running sums are exact, and so the result does
+    not depend on where a tile begins."""
+    pixels = max(round(side / pixel) | 1, 3)
+    return cv2.blur(values, (pixels, pixels), borderType=cv2.BORDER_REPLICATE)
+
+
+def _mean_where(values: np.ndarray, weight: np.ndarray, side: float, pixel: float, steps: int = 1) -> np.ndarray:
+    """Mean of the values with a weight of 0 or 1 over a box; 0 where there are none. Values count in 1 / `steps`."""
+    total = _box(np.rint(values * np.float32(steps)) * weight, side, pixel)
+    return total / np.float32(steps) / np.maximum(_box(weight, side, pixel), np.float32(1e-4))
