@@ -23,6 +23,7 @@ from scipy.spatial import Delaunay
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models, roof_cells, wall_rectangles  # noqa: E402
@@ -222,6 +223,7 @@ def main() -> int:
     if DELFT.is_dir():
         delft = Delft.read()
         delft_table(delft)
+        sloped_table(delft, chain, score, outlines_of, DELFT, print_table)
         steps_table(delft)
         cells_table(reference)
     else:
