@@ -20,9 +20,6 @@ STRIP_CELL, LEAST_BROAD, LEVEL = 0.4, 0.25, 0.1
 """Cells (m) three of which make a roof broad enough; share of such cells of a level roof; slope up to which one is
 level: steep strips are mansards."""
 
-LONG_STRIP = 10.0
-"""Area (m2) from which a strip must be a cell broader: points of a parapet scatter by their plan error."""
-
 STRIP_DENSITY = 4.0
 """Points/m2 from which a strip can be told from a roof with few points."""
 
@@ -115,8 +112,7 @@ def _without_strips(points: np.ndarray, label: np.ndarray, cell: float) -> np.nd
         hit = np.zeros((row.max() + 3, column.max() + 3), np.uint8)
         hit[row, column] = 1
         hit = cv2.morphologyEx(hit, cv2.MORPH_CLOSE, np.ones((2, 2), np.uint8))
-        width = 4 if np.count_nonzero(hit) * cell**2 > LONG_STRIP else 3
-        broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((width, width), np.uint8))
+        broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
         keep[number] = np.count_nonzero(broad) >= LEAST_BROAD * np.count_nonzero(hit)
     if not keep.any():
         return label
