@@ -89,7 +89,7 @@ def cut(inputs, folder):
     (other_time, "trajectory runs from"),
     (dark, "has no intensity"),
     (lambda inputs, folder: dark(inputs, folder, 500), "have the intensity 500"),
-    (cut, "truncated"),
+    (cut, "truncated|cannot be read"),
     (lambda inputs, folder: {"OUTPUT": str(folder / "m.csv")}, "must end in .laz or .las"),
 ])
 def test_one_sentence_for_what_cannot_be_done(run, inputs, tmp_path, tmp_path_factory, wrong, words):

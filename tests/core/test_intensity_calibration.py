@@ -40,7 +40,7 @@ def floored(r):
 
 def worst(curve, law, low=None, high=None):
     """Greatest departure of a curve from a law between its limits, as a share."""
-    r = np.linspace(low or curve.nearest + 0.25, high or curve.farthest - 0.25, 50)
+    r = np.linspace(low or curve.nearest + 0.25, high or curve.r2 - 0.25, 50)
     return np.abs(curve.at(r) / law(r) - 1).max()
 
 
@@ -55,7 +55,7 @@ def test_known_law_is_found(law, shares):
     assert worst(curve, law) < 0.05
     assert curve.residual < 0.04
     assert 0.08 < curve.scatter < 0.16
-    assert curve.farthest > 20 and curve.nearest < 5.5
+    assert curve.r2 > 20 and curve.nearest < 5.5
 
 
 def test_pavements_that_outnumber_asphalt_do_not_lead_the_curve_astray():
@@ -79,9 +79,9 @@ def test_the_floor_gives_r1():
     # 10 % above the floor of 500: where 500 000 r^-3.3 = 50.
     curve = fit_curve(drawn(lambda r: 500 + 500_000 * r ** -3.3, far=38.0, points=400_000, scatter=0.03))
     expected = (500_000 / 50) ** (1 / 3.3)
-    assert curve.flat_from == pytest.approx(expected, abs=3.0)
-    assert curve.farthest > curve.flat_from
-    beyond = np.linspace(curve.flat_from, curve.farthest, 5)
+    assert curve.r1 == pytest.approx(expected, abs=3.0)
+    assert curve.r2 > curve.r1
+    beyond = np.linspace(curve.r1, curve.r2, 5)
     assert np.allclose(curve.at(beyond), curve.smallest)
 
 
@@ -94,12 +94,12 @@ def test_r2_is_where_paint_is_lost_in_the_scatter():
     histogram.add(r, intensity)
     curve = fit_curve(histogram)
     # Paint of 2.5 asphalts exceeds two standard deviations while 1.5 * 2e6 r^-3.5 > 240.
-    assert curve.farthest == pytest.approx((1.5 * 2e6 / 240) ** (1 / 3.5), abs=2.5)
+    assert curve.r2 == pytest.approx((1.5 * 2e6 / 240) ** (1 / 3.5), abs=2.5)
 
 
 def test_equation_4():
     curve = fit_curve(drawn(floored, shares=STREET))
-    r = np.array([6.0, 10.0, 15.0, curve.farthest - 0.1, curve.farthest + 0.1])
+    r = np.array([6.0, 10.0, 15.0, curve.r2 - 0.1, curve.r2 + 0.1])
     out = calibrated(floored(r) * 3.0, r, curve, 1000.0)
     assert np.allclose(out[:3], 3000, rtol=0.06) and np.isfinite(out[3]) and np.isnan(out[4])
 

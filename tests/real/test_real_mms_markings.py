@@ -33,14 +33,14 @@ def test_markings_of_the_independent_city(city):
     # Spots lit by paint whose middle is worn or beside it are labelled asphalt: few are anything else.
     assert np.mean(found == PAINT) > 0.85
     assert np.mean(np.isin(found, (ASPHALT, PAINT))) > 0.995
-    assert made.marked_way > 0.9 and not doubts(made)
+    assert made.marked_share > 0.9 and not doubts(made)
 
 
 def test_its_curve(city):
     made, _material = city
     curve = made.curves[1]
     assert set(made.curves) == {1} and curve.residual < 0.05 and curve.scatter < 0.2
-    assert curve.nearest < 6 and curve.farthest > 18
+    assert curve.nearest < 6 and curve.r2 > 18
 
 
 def test_spinning_scanner_in_a_queue(real_data):

@@ -55,10 +55,10 @@ def _survey(report: Report, made: Extraction, files: Sequence[str]) -> None:
         "Outside the trajectory's time": made.outside, "Measured while standing (left out)": made.standing,
         "Within range of the vehicle": made.near, "On the ground": made.ground,
         "Ground told by": "classes" if made.ground_method == "classes" else "cloth filter",
-        "Ground within R2": made.in_reach, "Marking points": count,
-        "Share of marking points among these, %": 100.0 * count / max(made.in_reach, 1),
+        "Ground within R2": made.in_range, "Marking points": count,
+        "Share of marking points among these, %": 100.0 * count / max(made.in_range, 1),
         "Contrast of paint to the ground beside it (median)": contrast_of(made),
-        "Driven way with markings, %": 100.0 * made.marked_way,
+        "Path with markings, %": 100.0 * made.marked_share,
         "Scatter of the ground's heights, m": made.height_scatter,
         "Reference intensity": made.reference})
     for sentence in doubts(made):
@@ -93,7 +93,7 @@ def _curve(report: Report, curve: IntensityCurve, reference: float) -> None:
                   "it is applied (line), R1 and R2.")
     report.facts({
         "C (floor)": curve.floor, "A (at 1 m)": curve.gain, "b (fall)": curve.fall,
-        "d (loss near the scanner), m": curve.near or None, "R1, m": curve.flat_from, "R2, m": curve.farthest,
+        "d (loss near the scanner), m": curve.near or None, "R1, m": curve.r1, "R2, m": curve.r2,
         "Shortest range, m": curve.nearest, "I_M (largest intensity of asphalt)": float(curve.at(curve.nearest)),
         "I_m (smallest)": curve.smallest, "I_ref": reference,
         "Ground points": int(curve.points.sum()), "Bins used": int(curve.used.sum()),
@@ -112,7 +112,7 @@ def _every(count: int) -> int:
 
 def curve_svg(curve: IntensityCurve) -> str:
     """The plot of a curve."""
-    r_max = max(float(curve.ranges.max()), curve.farthest) * 1.02
+    r_max = max(float(curve.ranges.max()), curve.r2) * 1.02
     i_max = 1.05 * max(float(curve.asphalt.max()), float(curve.at(curve.nearest)))
     width, height = WIDTH - _LEFT - _RIGHT, HEIGHT - _TOP - _BOTTOM
 
@@ -122,7 +122,7 @@ def curve_svg(curve: IntensityCurve) -> str:
     x, y = place(curve.ranges, curve.asphalt)
     dots = "".join(f'<circle cx="{a:.1f}" cy="{b:.1f}" r="2.2" fill="{"#2f6f8f" if used else "#bbbbbb"}"/>'
                    for a, b, used in zip(x, y, curve.used))
-    r = np.linspace(curve.nearest, curve.farthest, 200)
+    r = np.linspace(curve.nearest, curve.r2, 200)
     line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(*place(r, curve.at(r))))
     limits = "".join(f'<path d="M{a:.1f} {_TOP}V{HEIGHT - _BOTTOM}" stroke="#777" stroke-dasharray="4 3"/>'
                      f'<text x="{a - 4:.1f}" y="{_TOP + 10}" text-anchor="end">{name}</text>'
@@ -134,9 +134,9 @@ def curve_svg(curve: IntensityCurve) -> str:
 
 def _limits(curve: IntensityCurve, at) -> list[tuple[str, float]]:
     """Names and places of R1 and R2; one where they are the same."""
-    if curve.flat_from >= curve.farthest:
-        return [("R1 = R2", at(curve.farthest))]
-    return [("R1", at(curve.flat_from)), ("R2", at(curve.farthest))]
+    if curve.r1 >= curve.r2:
+        return [("R1 = R2", at(curve.r2))]
+    return [("R1", at(curve.r1)), ("R2", at(curve.r2))]
 
 
 def _axes(r_max: float, i_max: float, place) -> str:
@@ -168,7 +168,7 @@ def facts_of(made: Extraction) -> Mapping[str, float]:
     """Numbers of an extraction for the results of a run."""
     worst = max(made.curves.values(), key=lambda curve: curve.residual)
     return {"POINTS_READ": made.read, "GROUND_POINTS": made.ground, "MARKING_POINTS": len(made.points),
-            "MARKING_SHARE": len(made.points) / max(made.in_reach, 1), "PAINT_CONTRAST": contrast_of(made),
+            "MARKING_SHARE": len(made.points) / max(made.in_range, 1), "PAINT_CONTRAST": contrast_of(made),
             "FIT_RESIDUAL": worst.residual, "FIT_SCATTER": worst.scatter, "SCANNERS": len(made.curves),
-            "FARTHEST_RANGE": max(curve.farthest for curve in made.curves.values()), "MARKED_WAY": made.marked_way,
+            "FARTHEST_RANGE": max(curve.r2 for curve in made.curves.values()), "MARKED_WAY": made.marked_share,
             "LEFT_OUT": made.outside + made.standing}

@@ -30,22 +30,22 @@ BIN = 0.25
 LEVEL = 0.02
 """Width of the bins of the intensity's natural logarithm."""
 
-LEAST = 0.5
+MIN_INTENSITY = 0.5
 """Intensities below count as this: there is no logarithm of 0."""
 
 _TOP = np.log(70_000.0)
-_LEVELS = int(np.ceil((_TOP - np.log(LEAST)) / LEVEL))
+_LEVELS = int(np.ceil((_TOP - np.log(MIN_INTENSITY)) / LEVEL))
 _WIDTHS = (0.08, 0.25)
 _PEAK_SHARE = 0.15
 _WINDOW = 2.5
 _DARKEST = 1.0
-_MOST_SCATTER = 0.54
+_MAX_SCATTER = 0.54
 _CATCH = 0.17
 _FOLLOWED = 0.3
 _NEIGHBOURS = 16
 _SHRINK = 0.01
-_FEWEST = 60
-_FEWEST_BINS = 4
+_MIN_POINTS = 60
+_MIN_BINS = 4
 _SHARE = 2e-5
 _AT_FLOOR = 1.1
 _PAINT = 2.5
@@ -72,7 +72,7 @@ class RangeHistogram:
     def add(self, ranges: np.ndarray, intensity: np.ndarray) -> None:
         """Take points: ranges (n,) in m, intensity (n,)."""
         row = (ranges * (1.0 / BIN)).astype(np.int64)
-        level = (np.log(np.maximum(intensity, LEAST) / LEAST) * (1.0 / LEVEL)).astype(np.int64)
+        level = (np.log(np.maximum(intensity, MIN_INTENSITY) / MIN_INTENSITY) * (1.0 / LEVEL)).astype(np.int64)
         inside = row < self.rows
         cell = row[inside] * _LEVELS + np.minimum(level[inside], _LEVELS - 1)
         self.counts += np.bincount(cell, minlength=self.counts.size).reshape(self.counts.shape)
@@ -80,7 +80,7 @@ class RangeHistogram:
     @staticmethod
     def level_values() -> np.ndarray:
         """Natural logarithm of the intensity at the middle of each level."""
-        return np.log(LEAST) + (np.arange(_LEVELS) + 0.5) * LEVEL
+        return np.log(MIN_INTENSITY) + (np.arange(_LEVELS) + 0.5) * LEVEL
 
 
 @dataclass(frozen=True)
@@ -90,8 +90,8 @@ class IntensityCurve:
     Attributes
     ----------
     floor, gain, fall, near : C, A, b, d of the curve; gain is that at 1 m, near in m.
-    flat_from : R1, m; equal to `farthest` where the floor is not reached.
-    farthest : R2, m. nearest : shortest range with asphalt, m; below it the curve is that at `nearest`.
+    r1 : R1, m; equal to `r2` where the floor is not reached.
+    r2 : R2, m. nearest : shortest range with asphalt, m; below it the curve is that at `nearest`.
     ranges, asphalt, points : (k,) middles of the bins of range (m), asphalt's intensity and number of points in them.
     used : (k,) bool, bins that the fit follows.
     residual : scatter of the bins' asphalt about the curve, as a share of it (robust standard deviation).
@@ -102,8 +102,8 @@ class IntensityCurve:
     gain: float
     fall: float
     near: float
-    flat_from: float
-    farthest: float
+    r1: float
+    r2: float
     nearest: float
     ranges: np.ndarray
     asphalt: np.ndarray
@@ -114,13 +114,13 @@ class IntensityCurve:
 
     def at(self, ranges: np.ndarray) -> np.ndarray:
         """Asphalt's intensity f(R) (n,) at ranges (n,) in m, as eq. 4 uses it."""
-        r = np.clip(np.asarray(ranges, float), self.nearest, self.flat_from)
+        r = np.clip(np.asarray(ranges, float), self.nearest, self.r1)
         return _model(r, self.floor, self.gain, self.fall, self.near)
 
     @property
     def smallest(self) -> float:
         """I_m of eq. 4."""
-        return float(self.at(self.flat_from))
+        return float(self.at(self.r1))
 
 
 def _model(r: np.ndarray, floor: float, gain: float, fall: float, near: float) -> np.ndarray:
@@ -131,7 +131,7 @@ def _model(r: np.ndarray, floor: float, gain: float, fall: float, near: float) -
 def calibrated(intensity: np.ndarray, ranges: np.ndarray, curve: IntensityCurve, reference: float) -> np.ndarray:
     """Calibrated intensity (n,), NaN beyond R2 (eq. 4); asphalt comes out as `reference`."""
     values = intensity * (reference / curve.at(ranges))
-    return np.where(ranges <= curve.farthest, values, np.nan)
+    return np.where(ranges <= curve.r2, values, np.nan)
 
 
 def brightness_counts(histogram: RangeHistogram, curve: IntensityCurve) -> tuple[np.ndarray, np.ndarray]:
@@ -154,8 +154,8 @@ def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
     # No signal is no level of a surface.
     counts[:, 0] = 0
     points = counts.sum(axis=1)
-    enough = points >= max(_FEWEST, _SHARE * points.sum())
-    if np.count_nonzero(enough) < _FEWEST_BINS:
+    enough = points >= max(_MIN_POINTS, _SHARE * points.sum())
+    if np.count_nonzero(enough) < _MIN_BINS:
         raise InsufficientDataError("too few ground points with intensity at different ranges")
     for width in _WIDTHS:
         try:
@@ -172,7 +172,7 @@ def _fitted(peaks: _Peaks) -> IntensityCurve:
     level = peaks.followed()
     for _ in range(2):
         used = np.isfinite(level)
-        if np.count_nonzero(used) < max(_FEWEST_BINS, _FOLLOWED * np.count_nonzero(peaks.enough)):
+        if np.count_nonzero(used) < max(_MIN_BINS, _FOLLOWED * np.count_nonzero(peaks.enough)):
             raise InsufficientDataError("no surface of even intensity can be followed over the ranges")
         parameters = _fit(middle[used], level[used], points[used])
         level = peaks.nearest(np.log(_model(middle, *parameters)))
@@ -200,7 +200,7 @@ class _Peaks:
         """
         level = np.full(len(self.enough), np.nan)
         start = int(np.argmax(np.where(self.enough, self.counts.sum(axis=1), 0)))
-        level[start] = self._settled(start, RangeHistogram.level_values()[int(np.argmax(self.smooth[start]))])
+        level[start] = self._mean_shift(start, RangeHistogram.level_values()[int(np.argmax(self.smooth[start]))])
         place = np.log(np.arange(len(level)) + 0.5)
         for order in (range(start + 1, len(level)), range(start - 1, -1, -1)):
             for row in order:
@@ -225,9 +225,9 @@ class _Peaks:
             return np.nan
         values = RangeHistogram.level_values()[peaks]
         best = values[np.argmin(np.abs(values - expected))]
-        return self._settled(row, best) if abs(best - expected) <= _CATCH + self.width else np.nan
+        return self._mean_shift(row, best) if abs(best - expected) <= _CATCH + self.width else np.nan
 
-    def _settled(self, row: int, start: float) -> float:
+    def _mean_shift(self, row: int, start: float) -> float:
         """Mean of the logarithms round a peak, in a window that moves with it.
 
         It is wider where intensities are so low that their steps show.
@@ -286,19 +286,19 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
     spread = _spread(counts, np.log(curve))
     clear = (_PAINT - 1) * (curve - floor) >= _CLEAR * spread * curve
     good = np.flatnonzero(np.isfinite(level) & clear)
-    if len(good) < _FEWEST_BINS:
+    if len(good) < _MIN_BINS:
         raise InsufficientDataError("the intensity of asphalt scatters too much to tell paint from it")
     runs = np.split(good, np.flatnonzero(np.diff(good) > _GAP_BINS) + 1)
     run = max(runs, key=lambda some: points[some].sum())
-    nearest, farthest = max(float(run[0]), 0.5) * BIN, float(run[-1] + 1) * BIN
-    at_floor = np.flatnonzero((curve <= _AT_FLOOR * floor) & (middle > nearest) & (middle < farthest))
-    flat_from = float(middle[at_floor[0]]) if len(at_floor) else farthest
+    nearest, r2 = max(float(run[0]), 0.5) * BIN, float(run[-1] + 1) * BIN
+    at_floor = np.flatnonzero((curve <= _AT_FLOOR * floor) & (middle > nearest) & (middle < r2))
+    r1 = float(middle[at_floor[0]]) if len(at_floor) else r2
     rows = np.flatnonzero(np.isfinite(level))
     residual = np.median(np.abs(level[run] - np.log(curve[run])))
     scatter = np.sqrt((spread[run] ** 2 * points[run]).sum() / points[run].sum())
-    if scatter > _MOST_SCATTER:
+    if scatter > _MAX_SCATTER:
         raise InsufficientDataError("the intensity of asphalt scatters too much to tell paint from it")
-    return IntensityCurve(*parameters, flat_from, farthest, nearest, middle[rows], np.exp(level[rows]), points[rows],
+    return IntensityCurve(*parameters, r1, r2, nearest, middle[rows], np.exp(level[rows]), points[rows],
                           np.isin(rows, run), float(1.4826 * residual), float(scatter))
 
 

@@ -34,7 +34,7 @@ _STEP_SHARE = 0.3
 _STEP_SIGMAS = 7.0
 _ROUGH_CELL = 0.2
 _ROUGH_POINTS = 5
-_FEWEST = 50
+_MIN_POINTS = 50
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ def roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> float:
 
     NaN where the points are too few to tell.
     """
-    if len(x) < _FEWEST:
+    if len(x) < _MIN_POINTS:
         return float("nan")
     column = np.floor(x / _ROUGH_CELL).astype(np.int64)
     row = np.floor(y / _ROUGH_CELL).astype(np.int64)
@@ -116,7 +116,7 @@ def roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> float:
     count = np.bincount(cell)
     offset = z - (np.bincount(cell, weights=z) / count)[cell]
     spread = np.bincount(cell, weights=offset ** 2)[count >= _ROUGH_POINTS]
-    if len(spread) < _FEWEST:
+    if len(spread) < _MIN_POINTS:
         return float("nan")
     return float(np.median(np.sqrt(spread / (count[count >= _ROUGH_POINTS] - 1))))
 

@@ -29,11 +29,11 @@ from .survey_points import RECORD, SurveyPoints, require_points
 CALIBRATED, WEIGHT = "calibrated_intensity", "marking_weight"
 """Names of the attributes that marking points get."""
 
-MOST_SCANNERS = 16
+MAX_SCANNERS = 16
 """More different point source ids, without a calibration, are no scanners but something else, such as sweeps."""
 
 _PIECE_POINTS = 1_500_000
-_LONGEST_STRETCH = 8
+_MAX_UNITS = 8
 _MARGIN = 2
 _BUCKET_MEMORY = 250_000_000
 
@@ -73,10 +73,10 @@ class Extraction:
     curves : of each scanner, by the least of its point source ids (0 where all ids are taken together).
     failed : why a scanner has no curve, by point source id; its points are left out.
     reference : I_ref of J eq. 4.
-    read, outside, standing, near, ground, in_reach : points read; at times without a place of the vehicle; left out
+    read, outside, standing, near, ground, in_range : points read; at times without a place of the vehicle; left out
         because the vehicle stood; within range; on the ground; of these within R2 of a curve.
     ground_method : "classes" or "cloth".
-    marked_way : share of the units of driven way (20 m) with marking points.
+    marked_share : share of the units of path (20 m) with marking points.
     height_scatter : m, of ground points within 20 cm.
     """
 
@@ -92,9 +92,9 @@ class Extraction:
     standing: int
     near: int
     ground: int
-    in_reach: int
+    in_range: int
     ground_method: str
-    marked_way: float
+    marked_share: float
     height_scatter: float
 
 
@@ -103,7 +103,7 @@ def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Cal
                      executor: Executor | None = None) -> Extraction:
     """The road-marking points of a survey.
 
-    The survey is read once and worked on in stretches of the driven way, so that passes through one place are not
+    The survey is read once and worked on in sections of the path, so that passes through one place are not
     mixed and memory holds some stretches. The result does not depend on the executor or the order of the points.
 
     Parameters
@@ -118,21 +118,21 @@ def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Cal
     with PointBuckets(RECORD, _BUCKET_MEMORY) as near, PointBuckets(RECORD, _BUCKET_MEMORY) as ground:
         survey = SurveyPoints(cloud, trajectory, calibration, settings.max_range, near)
         survey.read(progress.part(0.0, 0.5))
-        _tell_left_out(survey, progress)
+        _report_left_out(survey, progress)
         run = _Run(survey, settings, executor)
         run.find_ground(near, ground, progress.part(0.5, 0.7))
         run.fit(progress)
         return run.find_markings(ground, progress.part(0.7, 1.0))
 
 
-def _tell_left_out(survey: SurveyPoints, progress: Progress) -> None:
+def _report_left_out(survey: SurveyPoints, progress: Progress) -> None:
     """Warn of points that cannot be used."""
-    tally = survey.tally
-    if tally.outside:
-        progress.warn(f"{tally.outside:,} of {tally.points:,} points were measured where the trajectory has no epochs "
-                      "and are left out.")
-    if tally.standing:
-        progress.message(f"{tally.standing:,} points measured while the vehicle stood are left out.")
+    read_counts = survey.read_counts
+    if read_counts.outside:
+        progress.warn(f"{read_counts.outside:,} of {read_counts.points:,} points were measured where the trajectory "
+                      "has no epochs and are left out.")
+    if read_counts.standing:
+        progress.message(f"{read_counts.standing:,} points measured while the vehicle stood are left out.")
 
 
 class _Run:
@@ -141,15 +141,15 @@ class _Run:
     def __init__(self, survey: SurveyPoints, settings: ExtractionSettings, executor: Executor | None):
         self.survey, self.settings, self.executor = survey, settings, executor
         units = max(len(survey.units), 1)
-        self.length = int(np.clip(_PIECE_POINTS * units / max(survey.tally.kept, 1), 1, _LONGEST_STRETCH))
-        self.together = survey.calibration is None and len(survey.tracks.by_source) > MOST_SCANNERS
+        self.length = int(np.clip(_PIECE_POINTS * units / max(survey.read_counts.kept, 1), 1, _MAX_UNITS))
+        self.together = survey.calibration is None and len(survey.tracks.by_source) > MAX_SCANNERS
         self.first_id = _first_ids(survey)
         self.histograms: dict[int, RangeHistogram] = {}
         self.curves: dict[int, IntensityCurve] = {}
         self.failed: dict[int, str] = {}
-        self.ground_points = self.in_reach = 0
+        self.ground_points = self.in_range = 0
         self.scatter = 0.0
-        self.method = ground_source(survey.tally.classes, settings.ground).method
+        self.method = ground_source(survey.read_counts.classes, settings.ground).method
 
     @property
     def pieces(self) -> int:
@@ -225,7 +225,7 @@ class _Run:
             for records, own in self.survey.stretches(ground, self.length, _MARGIN):
                 records, own, brightness = self._calibrated(records, own)
                 owned.append(records[own])
-                self.in_reach += int(np.count_nonzero(own))
+                self.in_range += int(np.count_nonzero(own))
                 yield (*(np.ascontiguousarray(records[name]) for name in "xyz"), brightness, own)
 
         found = []
@@ -262,7 +262,7 @@ class _Run:
         return records[keep], own[keep], brightness[keep]
 
     def _result(self, found: list[tuple[np.ndarray, ...]]) -> Extraction:
-        tally = self.survey.tally
+        read_counts = self.survey.read_counts
         if found:
             records, weight, contrast, brightness = (np.concatenate(parts) for parts in zip(*found))
         else:
@@ -273,8 +273,9 @@ class _Run:
                                records["source"].astype(np.int64))
         marked = len(np.unique(self.survey.unit(records["time"]))) / max(len(self.survey.units), 1)
         return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
-                          self.curves, self.failed, self.reference, tally.points, tally.outside, tally.standing,
-                          tally.kept, self.ground_points, self.in_reach, self.method, marked, self.scatter)
+                          self.curves, self.failed, self.reference, read_counts.points, read_counts.outside,
+                          read_counts.standing, read_counts.kept, self.ground_points, self.in_range,
+                          self.method, marked, self.scatter)
 
 
 def _first_ids(survey: SurveyPoints) -> np.ndarray:

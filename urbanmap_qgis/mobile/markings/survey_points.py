@@ -1,4 +1,4 @@
-"""The points of a survey near the vehicle, with their ranges, sorted along the driven way."""
+"""The points of a survey near the vehicle, with their ranges, sorted along the path."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("time", "<f8"), ("
 """A point: m, s in the trajectory's time, its number in the files, m, point source id, of a ground class."""
 
 UNIT = 20.0
-"""m of driven way whose points are kept together."""
+"""m of path whose points are kept together."""
 
 STOPPED = 1.0
 """s; points measured after standing for longer are left out: they show again what is known, from a drifting place."""
@@ -45,7 +45,7 @@ _FEW = 0.05
 
 
 @dataclass
-class Tally:
+class ReadCounts:
     """What was read.
 
     Attributes
@@ -68,11 +68,11 @@ class Tally:
 
 
 class SurveyPoints:
-    """Reads a survey into buckets along the driven way.
+    """Reads a survey into buckets along the path.
 
     Parameters
     ----------
-    buckets : where the points go, `RECORD` each, by number of the unit of way.
+    buckets : where the points go, `RECORD` each, by number of the unit of path.
     max_range : m; farther points are left out.
     """
 
@@ -81,11 +81,11 @@ class SurveyPoints:
         self.cloud, self.trajectory, self.calibration = cloud, trajectory, calibration
         self.max_range, self.buckets = max_range, buckets
         self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
-        self.way = path_chainage(trajectory)
+        self.chainage = path_chainage(trajectory)
         self.gaps = gaps(trajectory)
-        self.breaks = breaks(trajectory, self.way)
+        self.breaks = breaks(trajectory, self.chainage)
         self.tracks = Tracks(trajectory, calibration)
-        self.tally = Tally()
+        self.read_counts = ReadCounts()
         self.units: set[int] = set()
 
     def read(self, progress: Progress = SILENT) -> None:
@@ -96,12 +96,12 @@ class SurveyPoints:
         InputError : no intensity, a scanner that the calibration does not know, or no point near the trajectory.
         """
         for chunk in iter_chunks(self.cloud, progress):
-            first = self.tally.points
-            self.tally.points += len(chunk)
+            first = self.read_counts.points
+            self.read_counts.points += len(chunk)
             keep = valid_points(chunk)
             classes = np.asarray(chunk.classification)
-            self.tally.classes += np.bincount(classes[keep], minlength=256)
-            self.tally.usable += int(np.count_nonzero(keep))
+            self.read_counts.classes += np.bincount(classes[keep], minlength=256)
+            self.read_counts.usable += int(np.count_nonzero(keep))
             self._add(chunk, np.flatnonzero(keep), classes, first)
         self._check()
 
@@ -119,29 +119,29 @@ class SurveyPoints:
         records["intensity"] = np.asarray(chunk["intensity"])[rows]
         records["source"] = np.asarray(chunk["point_source_id"])[rows]
         records["ground"] = np.isin(classes[rows], GROUND_CLASSES)
-        self.tally.least = min(self.tally.least, float(records["intensity"].min()))
-        self.tally.most = max(self.tally.most, float(records["intensity"].max()))
+        self.read_counts.least = min(self.read_counts.least, float(records["intensity"].min()))
+        self.read_counts.most = max(self.read_counts.most, float(records["intensity"].max()))
         records = records[self._near(records)]
-        self.tally.kept += len(records)
+        self.read_counts.kept += len(records)
         if len(records):
             key = self.unit(records["time"])
             self.units.update(np.unique(key).tolist())
             self.buckets.add(key, records)
 
     def unit(self, time: np.ndarray) -> np.ndarray:
-        """Key of the unit of way of each time (n,): units between two breaks follow each other."""
-        way = np.interp(time, self.trajectory.time, self.way)
-        return np.searchsorted(self.breaks, time) * _PART + np.floor(way / UNIT).astype(np.int64)
+        """Key of the unit of path of each time (n,): units between two breaks follow each other."""
+        chainage = np.interp(time, self.trajectory.time, self.chainage)
+        return np.searchsorted(self.breaks, time) * _PART + np.floor(chainage / UNIT).astype(np.int64)
 
     def _timed(self, time: np.ndarray) -> np.ndarray:
         """Mask (n,) of times at which the vehicle's place is known and it does not stand."""
         known = self.trajectory.within(time)
         for start, end in self.gaps:
             known &= (time <= start) | (time >= end)
-        self.tally.outside += int(np.count_nonzero(~known))
-        way_now, way_before = (np.interp(at, self.trajectory.time, self.way) for at in (time, time - STOPPED))
+        self.read_counts.outside += int(np.count_nonzero(~known))
+        way_now, way_before = (np.interp(at, self.trajectory.time, self.chainage) for at in (time, time - STOPPED))
         standing = known & (way_now - way_before < _CREEP) & (time - STOPPED > self.trajectory.time[0])
-        self.tally.standing += int(np.count_nonzero(standing))
+        self.read_counts.standing += int(np.count_nonzero(standing))
         return known & ~standing
 
     def _near(self, records: np.ndarray) -> np.ndarray:
@@ -159,20 +159,21 @@ class SurveyPoints:
             near[some] = ((distance <= min(self.max_range, track.max_range)) & (height <= _ABOVE + slope)
                           & (height >= -_BELOW - slope))
             if not near[some].any() and len(height):
-                self.tally.heights.append(float(np.median(height)))
+                self.read_counts.heights.append(float(np.median(height)))
         return near
 
     def _check(self) -> None:
         """Refuse a survey that cannot be used."""
-        tally, name = self.tally, self.cloud.paths[0].name
-        if tally.most <= 0 and np.isfinite(tally.most):
+        read_counts, name = self.read_counts, self.cloud.paths[0].name
+        if read_counts.most <= 0 and np.isfinite(read_counts.most):
             raise InputError(f"{name} has no intensity (all are 0), by which markings are told: export the survey with "
                              "it.")
-        if tally.most == tally.least:
-            raise InputError(f"All points of {name} have the intensity {tally.most:g}, by which markings cannot be "
-                             "told: export the survey with the measured intensities.")
-        if not tally.kept:
-            apart = f" (they lie {np.median(tally.heights):+.0f} m above the scanner)" if tally.heights else ""
+        if read_counts.most == read_counts.least:
+            raise InputError(f"All points of {name} have the intensity {read_counts.most:g}, by which markings cannot "
+                             "be told: export the survey with the measured intensities.")
+        if not read_counts.kept:
+            heights = read_counts.heights
+            apart = f" (they lie {np.median(heights):+.0f} m above the scanner)" if heights else ""
             raise InputError(f"No point of {name} lies within {self.max_range:g} m of the trajectory{apart}: give "
                              "both in the same coordinate and height system.")
 
@@ -192,20 +193,20 @@ class SurveyPoints:
                 yield np.concatenate([held[unit] for unit in wanted]), mine
 
 
-def breaks(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
+def breaks(trajectory: Trajectory, chainage: np.ndarray) -> np.ndarray:
     """Times (k,), s, over which points do not fit: long stops, gaps, and returns to a place.
 
-    `way` (n,) as of `path_chainage`.
+    `chainage` (n,) as of `path_chainage`.
     """
     places = BlockPositions()
     places.add(*trajectory.place[:, :2].T, trajectory.time)
     returns = places.passes(RETURN).starts
-    return np.unique(np.concatenate([long_stops(trajectory, way), gaps(trajectory).mean(axis=1), returns]))
+    return np.unique(np.concatenate([long_stops(trajectory, chainage), gaps(trajectory).mean(axis=1), returns]))
 
 
-def long_stops(trajectory: Trajectory, way: np.ndarray) -> np.ndarray:
-    """Times (k,), s, in the middle of stops of more than `LONG_STOP` seconds; `way` (n,) as of `path_chainage`."""
-    moving = np.flatnonzero(np.diff(way) > 0)
+def long_stops(trajectory: Trajectory, chainage: np.ndarray) -> np.ndarray:
+    """Times (k,), s, in the middle of stops of more than `LONG_STOP` seconds; `chainage` (n,) as of `path_chainage`."""
+    moving = np.flatnonzero(np.diff(chainage) > 0)
     if not len(moving):
         return np.empty(0)
     left, arrived = trajectory.time[moving[1:]], trajectory.time[moving[:-1] + 1]
