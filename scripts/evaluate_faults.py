@@ -3,7 +3,7 @@
 
     python scripts/evaluate_faults.py --city FOLDER MARKINGS GROUND [--city ...] [--faults step,ramp] --output table.md
 
-FOLDER is a sample city, MARKINGS its mask or polygons by “Road markings from aerial frames”, GROUND its raster. Each
+FOLDER is a sample city, MARKINGS its mask by “Road markings from aerial frames”, GROUND its raster. Each
 fault is added to the reported trajectory, the marking points move with it, and the corrected trajectory is compared
 with the true one at every patch.
 """
@@ -201,16 +201,6 @@ def read_survey(city: Path, name: str) -> DrivenSurvey:
     return DrivenSurvey(name, markings, reported, true)
 
 
-def read_reference(markings: Path, ground: Path) -> Reference:
-    """Mask or polygons, with heights of the ground."""
-    if markings.suffix == ".tif":
-        return Reference.from_mask(markings, ground)
-    import pyogrio
-    import shapely
-
-    return Reference.from_polygons(shapely.from_wkb(pyogrio.raw.read(markings)[2]), ground)
-
-
 def main() -> int:
     """Make the tables."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
@@ -222,7 +212,7 @@ def main() -> int:
     given = parser.parse_args()
     rows, attitudes = [], []
     for folder, markings, ground in given.city:
-        survey, reference = read_survey(folder, given.survey), read_reference(markings, ground)
+        survey, reference = read_survey(folder, given.survey), Reference.from_mask(markings, ground)
         settings = RegistrationSettings(three_d=True)
         for fault in [item for kind in given.faults.split(",") for item in FAULTS[kind.strip()]]:
             made = run(survey, fault, reference, settings)

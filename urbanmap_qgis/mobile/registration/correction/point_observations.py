@@ -106,7 +106,7 @@ class PointObservations:
         if self.settings.three_d:
             ground = self.reference.ground_part(*low, *high).at(moved[:, 0], moved[:, 1])
             gradient[2], hessian[2, 2] = _height_terms(ground - moved[:, 2], point_weight, self.settings)
-        counted = by_patch(np.column_stack([np.ones(len(points)), terms.share > 0.5]), piece, count)
+        counted = by_patch(np.column_stack([np.ones(len(points)), terms.on_marking]), piece, count)
         return sum_points(lever_arm, tuple(gradient), hessian, piece, count), counted
 
 

@@ -31,7 +31,6 @@ _USUAL_EXCESS, _MIN_VARIANCE = 0.08, 1e-3  # variance of a group's gradient by i
 _MIN_EXCESS = 0.02  # by how much a window's clusters disagree at least
 _EVENED = 5  # patches to either side over which information is averaged
 _WEAK_PRIOR = np.array([0.1, 0.1, 0.1, 0.003, 0.003, 0.003])  # of a window about the curve, m and radians
-_ON_MARKING = 0.5  # coverage from which a point lies on a marking
 
 
 @dataclass(frozen=True)
@@ -304,7 +303,7 @@ def _windows_about(curve: CorrectionCurve, converged: bool, contradiction: np.nd
     counted = max(float(np.median(excess)), _MIN_EXCESS)
     covariance += curve_covariance(curve, _evened(own.information) / counted, scene.active)[core]
     covariance *= np.maximum(contradiction[core] / _CONSISTENT, 1.0)[:, None, None] ** 2
-    shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.share > _ON_MARKING]), scene.patch,
+    shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.on_marking]), scene.patch,
                       scene.patches)
     counted = window_sums(shares, section.window_first, section.window_last)
     results = curve.plus(_padded(step, section, scene.patches))

@@ -16,6 +16,8 @@ from ....geometry.grid import Grid
 from ..start.reference import Coverage
 
 _PAD = 3
+_PEAK_RADIUS = 0.15  # m beside the blur, within which a marking's peak is looked for
+_MIN_PEAK = 0.15  # of coverage: what stays of a line of 0.1 m under the largest blur is 0.26
 
 
 @dataclass(frozen=True)
@@ -24,12 +26,14 @@ class MarkingField:
 
     Attributes
     ----------
-    grid : of the cells, with the padding. weights : (rows, columns) float32 of the splines. background : what stands
-    for points off the markings: the score of a point is log(1 + coverage / background).
+    grid : of the cells, with the padding. weights : (rows, columns) float32 of the splines. peaks : (rows, columns)
+    the highest of them around, which a line narrower than the blur does not bring to 1. background : what stands for
+    points off the markings: the score of a point is log(1 + coverage / background).
     """
 
     grid: Grid
     weights: np.ndarray
+    peaks: np.ndarray
     background: float
 
     @classmethod
@@ -42,7 +46,13 @@ class MarkingField:
             share = cv2.GaussianBlur(share, (0, 0), blur / coverage.grid.cell, borderType=cv2.BORDER_CONSTANT)
         grid = coverage.grid
         return cls(Grid(grid.x_min - pad * grid.cell, grid.y_max + pad * grid.cell, grid.cell, *share.shape),
-                   share, background)
+                   share, _peaks(share, (_PEAK_RADIUS + blur) / grid.cell), background)
+
+
+def _peaks(share: np.ndarray, radius: float) -> np.ndarray:
+    """Highest coverage within `radius` cells of each cell."""
+    size = 2 * max(round(radius), 1) + 1
+    return cv2.dilate(share, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size)))
 
 
 @dataclass(frozen=True)
@@ -51,7 +61,8 @@ class FieldTerms:
 
     Attributes
     ----------
-    value, gx, gy, hxx, hxy, hyy, and `share` : the coverage at the point, 0 to 1.
+    value, gx, gy, hxx, hxy, hyy, and `share` : the coverage at the point, 0 to 1. on_marking : (m,) bool, whether it
+    is half of the marking's own peak or more, so that lines count however narrow.
     """
 
     value: np.ndarray
@@ -61,6 +72,7 @@ class FieldTerms:
     hxy: np.ndarray
     hyy: np.ndarray
     share: np.ndarray
+    on_marking: np.ndarray
 
 
 def field_terms(field: MarkingField, x: np.ndarray, y: np.ndarray) -> FieldTerms:
@@ -83,12 +95,14 @@ def field_terms(field: MarkingField, x: np.ndarray, y: np.ndarray) -> FieldTerms
         for number, (order_u, order_v) in enumerate(((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))):
             sums[number] += line[order_u] * bv[order_v][row]
     f, fx, fy, fxx, fxy, fyy = (np.where(outside, 0.0, s).astype(np.float64) for s in sums)
+    peak = np.where(outside, 0.0, field.peaks[np.clip(np.rint(v).astype(np.int64), 0, grid.rows - 1),
+                                              np.clip(np.rint(u).astype(np.int64), 0, columns - 1)])
     cell = grid.cell
     total = field.background + f
     gx, gy = fx / (cell * total), -fy / (cell * total)
     scale = 1.0 / (cell * cell * total)
     return FieldTerms(np.log(total / field.background), gx, gy, fxx * scale - gx * gx, -fxy * scale - gx * gy,
-                      fyy * scale - gy * gy, f)
+                      fyy * scale - gy * gy, f, (peak > _MIN_PEAK) & (f > 0.5 * peak))
 
 
 def _splines(t: np.ndarray) -> tuple[tuple[np.ndarray, ...], ...]:
