@@ -30,6 +30,9 @@ MIN_RANGE = 1.5
 GREENNESS = 1.08
 """Where green exceeds red by this factor there are leaves; neither white nor yellow paint does, in sun or shade."""
 
+BRIGHTER = 1.2
+"""Times the ground's brightness: what is brighter, and wider than paint can be, is a surface of its own."""
+
 YELLOW_SHARE = 0.15
 """Paint whose warmth (red less blue), less that of the ground beside it, exceeds this share of its red is yellow."""
 
@@ -190,7 +193,10 @@ def _filled(made: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndar
     square = np.ones((side, side), np.uint8)
     closed = cv2.morphologyEx(made.core.astype(np.uint8), cv2.MORPH_CLOSE, square) > 0
     paint = cv2.dilate(np.where(made.core, image, np.float32(0)), square)
-    wide = (closed & ~made.core & allowed & ~made.vehicles & (road > 0.5 * (paint + made.ground)))
+    # Verges and paving are wider still: kerbs must not be filled towards them.
+    lit = (image > BRIGHTER * made.ground).astype(np.uint8)
+    wider = cv2.morphologyEx(lit, cv2.MORPH_OPEN, square) > 0
+    wide = (closed & ~wider & ~made.core & allowed & ~made.vehicles & (road > 0.5 * (paint + made.ground)))
     near = cv2.dilate(wide.astype(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)) > 0
     return made.core | wide, np.where(near, np.minimum(road, made.ground), road)
 
