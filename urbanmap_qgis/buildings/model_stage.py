@@ -32,6 +32,7 @@ from .model_status import (
 )
 from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints, has_curved_walls
+from .planes.level_alternative import broad_area
 from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import checked_sloped_solids, is_sloped
 from .planes.roof_type import roof_type
@@ -313,7 +314,10 @@ def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
 
 
 def _lost_roofs(model: BuildingModel, points: FitPoints | None, roofs: RoofInput) -> bool:
-    """Whether a roof found in the points is not in the model, and no other surface of it explains its points."""
+    """Whether a roof found in the points is not in the model, and no other surface of it explains its points.
+
+    What lies in narrow strips alone, as on parapets, is no roof.
+    """
     said = any(str(status).startswith(LOST_ROOFS) for status in roofs.status)
     if points is None:
         return said
@@ -325,8 +329,8 @@ def _lost_roofs(model: BuildingModel, points: FitPoints | None, roofs: RoofInput
     dz = height_differences(*xyz.T, cells)
     far = unexplained_points(*xyz[:, :2].T, dz, surface_distances(*xyz.T, cells, wall_rectangles(model.solids)), cells)
     density = np.count_nonzero(points.roof) / ground_area(model.solids)
-    missed = np.bincount(points.roof[absent][far & np.isfinite(dz)])
-    return bool(missed.max(initial=0) >= LOST_AREA * density)
+    missed, number = xyz[far & np.isfinite(dz)], points.roof[absent][far & np.isfinite(dz)]
+    return any(broad_area(missed[number == one], density) >= LOST_AREA for one in np.unique(number))
 
 
 def _measured(model: BuildingModel, points: FitPoints) -> BuildingModel:

@@ -62,16 +62,24 @@ def has_lost_plane(polygons: Sequence[shapely.Polygon], kept: Sequence[int], poi
     if not lost.any():
         return False
     off = np.abs(heights_over(polygons, points[lost]))
-    far = points[lost][off > LOST_STEP]
-    if not len(far):
-        return False
+    return broad_area(points[lost][off > LOST_STEP], density) >= least_area
+
+
+def broad_area(points: np.ndarray, density: float) -> float:
+    """Area (m2) that points (n, 2 or more) cover in plan, narrow strips such as parapets and eaves left out.
+
+    Parameters
+    ----------
+    density : of the cloud, points/m2.
+    """
+    if not len(points):
+        return 0.0
     cell = max(LOST_CELL, 1.0 / np.sqrt(density))
-    grid = Grid.covering(*far[:, :2].min(axis=0), *far[:, :2].max(axis=0), cell)
-    row, column, _ = grid.cells(far[:, 0], far[:, 1])
+    grid = Grid.covering(*points[:, :2].min(axis=0), *points[:, :2].max(axis=0), cell)
+    row, column, _ = grid.cells(points[:, 0], points[:, 1])
     hit = np.zeros((grid.rows + 2, grid.columns + 2), np.uint8)
     hit[row + 1, column + 1] = 1
-    broad = cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    return bool(np.count_nonzero(broad) * cell**2 >= least_area)
+    return float(np.count_nonzero(cv2.morphologyEx(hit, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))) * cell**2)
 
 
 def high_points(points: np.ndarray, roof: np.ndarray) -> np.ndarray:

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import shapely
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ..polygons.partition_lines import edge_rows
 from ..polygons.piece_labels import without_small_parts
@@ -20,6 +22,10 @@ from .plane_regularisation import regular_planes
 
 LEAST_AREA = 2.0
 """Smaller pieces of a roof (m2) join the neighbour that fits best."""
+
+STRIP_WIDTH, STRIP_SLOPE = 0.5, 0.1
+"""Width (m) up to which, and slope (rise over run) from which, a plane is no roof: points of a facade or of the side of
+a parapet, which lie in a strip along it."""
 
 OK, ONE_PLANE = "ok", "one plane"
 
@@ -55,6 +61,7 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     """
     origin = np.floor(outline.bounds[:2])
     local = shapely.transform(shapely.force_2d(outline), lambda c: c - origin)
+    roof = without_steep_strips(points, roof)
     numbers, label = np.unique(roof[roof > 0], return_inverse=True)
     of_point = np.full(len(roof), -1)
     of_point[roof > 0] = label.ravel()
@@ -74,6 +81,22 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
                   for polygon in lifted)
     status = ONE_PLANE if len(planes) == 1 else OK
     return PlanePartition(moved, numbers[labels], planes[labels], origin, _coverage(raster, polygons), status)
+
+
+def without_steep_strips(points: np.ndarray, roof: np.ndarray) -> np.ndarray:
+    """Plane (n,) of each point, 0 for those of steep planes that are seen in a narrow strip alone.
+
+    Where that would leave no plane, all stay.
+    """
+    left = roof.copy()
+    for number in np.unique(roof[roof > 0]):
+        own = points[roof == number] - points[roof == number].mean(axis=0)
+        spread = np.linalg.eigvalsh(np.cov(own[:, :2].T)) if len(own) > 2 else np.zeros(2)
+        slope = np.linalg.lstsq(own[:, :2], own[:, 2], rcond=1e-6)[0]
+        # Evenly spread points lie on 3.5 standard deviations.
+        if np.sqrt(12.0 * max(spread[0], 0.0)) < STRIP_WIDTH and np.hypot(*slope) > STRIP_SLOPE:
+            left[roof == number] = 0
+    return left if (left > 0).any() else roof
 
 
 def _with_caps(raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
@@ -109,8 +132,30 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
         return parts, np.zeros(len(parts), np.int64)
     faces = plan_faces(outline, candidate_segments(raster, planes, outline, points, label))
     chosen, cost = label_faces(faces, raster, planes, points, label)
+    chosen = without_steep_slivers(chosen, cost, faces, planes)
     chosen = without_small_parts(chosen, cost, _shared(faces) * SMOOTHNESS, shapely.area(faces.polygons), LEAST_AREA)
     return dissolve(faces.polygons, chosen, outline)
+
+
+def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces, planes: np.ndarray) -> np.ndarray:
+    """Plane (n,) of each face; steep parts narrower than `STRIP_WIDTH` are given to the best plane beside them."""
+    same = chosen[faces.pairs[:, 0]] == chosen[faces.pairs[:, 1]]
+    n = len(chosen)
+    graph = coo_matrix((np.ones(same.sum(), bool), tuple(faces.pairs[same].T)), shape=(n, n))
+    count, part = connected_components(graph, directed=False)
+    steep = np.hypot(planes[:, 0], planes[:, 1]) > STRIP_SLOPE
+    chosen = chosen.copy()
+    for number in range(count):
+        own = np.flatnonzero(part == number)
+        whole = shapely.union_all(faces.polygons[own])
+        if not steep[chosen[own[0]]] or not shapely.is_empty(shapely.buffer(whole, -STRIP_WIDTH / 2)):
+            continue
+        touching = faces.pairs[np.isin(faces.pairs, own).any(axis=1)].ravel()
+        beside = np.unique(chosen[touching[part[touching] != number]])
+        beside = beside[~steep[beside]] if (~steep[beside]).any() else beside
+        if len(beside):
+            chosen[own] = beside[np.argmin(cost[own][:, beside].sum(axis=0))]
+    return chosen
 
 
 def _shared(faces: PlanFaces) -> np.ndarray:
