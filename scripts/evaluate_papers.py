@@ -19,6 +19,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from evaluate_chains import building_tables, line_tables, wall_tables
 from evaluate_registration import Evaluation, Table, read_geopackage, read_surveys
 
 from urbanmap_qgis.io.report import Report
@@ -58,6 +59,9 @@ def registration(inputs: Inputs) -> list[Table]:
 
 SECTIONS: tuple[tuple[str, str, Callable[[Inputs], list[Table]]], ...] = (
     ("registration", "J 3.3 and 4.3: registration", registration),
+    ("buildings", "J 5.3: building models", lambda inputs: building_tables(inputs.city)),
+    ("walls", "J 5.6: walls by GNSS reflections", lambda inputs: wall_tables(inputs.city)),
+    ("lines", "Z 3: rectified trajectory", lambda inputs: line_tables(inputs.city)),
 )
 """Key, heading and function of each section."""
 
