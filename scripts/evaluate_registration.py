@@ -210,8 +210,12 @@ class Evaluation:
         for title, name, values, theirs, lengths in SENSITIVITY:
             rows = []
             for value, mean, window in zip(values, theirs, lengths):
-                corrected, windows, seconds = self.letter(survey, **{name: value})
-                made = self.ours(survey, **{name: value})[0]
+                try:
+                    corrected, windows, seconds = self.letter(survey, **{name: value})
+                    made = self.ours(survey, **{name: value})[0]
+                except UrbanMapError as error:
+                    rows.append((f"{value:g}", "refused", str(error).split(":")[0], *[""] * (len(header) - 3)))
+                    continue
                 letter, ours = (survey.patch_errors(found, windows.time) for found in (corrected, made.trajectory))
                 patches = windows.window_last - windows.window_first + 1
                 rows.append((f"{value:g}", letter.mean(), letter.max(), ours.mean(), ours.max(), int(patches.min()),

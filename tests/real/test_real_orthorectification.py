@@ -78,4 +78,4 @@ def test_mosaic(flight, tmp_path):
     made = orthorectify(frames, camera, ElevationInputs(surface, surface), MosaicFiles(tmp_path / "mosaic.tif"),
                         settings=OrthoSettings(0.3, PixelSelection("vote")))
     assert made.used == 3 and made.share_seen > 0.6
-    assert np.abs(np.log(made.gain_compensation.gain)).max() < 0.5
+    assert np.abs(np.log(made.gains.gain)).max() < 0.5

@@ -10,6 +10,9 @@ from scipy.sparse.csgraph import connected_components
 from .partition_lines import MIN_FILL
 from .plan_arrangement import GRID
 
+MIN_PIECE = 0.5
+"""Smaller pieces (m2) that are cut off from their roof join a neighbour."""
+
 
 def roof_patch(xy: np.ndarray, cell: float, axes: np.ndarray) -> shapely.Geometry:
     """Polygon of one roof from the centres (n, 2) of its cells, m: the largest connected part of them.
@@ -60,4 +63,18 @@ def insert_roof_patches(polygons: list, labels: np.ndarray, patches: list[tuple[
         shapely.prepare(shape)
         label[shapely.contains(shape, inside)] = number
     own = label >= 0
-    return pieces[own], label[own]
+    return pieces[own], _without_slivers(pieces[own], label[own])
+
+
+def _without_slivers(pieces: np.ndarray, label: np.ndarray) -> np.ndarray:
+    """Label (n,) of each piece, slivers that a patch cut off given to the neighbour along most of their border."""
+    label = label.copy()
+    tree = shapely.STRtree(pieces)
+    for sliver in np.flatnonzero(shapely.area(pieces) < MIN_PIECE):
+        beside = tree.query(pieces[sliver], predicate="intersects")
+        beside = beside[beside != sliver]
+        border = shapely.boundary(pieces[sliver])
+        shared = shapely.length(shapely.intersection(border, shapely.boundary(pieces[beside])))
+        if len(beside) and not (shared[label[beside] == label[sliver]] > GRID).any():
+            label[sliver] = label[beside[np.argmax(shared)]]
+    return label
