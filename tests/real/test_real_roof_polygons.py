@@ -63,7 +63,7 @@ def test_plans_of_delft_are_filled_exactly(delft):
         union = shapely.union_all(partition.polygons)
         assert shapely.symmetric_difference(union, outline).area < 2e-4 * outline.length
         assert sum(polygon.area for polygon in partition.polygons) == pytest.approx(outline.area, rel=1e-4)
-        assert shapely.area(partition.polygons).min() > min(0.1, 0.9 * outline.area)
+        assert shapely.area(partition.polygons).min() > min(0.5, 0.9 * outline.area)
         corners = shapely.get_num_coordinates(outline)
         assert sum(map(shapely.get_num_coordinates, partition.polygons)) < 2 * corners + 12 * len(partition.polygons)
     assert divided > 60
