@@ -1,0 +1,1 @@
+"""City models: one record that readers fill and writers take, whatever the format."""
