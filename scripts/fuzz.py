@@ -39,6 +39,9 @@ TEXTS = (b"nan", b"inf", b"-inf", b"1e308", b"-1e999", b"9" * 400, b"", b"\x00",
          b'"', b"a" * 200_000, b"0", b"-1", b"4294967296", b"2147483648")
 
 
+FRAME = 240, 320  # rows, columns
+
+
 # Sound files
 
 def _written_cloud(path: Path, city: Path, point_format: int) -> Path:
@@ -107,6 +110,32 @@ def _sp3(path: Path, city: Path) -> Path:
     return path
 
 
+def _image(place: str, rows: int, columns: int) -> Callable[[Path, Path], Path]:
+    """The upper left part of an image of the city with its place, in the format of the path's ending."""
+
+    def make(path: Path, city: Path) -> Path:
+        import rasterio
+
+        with rasterio.open(city / place) as source:
+            pixels = source.read(window=rasterio.windows.Window(0, 0, columns, rows))
+            profile = {"crs": source.crs, "transform": source.transform} if source.crs else {}
+        with rasterio.open(path, "w", driver="JPEG" if path.suffix == ".jpg" else "GTiff", count=len(pixels),
+                           height=rows, width=columns, dtype=pixels.dtype.name, **profile) as target:
+            target.write(pixels)
+        return path
+
+    return make
+
+
+def _strip_image(path: Path, city: Path) -> Path:
+    """A strip image; calibration and times lie beside it, and where the damaged ones will be."""
+    (path.parent / "damaged").mkdir(exist_ok=True)
+    for folder in (path.parent, path.parent / "damaged"):
+        for name in ("calibration.json", "camera_1_times.csv"):
+            shutil.copy(city / "lines" / name, folder)
+    return Path(shutil.copy(city / "lines/camera_1.png", path))
+
+
 def _poses(path: Path, city: Path) -> Path:
     return _head("mms/survey_01_images.csv", 60)(path, city)
 
@@ -145,7 +174,8 @@ def _scans(path: Path):
 def _observations(path: Path):
     from urbanmap_qgis.gnss.rinex.observation_file import read_observations
 
-    return read_observations(path).time
+    found = read_observations(path)
+    return found.time, found.code
 
 
 def _navigation(path: Path):
@@ -169,7 +199,47 @@ def _buildings(path: Path):
 def _raster(path: Path):
     from urbanmap_qgis.io.raster import read_raster
 
-    read_raster(path)
+    return read_raster(path)[1:]
+
+
+def _sampled(path: Path):
+    import numpy as np
+
+    from urbanmap_qgis.io.raster import RasterSampler
+
+    with RasterSampler(path) as source:
+        x_min, y_min, x_max, y_max = source.grid.bounds
+        source.sample(np.linspace(x_min, x_max, 500), np.linspace(y_min, y_max, 500))
+        return source.grid
+
+
+def _frame(path: Path):
+    from types import SimpleNamespace
+
+    from urbanmap_qgis.aerial.frames import FrameImage
+
+    with FrameImage(path, SimpleNamespace(width=FRAME[1], height=FRAME[0])) as image:
+        image.valid(slice(0, image.height), slice(0, image.width))
+        image.read()
+
+
+def _strip(path: Path):
+    from urbanmap_qgis.mobile.calibration import read_calibration
+    from urbanmap_qgis.mobile.lines.strip_images import read_columns, read_strips
+
+    strip, = read_strips([path], read_calibration(path.with_name("calibration.json")))
+    read_columns(strip)
+    return strip.times
+
+
+def _orthophoto(path: Path):
+    from urbanmap_qgis.aerial.vehicle_filter import OrthophotoSource
+    from urbanmap_qgis.geometry.grid import Grid
+
+    with OrthophotoSource(path) as source:
+        grid = source.grid
+        source.view(Grid(grid.x_min, grid.y_max, grid.cell, min(grid.rows, 512), min(grid.columns, 512)))
+        return grid
 
 
 FORMATS: dict[str, tuple[str, Callable, Callable]] = {
@@ -195,6 +265,11 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "RINEX navigation": ("a.nav", _head("gnss/satellites.nav", 400), _navigation),
     "SP3": ("a.sp3", _sp3, _navigation),
     "GeoTIFF": ("a.tif", _copied("truth/ground.tif"), _raster),
+    "GeoTIFF in parts": ("a.tif", _copied("truth/ground.tif"), _sampled),
+    "orthophoto": ("a.tif", _image("aerial/ortho.tif", 300, 400), _orthophoto),
+    "frame TIFF": ("a.tif", _image("aerial/frame_01.tif", *FRAME), _frame),
+    "frame JPEG": ("a.jpg", _image("aerial/frame_01.tif", *FRAME), _frame),
+    "strip image": ("camera_1.png", _strip_image, _strip),
 }
 
 

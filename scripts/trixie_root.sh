@@ -1,5 +1,6 @@
 #!/bin/bash
-# A Debian 13 (trixie) system in a folder, to test on a current QGIS from an older machine.
+# A Debian 13 (trixie) system in a folder, to test on a current QGIS from an older machine. With URBANMAP_SUITE=sid
+# it is Debian unstable, in a folder of its own: the newest QGIS and Python, by hand before a release.
 #
 #   scripts/trixie_root.sh build            make the root if it is not there yet; print its folder
 #   scripts/trixie_root.sh run COMMAND...   run COMMAND in the root, in a copy of this checkout (with
@@ -10,7 +11,7 @@
 # The root lies under $XDG_CACHE_HOME (default /var/cache), outside the checkout.
 set -euo pipefail
 
-suite=trixie
+suite=${URBANMAP_SUITE:-trixie}
 # QGIS as a user of that release has it, what the tests need to run, and a software renderer with a
 # virtual screen for the 3D view. Changing the list makes a new root.
 packages=(
@@ -144,5 +145,5 @@ case ${1:-} in
     run) shift && [ $# -gt 0 ] || fail "run what?"
          run "$@" ;;
     remove) rm -rf --one-file-system "$cache" ;;
-    *) sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 2 ;;
+    *) sed -n '2,11s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 2 ;;
 esac

@@ -12,14 +12,18 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import rasterio
 from pyproj import CRS
 
 from urbanmap_qgis.aerial.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.vehicle_filter import OrthophotoSource
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
 from urbanmap_qgis.io import gsi_gml, gsi_sources
 from urbanmap_qgis.io.cityjson import read_cityjson
 from urbanmap_qgis.io.gsi import read_gsi_buildings
 from urbanmap_qgis.io.pointcloud import iter_chunks, open_cloud
+from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.image_poses import read_image_poses
 from urbanmap_qgis.mobile.lines.range_scans import read_scans
@@ -93,6 +97,49 @@ def test_headers_that_cannot_be_true(cloud, place, kind, value, words):
     path.write_bytes(data)
     with pytest.raises(InputError, match=words):
         read_whole(path)
+
+
+def test_extra_attributes_of_no_known_kind(make_cloud, tmp_path):
+    """The decoder divided by their length."""
+    count = np.arange(100.0)
+    data = bytearray(make_cloud(tmp_path / "sound.las", count, count, count % 7, extra={"a": count}).read_bytes())
+    for kind in (0, 200):
+        place = data.index(b"LASF_Spec\0") - 2 + 54
+        data[place + 2:place + 4] = bytes((kind, 0))
+        with pytest.raises(InputError, match="extra attributes"):
+            read_whole(write(tmp_path / "a.las", bytes(data)))
+
+
+def test_chunks_larger_than_any(cloud):
+    """The decoder made room for 4,000 million points."""
+    data, path = cloud(point_format=3)
+    place = data.index(b"laszip encoded\0") - 2 + 54 + 12
+    struct.pack_into("<I", data, place, 2**32 - 2**15)
+    path.write_bytes(data)
+    with pytest.raises(InputError, match="its chunks hold 4,294,934,528 points"):
+        read_whole(path)
+
+
+@pytest.mark.parametrize("value", ["-inf", "1e400", "nan"])
+def test_orbits_that_hold_no_number(tmp_path, value):
+    head = "#cP2019  4 28  0  0  0.00000000       1 ORBIT IGS14 HLM  IGS"
+    for epoch, x in ((value, "15000.000000"), ("0.0", value)):
+        with pytest.raises(InputError, match="not finite"):
+            read_sp3(write(tmp_path / "a.sp3", f"{head}\n*  2019  4 28  0  0  {epoch}\nPG01{x:>14}"
+                           f"{-20000.0:14.6f}{9000.0:14.6f}{12.5:14.6f}\n"))
+
+
+@pytest.mark.parametrize("read", [lambda path: RasterSampler(path), lambda path: OrthophotoSource(path)])
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_rasters_whose_place_is_no_number(tmp_path, read, value):
+    with rasterio.open(tmp_path / "a.tif", "w", driver="GTiff", width=4, height=4, count=1, dtype="uint8",
+                       crs="EPSG:6677", transform=rasterio.Affine(0.5, 0, 12345.25, 0, -0.5, 2)) as file:
+        file.write(np.ones((1, 4, 4), np.uint8))
+    data = (tmp_path / "a.tif").read_bytes()
+    stated = struct.pack("<d", 12345.25)
+    assert data.count(stated) == 1
+    with pytest.raises(InputError, match="not finite"):
+        read(write(tmp_path / "b.tif", data.replace(stated, struct.pack("<d", value))))
 
 
 def test_sound_files_of_all_kinds_pass(cloud):

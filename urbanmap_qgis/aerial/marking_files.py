@@ -95,6 +95,9 @@ class _OrthophotoReader:
             raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
         self.bands = colour_bands(self.source, self.path)
         place = self.source.transform
+        if not np.isfinite(place[:6]).all():
+            raise InputError(f"{self.path.name} says where it lies in numbers that are not finite: it is damaged; "
+                             "export it again.")
         across, down = math.hypot(place.a, place.d), math.hypot(place.b, place.e)
         if not 0.9 < across / down < 1.1 or abs(place.a * place.b + place.d * place.e) > 0.1 * across * down:
             raise InputError(f"{self.path.name} has pixels that are not square: warp it to square pixels first.")

@@ -105,6 +105,8 @@ class OrthophotoSource:
 def _grid_of(source: rasterio.DatasetReader, name: str) -> Grid:
     """Grid of the first orthophoto, which must be north-up with square pixels."""
     place = source.transform
+    if not np.isfinite(place[:6]).all():
+        raise InputError(f"{name} says where it lies in numbers that are not finite: it is damaged; export it again.")
     if place.b or place.d or place.a <= 0 or not np.isclose(place.a, -place.e, rtol=1e-6):
         raise InputError(f"{name} is turned or its pixels are not square: warp it to a north-up raster first.")
     return Grid(place.c, place.f, place.a, source.height, source.width)

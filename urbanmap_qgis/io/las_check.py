@@ -28,6 +28,10 @@ _LAYERS = {10: 9, 11: 1, 12: 2, 13: 1}
 """Layers of the items of LASzip 3 by their type: point, colours, colours with near infrared, wave packet."""
 _BYTES14 = 14
 _VARIABLE = 2**32 - 1
+_LARGE_CHUNK = 2**27
+"""Points of a chunk for which the decoder makes room whether the file has them or not: what no program writes."""
+_EXTRA_TYPES, _EXTRA_BYTES = 30, 192
+"""Kinds of extra attributes by the number that tells them, and bytes of the description of one."""
 
 
 class _Damaged(Exception):
@@ -126,9 +130,18 @@ def _vlrs(file: BinaryIO, header: _Header) -> list[tuple[bytes, int, bytes]]:
         records.append((user.rstrip(b"\0"), record, file.read(length)))
         place += _VLR + length
     for user, record, content in records:
-        if (user, record) == (b"LASF_Spec", 4) and len(content) % 192:
-            raise _Damaged("its record of extra attributes is cut off")
+        if (user, record) == (b"LASF_Spec", 4):
+            _check_extra(content)
     return records
+
+
+def _check_extra(content: bytes) -> None:
+    """Descriptions of extra attributes: their kinds are known, and those of any bytes (kind 0) have some."""
+    if len(content) % _EXTRA_BYTES:
+        raise _Damaged("its record of extra attributes is cut off")
+    kinds = np.frombuffer(content, np.uint8).reshape(-1, _EXTRA_BYTES)[:, 2:4]
+    if (kinds[:, 0] > _EXTRA_TYPES).any() or ((kinds[:, 0] == 0) & (kinds[:, 1] == 0)).any():
+        raise _Damaged("its record of extra attributes holds one of no known kind")
 
 
 def _check_evlrs(file: BinaryIO, header: _Header, size: int) -> None:
@@ -189,6 +202,8 @@ def _chunks(file: BinaryIO, header: _Header, laszip: bytes, chunk_size: int, siz
     if chunk_size == 0 or (chunk_size != _VARIABLE and not (number - 1) * chunk_size < header.count
                            <= number * chunk_size):
         raise _Damaged(f"its {number:,} chunks do not hold {header.count:,} points")
+    if chunk_size != _VARIABLE and chunk_size > max(header.count, _LARGE_CHUNK):
+        raise _Damaged(f"it says that its chunks hold {chunk_size:,} points")
     chunks = _chunk_table(file, header, laszip)
     if len(chunks) != number or any(length < header.record_length for _, length in chunks) or sum(
             length for _, length in chunks) > room:

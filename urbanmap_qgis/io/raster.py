@@ -152,6 +152,9 @@ class RasterSampler:
 def _grid_of(source: rasterio.DatasetReader, path: Path) -> Grid:
     """Grid of an open raster, which must be north-up with square cells."""
     place = source.transform
+    if not np.isfinite(place[:6]).all():
+        raise InputError(f"{path.name} says where it lies in numbers that are not finite: it is damaged; export it "
+                         "again.")
     if place.b or place.d or place.a <= 0 or not np.isclose(place.a, -place.e, rtol=1e-6):
         raise InputError(f"{path.name} is turned or its cells are not square: warp it to a north-up raster first.")
     return Grid(place.c, place.f, place.a, source.height, source.width)

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
-from ...io.guard import reads
+from ...io.guard import first_not_finite, reads
 from ..rinex.gnss_time import calendar_seconds, known_scale, to_gps
 from ..rinex.text_lines import read_bytes
 
@@ -79,6 +79,10 @@ def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
         except (ValueError, IndexError):
             # The last line of a file that breaks off; damage further up would only leave a gap.
             continue
+    bad = first_not_finite([row[2:] for row in rows])
+    if bad is not None or not np.isfinite(times).all():
+        where = "an epoch" if bad is None else f"the {bad + 1}. position, of {rows[bad][1]},"
+        raise InputError(f"{name}: {where} is not finite; download the file again.")
     if not rows:
         raise InputError(f"{name} holds no satellite position: the file is not whole.")
     return _gridded(name, np.asarray(to_gps(np.array(times), scale)), rows)
