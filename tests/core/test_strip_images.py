@@ -78,6 +78,15 @@ def test_bad_cameras(folder, entry, sentence):
         read_strips([path / "左.png"], calibration(path, {**ENTRY, **entry}))
 
 
+def test_a_damaged_camera_is_told_to_who_needs_it(folder):
+    path, _ = folder
+    damaged = {**ENTRY, "lever_arm_m": "lost"}
+    with pytest.raises(InputError, match="lever_arm_m"):
+        read_strips([path / "左.png"], calibration(path, damaged))
+    with pytest.raises(InputError, match="lever_arm_m"):
+        read_strips([path / "左.png"], calibration(path, damaged, {**ENTRY, "id": 6}))
+
+
 def test_images_that_are_none_and_cameras_that_cannot_be_told(folder):
     path, _ = folder
     with pytest.raises(InputError, match="which camera took"):

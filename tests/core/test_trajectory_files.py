@@ -151,6 +151,15 @@ def test_bad_calibration_is_one_sentence(tmp_path, content, sentence):
         read_calibration(calibration(tmp_path, content))
 
 
+@pytest.mark.parametrize("cameras", [
+    {"camera": {"id": "front", "lever_arm_m": "lost"}}, {"camera": None}, {"cameras": "none"},
+    {"cameras": [{"id": 1}, {"id": 2, "lever_arm_m": [0, 0, 0]}]}])
+def test_a_damaged_camera_does_not_keep_the_scanners_from_being_read(tmp_path, cameras):
+    read = read_calibration(calibration(tmp_path, {"scanners": [{"id": 1, "lever_arm_m": [0, 0, 0]}], **cameras}))
+    assert scanner_of(read, 1).id == "1" and len(read.damaged_cameras) == 1
+    assert [camera.id for camera in read.cameras] == (["2"] if isinstance(cameras.get("cameras"), list) else [])
+
+
 def test_unknown_scanner_is_refused(tmp_path):
     path = calibration(tmp_path, {"scanners": [{"id": 1, "lever_arm_m": [0, 0, 0]}]})
     with pytest.raises(InputError, match=r"point source id 3 \(it has: 1\)"):

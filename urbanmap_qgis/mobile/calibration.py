@@ -55,10 +55,17 @@ class MountedCamera(Mount):
 
 @dataclass(frozen=True)
 class Calibration:
-    """Scanners and cameras of a vehicle."""
+    """Scanners and cameras of a vehicle.
+
+    Attributes
+    ----------
+    damaged_cameras : what is wrong with entries of cameras that cannot be used, a sentence each; only who needs a
+        camera is told.
+    """
 
     scanners: tuple[MountedScanner, ...]
     cameras: tuple[MountedCamera, ...] = ()
+    damaged_cameras: tuple[str, ...] = ()
 
 
 @reads("a calibration")
@@ -67,15 +74,27 @@ def read_calibration(path: str | os.PathLike) -> Calibration:
 
     Raises
     ------
-    InputError : it is no such file, or an entry is missing or no number.
+    InputError : it is no such file, or an entry of a scanner is missing or no number. A camera that cannot be used is
+        told in `damaged_cameras`.
     """
     name = Path(path).name
     content = read_json(path, "a calibration")
     if not isinstance(content, dict) or not any(key in content for key in ("scanners", "camera", "cameras")):
         raise InputError(f"{name} is no calibration: it needs an entry “scanners” or “cameras”.")
-    cameras = content.get("cameras", [content["camera"]] if "camera" in content else [])
-    return Calibration(tuple(_scanner(entry, name) for entry in _entries(content.get("scanners", []), name)),
-                       tuple(_camera(entry, name) for entry in _entries(cameras, name)))
+    scanners = tuple(_scanner(entry, name) for entry in _entries(content.get("scanners", []), name))
+    return Calibration(scanners, *_cameras(content, name))
+
+
+def _cameras(content: Mapping, name: str) -> tuple[tuple[MountedCamera, ...], tuple[str, ...]]:
+    """The cameras that can be used, and what is wrong with the others."""
+    entries = content.get("cameras", [content["camera"]] if "camera" in content else [])
+    good, damaged = [], []
+    for entry in entries if isinstance(entries, list) else [entries]:
+        try:
+            good += [_camera(one, name) for one in _entries([entry], name)]
+        except InputError as error:
+            damaged.append(str(error))
+    return tuple(good), tuple(damaged)
 
 
 def _entries(value: object, name: str) -> list[Mapping]:

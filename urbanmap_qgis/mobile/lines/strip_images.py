@@ -67,8 +67,10 @@ def _camera_of(path: Path, calibration: Calibration) -> MountedCamera:
     if not named:
         named = [camera for camera in calibration.cameras
                  if path.stem == f"camera_{camera.id}" or path.stem in (camera.id, camera.properties.get("name"))]
-    if not named and len(calibration.cameras) == 1:
+    if not named and len(calibration.cameras) == 1 and not calibration.damaged_cameras:
         named = list(calibration.cameras)
+    if len(named) != 1 and calibration.damaged_cameras:
+        raise InputError(calibration.damaged_cameras[0])
     if len(named) != 1:
         known = ", ".join(camera.id for camera in calibration.cameras) or "none"
         raise InputError(f"The calibration does not say which camera took {path.name} (it has: {known}): give the "
