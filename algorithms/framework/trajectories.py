@@ -19,6 +19,10 @@ from . import layers
 from .crs import crs_from
 from .parameters import Declarations, tr
 
+ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
+
+GEOID_FILTER = "Geoid model (*.tif *.tiff *.gtx *.asc *.isg);;All files (*)"
+
 TABLE_SUFFIXES = (".csv", ".txt", ".out", ".sbet")
 
 # QGIS refuses a value that does not fit the filter, also a layer's name.
@@ -53,19 +57,47 @@ class TrajectoryParameters(Declarations):
         return self.add_file(name, "Calibration", "JSON file of the scanners' (and cameras') lever arms and angles on "
                              "the vehicle.", "Calibration (*.json)", optional=optional)
 
+    def add_trajectory_reading(self) -> None:
+        """Declare ANGLES, GEOID and GEOID_HEIGHT, which hold for all trajectories of the algorithm."""
+        self.add_choice("ANGLES", "Angles of the trajectory", "How roll, pitch and heading of tables and layers are "
+                        "counted: degrees or radians, headings clockwise from grid north or counter-clockwise from "
+                        "east. SBET says it itself.", ANGLES, "degrees", advanced=True)
+        self.add_file("GEOID", "Geoid model", "GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights "
+                      "above the ellipsoid: with it the ellipsoidal heights of SBET become heights above sea level, as "
+                      "those of the points must be.", GEOID_FILTER, optional=True, advanced=True)
+        self.add_number("GEOID_HEIGHT", "Height of the geoid", "One height above the ellipsoid for all places, instead "
+                        "of a model.", None, -120.0, 120.0, unit="m", optional=True, advanced=True)
+
+    def trajectory_reading(self, parameters: Mapping, context: QgsProcessingContext):
+        """The core's `TrajectoryReading` of ANGLES, GEOID and GEOID_HEIGHT; the usual one where none is declared."""
+        from ...urbanmap_qgis.io.geoid import Geoid, read_geoid
+        from ...urbanmap_qgis.mobile.trajectory_reading import USUAL, TrajectoryReading
+
+        if self.parameterDefinition("ANGLES") is None:
+            return USUAL
+        model, geoid = self.input_path(parameters, "GEOID", context), None
+        if parameters.get("GEOID_HEIGHT") is not None:
+            if model:
+                raise InputError(tr("{0} and {1} are both given: give one of them.").format(
+                    self.label_of("GEOID"), self.label_of("GEOID_HEIGHT")))
+            geoid = Geoid.constant(self.parameterAsDouble(parameters, "GEOID_HEIGHT", context))
+        elif model:
+            geoid = read_geoid(model)
+        return TrajectoryReading(self.parameterAsString(parameters, "ANGLES", context), geoid)
+
     def read_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext,
                         crs_wkt: str | None = None, progress=None):
         """The core's `TrajectoryFile` of a parameter, None where an optional one was not given.
 
         `crs_wkt` is the survey's CRS, into which SBET's latitudes and longitudes go. What was put right or looks wrong
-        in the trajectory is told as warnings.
+        in the trajectory is told as warnings, what was done to its heights as a message.
         """
         text = self.parameterAsFile(parameters, name, context)
         if not text:
             return None
-        read = trajectory_of(text, self.label_of(name), context, crs_wkt)
-        for note in read.notes if progress is not None else ():
-            progress.warn(note)
+        read = trajectory_of(text, self.label_of(name), context, crs_wkt, self.trajectory_reading(parameters, context))
+        if progress is not None:
+            tell_of(read, progress)
         return read
 
     def write_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext, like, trajectory,
@@ -90,12 +122,27 @@ def write_trajectory_file(path: Path, like, trajectory, crs_wkt: str | None, con
     return path
 
 
-def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt: str | None = None):
-    """The core's `TrajectoryFile` of a file (CSV, SBET, vector file) or of a layer that QGIS knows."""
-    from ...urbanmap_qgis.mobile.trajectory_files import TrajectoryFile, read_trajectory, trajectory_from_columns
+def tell_of(read, progress) -> None:
+    """Tell what was put right, looks wrong or was done to the heights of a core's `TrajectoryFile`."""
+    for note in read.notes:
+        progress.warn(note)
+    if read.applied:
+        progress.message(read.applied)
 
+
+def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt: str | None = None, reading=None):
+    """The core's `TrajectoryFile` of a file (CSV, SBET, vector file) or of a layer that QGIS knows.
+
+    `reading` is the core's `TrajectoryReading`, None for the usual one.
+    """
+    from dataclasses import replace
+
+    from ...urbanmap_qgis.mobile.trajectory_files import read_trajectory, trajectory_from_columns
+    from ...urbanmap_qgis.mobile.trajectory_reading import USUAL
+
+    reading = reading or USUAL
     if Path(text).suffix.lower() in TABLE_SUFFIXES:
-        return read_trajectory(text, crs_wkt)
+        return read_trajectory(text, crs_wkt, reading)
     table = _layer_table(text, label, context)
     columns = dict(table.columns)
     lower = {key.lower() for key in columns}
@@ -103,9 +150,8 @@ def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt:
         import shapely
 
         columns["x"], columns["y"] = shapely.get_x(table.geometries), shapely.get_y(table.geometries)
-    made = trajectory_from_columns(columns, label)
-    return TrajectoryFile(made.trajectory, "layer", made.notes, made.columns, tuple(table.columns), "",
-                          table.crs_wkt or crs_wkt)
+    made = trajectory_from_columns(columns, label, reading)
+    return replace(made, header=tuple(table.columns), delimiter="", crs_wkt=table.crs_wkt or crs_wkt)
 
 
 def trajectory_exists(text: str, context: QgsProcessingContext) -> bool:
@@ -127,9 +173,9 @@ def _write_layer(path: Path, like, trajectory, crs_wkt: str, context: QgsProcess
     import shapely
 
     from ...urbanmap_qgis.io.atomic import written_beside
-    from ...urbanmap_qgis.mobile.trajectory_files import COLUMNS, columns_of
+    from ...urbanmap_qgis.mobile.trajectory_files import COLUMNS, columns_in_file
 
-    values = {**columns_of(trajectory), **like.columns}
+    values = {**columns_in_file(like, trajectory), **like.columns}
     text = [name for name in like.columns if any(isinstance(value, str) for value in like.columns[name])]
     fields = layers.make_fields(*((name, "real") for name in COLUMNS),
                                 *((name, "text" if name in text else "real") for name in like.columns))

@@ -33,6 +33,7 @@ class GeoreferenceScans(UrbanMapAlgorithm):
             "SCANS", tr("Range scans"), QgsProcessing.SourceType.TypeFile), "One or several tables of time, angle, "
             "range, intensity and scanner (CSV, CSV.GZ, Parquet, LAS, LAZ).")
         self.add_trajectory()
+        self.add_trajectory_reading()
         self.add_calibration()
         self.add_crs("CRS", "Coordinate reference system", "Of the trajectory, where its layer does not say it; it is "
                      "written into the point cloud, and needed for SBET trajectories.", optional=True)

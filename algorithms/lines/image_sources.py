@@ -17,6 +17,7 @@ def add_images(algorithm) -> None:
         "IMAGES", tr("Line images"), files, None, True), "Strip images of line cameras, one column a time, each with "
         "the table of its columns' times beside it (column,time).")
     algorithm.add_trajectory(optional=True)
+    algorithm.add_trajectory_reading()
     algorithm.add_calibration(optional=True)
     algorithm.declare_parameter(QgsProcessingParameterMultipleLayers(
         "FRAMES", tr("Frames"), files, None, True), "Perspective images, each named in the exterior orientation.")

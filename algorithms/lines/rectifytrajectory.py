@@ -56,6 +56,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
                          "elsewhere.", False, advanced=True)
         self.add_crs("CRS", "Coordinate reference system", "Of trajectory and tie points, where no layer says it; "
                      "needed for SBET trajectories.", optional=True, advanced=True)
+        self.add_trajectory_reading()
         self.add_trajectory_output("OUTPUT", "Rectified trajectory")
         self.add_layer_output("OUTPUT_SETS", "Sets", "One point a set: distance from the reference before and after, "
                               "correction, misfit within the set, how far off it would lie without itself (predicted), "

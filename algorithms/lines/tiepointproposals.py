@@ -30,6 +30,7 @@ class TiePointProposals(UrbanMapAlgorithm):
         self.add_points(help="The survey, placed with the trajectory: one or several LAS, LAZ or COPC files with GPS "
                         "times.")
         self.add_trajectory()
+        self.add_trajectory_reading()
         self.add_polygons("BUILDINGS", "Buildings", "Outlines of the walls in the survey's coordinate system.")
         self.add_distance("REACH", "Maximum distance", "Corners farther from the course, in metres, are left out.",
                           30.0, 1.0, 200.0)

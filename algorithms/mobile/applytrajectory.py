@@ -30,6 +30,7 @@ class ApplyTrajectory(UrbanMapAlgorithm):
         self.add_trajectory("TRAJECTORY", "Reported trajectory", "The trajectory with which the survey was placed: CSV "
                             "time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields.")
         self.add_trajectory("CORRECTED", "Corrected trajectory", "The same after the correction.")
+        self.add_trajectory_reading()
         self.add_file("IMAGES", "Image poses", "CSV id,time,x,y,z,roll,pitch,heading of the survey's images.",
                       POSES_FILTER, optional=True)
         self.add_choice("OUTSIDE", "Points outside the trajectory", "What is done with points that were measured "

@@ -32,6 +32,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
                             "time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields.")
         self.add_trajectory("CORRECTED", "Corrected trajectory", "The same after a correction. Without it the survey "
                             "is measured as it is.", optional=True)
+        self.add_trajectory_reading()
         self.add_layer_output("OUTPUT", "Residuals", "One point at each control point, with the error before and after "
                               "(m, east, north, up, in plan and in space).",
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)

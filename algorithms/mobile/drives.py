@@ -5,19 +5,20 @@ from __future__ import annotations
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.parameters import Declarations, tr
-from ..framework.trajectories import trajectory_exists, trajectory_of
+from ..framework.parameters import tr
+from ..framework.trajectories import TrajectoryParameters, tell_of, trajectory_exists, trajectory_of
 
 
-class DriveInputs(Declarations):
+class DriveInputs(TrajectoryParameters):
     """Methods with which an algorithm declares and reads the trajectories of several drives."""
 
     def add_trajectories(self) -> None:
-        """Declare TRAJECTORY."""
+        """Declare TRAJECTORY and how all of them are read."""
         self.declare_parameter(QgsProcessingParameterMultipleLayers(
             "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile),
             "The trajectory of each drive, with which its points were placed: CSV time,x,y,z,roll,pitch,heading, SBET, "
             "or point layers.")
+        self.add_trajectory_reading()
 
     def trajectory_texts(self, parameters, context) -> list[str]:
         """What TRAJECTORY names, each once.
@@ -37,9 +38,9 @@ class DriveInputs(Declarations):
 
     def read_trajectories(self, parameters, context, crs, progress) -> list:
         """The core's `TrajectoryFile` of each one that was given."""
-        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs)
+        reading = self.trajectory_reading(parameters, context)
+        read = [trajectory_of(text, self.label_of("TRAJECTORY"), context, crs, reading)
                 for text in self.trajectory_texts(parameters, context)]
         for item in read:
-            for note in item.notes:
-                progress.warn(note)
+            tell_of(item, progress)
         return read

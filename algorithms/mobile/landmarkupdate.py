@@ -22,6 +22,7 @@ class LandmarkUpdate(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_trajectory()
+        self.add_trajectory_reading()
         add_control(self)
         self.add_trajectory_output()
         self.add_number_output("POINTS_USED", "Control points used", "Those measured during the survey.")

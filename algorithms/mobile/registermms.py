@@ -40,6 +40,7 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the height system of the "
                         "survey. With it the correction is in space.", optional=True)
         self.add_calibration(optional=True)
+        self.add_trajectory_reading()
         self.add_distance("PATCH_LENGTH", "Patch length", "Length of path that counts as rigid.", 0.5, 0.1, 10.0)
         self.add_number("WINDOW_PATCHES", "Minimum window length", "Patches of the shortest window. By default 60; 30 "
                         "with the paper's method in space.", None, 4, 400, unit="patches", integer=True, optional=True)

@@ -34,6 +34,7 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
                         "coordinate system.")
         self.add_trajectory()
         self.add_calibration(optional=True)
+        self.add_trajectory_reading()
         self.add_distance("MAX_RANGE", "Maximum range", "Points farther from the scanner, in metres, are left out. The "
                           "range up to which the curve holds (R2) may be shorter.", 25.0, 1.0, 200.0, advanced=True)
         self.add_distance("BLOCK_SIZE", "Block size", "Side in metres of the block whose mean a marking exceeds.", 2.5,

@@ -11,6 +11,9 @@ from ..mobile.roadmarkingsfrommms import RoadMarkingsFromMms
 FIGURES = ("WAY", "MEAN_CORRECTION", "MAX_CORRECTION", "REGISTERED_SHARE", "BRIDGED_SHARE", "DISTRUSTED_SHARE",
            "MEDIAN_SIGMA", "MAX_SIGMA")
 
+READING = ("ANGLES", "GEOID", "GEOID_HEIGHT")
+"""How the trajectories are read, by all steps."""
+
 
 class GeoreferenceMms(UrbanMapAlgorithm):
     ID = "georeferencemms"
@@ -32,7 +35,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         self.add_from(ApplyTrajectory, "IMAGES")
         self.add_from(RegisterMms, "IMAGE")
         self.add_from(RegisterMms, "METHOD", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
-                      "SEARCH", "WORKERS", advanced=True)
+                      "SEARCH", "REFERENCE_SIGMA", *READING, "WORKERS", advanced=True)
         self.add_from(RegisterMms, "POINTS_CRS")
         self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
         self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")
@@ -51,15 +54,16 @@ class GeoreferenceMms(UrbanMapAlgorithm):
 
         run = self.child_runner(context, feedback, 3)
         points = self.parameterAsFileList(parameters, "POINTS", context)
-        markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", "CALIBRATION", "METHOD", "WORKERS"), POINTS=points,
-                       OUTPUT=self.temporary_file(context, "markings.laz"))
+        markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", *READING, "CALIBRATION", "METHOD", "WORKERS"),
+                       POINTS=points, OUTPUT=self.temporary_file(context, "markings.laz"))
         registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
                                                "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",
-                                               "WORKERS", "METHOD", "OUTPUT_PATCHES", "OUTPUT_REPORT"),
+                                               "REFERENCE_SIGMA", *READING, "WORKERS", "METHOD", "OUTPUT_PATCHES",
+                                               "OUTPUT_REPORT"),
                          POINTS=[markings["OUTPUT"]],
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))
-        moved = run("applytrajectory", **pick("TRAJECTORY", "IMAGES", "OUTPUT", "OUTPUT_IMAGES"), POINTS=points,
-                    CORRECTED=registered["OUTPUT"])
+        moved = run("applytrajectory", **pick("TRAJECTORY", *READING, "IMAGES", "OUTPUT", "OUTPUT_IMAGES"),
+                    POINTS=points, CORRECTED=registered["OUTPUT"])
         results = {name: registered[name] for name in (*FIGURES, "OUTPUT_PATCHES", "OUTPUT_REPORT")
                    if name in registered}
         results.update({name: moved[name] for name in ("OUTPUT", "OUTPUT_IMAGES") if name in moved})

@@ -6,7 +6,7 @@ import csv
 import io
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from ..io.atomic import written_beside
 from ..io.guard import first_not_finite, read_text, reads
 from ..io.pointcloud import plan_crs
 from .trajectory import Trajectory, gaps, jumps, unwrapped
+from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
 
 COLUMNS = ("time", "x", "y", "z", "roll", "pitch", "heading")
 
@@ -29,6 +30,7 @@ _ALIASES = {"gpstime": "time", "gps_time": "time", "t": "time", "easting": "x", 
             "north": "y", "height": "z", "altitude": "z", "elevation": "z", "yaw": "heading", "azimuth": "heading"}
 _DECIMALS = {"time": 6, "x": 4, "y": 4, "z": 4, "roll": 6, "pitch": 6, "heading": 6}
 _SHOWN = 3
+_TURN = 6.4  # radians; no angle of a body is more
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,8 @@ class TrajectoryFile:
     header : the CSV's column names as the file spells them.
     delimiter : of the CSV.
     crs_wkt : of the map coordinates, where it was needed (SBET).
+    reading : how its angles and heights were read, and are written.
+    applied : a sentence on what was done to its heights, "" for nothing.
     """
 
     trajectory: Trajectory
@@ -53,23 +57,28 @@ class TrajectoryFile:
     header: tuple[str, ...] = COLUMNS
     delimiter: str = ","
     crs_wkt: str | None = None
+    reading: TrajectoryReading = USUAL
+    applied: str = ""
 
 
 @reads("a trajectory")
-def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None) -> TrajectoryFile:
+def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
+                    reading: TrajectoryReading = USUAL) -> TrajectoryFile:
     """Read a trajectory: CSV with `time,x,y,z,roll,pitch,heading`, or Applanix SBET (`.out`, `.sbet`).
 
     Parameters
     ----------
-    crs_wkt : map coordinates into which SBET's latitudes and longitudes go; its heights stay ellipsoidal.
+    crs_wkt : map coordinates into which SBET's latitudes and longitudes go.
+    reading : how angles are counted, and the geoid for SBET's ellipsoidal heights; without one they stay so.
 
     Raises
     ------
-    InputError : it cannot be read, a column is missing, or its epochs contradict each other.
+    InputError : it cannot be read, a column is missing, its epochs contradict each other, or its headings go with the
+        direction of travel only when they are counted in another way.
     """
     path = Path(path)
     if path.suffix.lower() in SBET_SUFFIXES:
-        return _read_sbet(path, crs_wkt)
+        return _read_sbet(path, crs_wkt, reading)
     text = read_text(path, "a trajectory (CSV)")
     first = text.split("\n", 1)[0]
     delimiter = max(",;\t ", key=first.count)
@@ -83,11 +92,12 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None) -> Traj
         raise InputError(f"{path.name}: row {ragged} has {len(rows[ragged - 1])} values, the header names "
                          f"{len(header)}: the file may be cut off; export it again.")
     columns = dict(zip(header, zip(*rows[1:]))) if len(rows) > 1 else dict.fromkeys(header, ())
-    made = trajectory_from_columns(columns, path.name)
-    return TrajectoryFile(made.trajectory, "csv", made.notes, made.columns, header, delimiter, crs_wkt)
+    made = trajectory_from_columns(columns, path.name, reading)
+    return replace(made, format="csv", header=header, delimiter=delimiter, crs_wkt=crs_wkt)
 
 
-def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The trajectory") -> TrajectoryFile:
+def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The trajectory",
+                            reading: TrajectoryReading = USUAL) -> TrajectoryFile:
     """A trajectory from named columns of equal length, as a layer or a table has them (`COLUMNS`, in any case).
 
     Rows out of order are sorted and repeated epochs taken once; both are noted, as are gaps and jumps.
@@ -95,7 +105,7 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     Raises
     ------
     InputError : a column is missing or holds something else than numbers, fewer than two epochs, or one time with two
-        different poses.
+        different poses; or headings counted in another way.
     """
     known = {_ALIASES.get(key.strip().lower(), key.strip().lower()): key for key in columns}
     missing = [column for column in COLUMNS if column not in known]
@@ -113,7 +123,10 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     order, notes = _order(table, name)
     used = {known[column] for column in COLUMNS}
     others = {key: [values[row] for row in order] for key, values in columns.items() if key not in used}
-    return _checked(table[order], name, notes, others)
+    if reading.geoid is not None:
+        notes.append(f"{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as they "
+                     "are.")
+    return _checked(table[order], name, notes, others, reading)
 
 
 def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
@@ -137,21 +150,24 @@ def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
     return order, notes
 
 
-def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[str, Sequence]) -> TrajectoryFile:
-    """The trajectory of a table in order, with notes on gaps and jumps."""
+def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[str, Sequence],
+             reading: TrajectoryReading) -> TrajectoryFile:
+    """The trajectory of a table in order, with notes on gaps, jumps and strange headings."""
     if len(table) < 2:
         raise InputError(f"{name} has one epoch only: give a trajectory of at least two.")
-    trajectory = Trajectory(table[:, 0].copy(), table[:, 1:4].copy(), unwrapped(table[:, 4:7]))
+    angles = unwrapped(from_file_angles(table[:, 4:7], reading.angles))
+    trajectory = Trajectory(table[:, 0].copy(), table[:, 1:4].copy(), angles)
+    notes = [*notes, *judged_headings(trajectory, table[:, 4:7], reading.angles, name)]
     for spans, what in ((gaps(trajectory), "has no epochs for more than a second"), (jumps(trajectory), "jumps")):
         if len(spans):
             places = ", ".join(f"{start:.2f} to {end:.2f} s" for start, end in spans[:_SHOWN])
             more = f" and {len(spans) - _SHOWN} more" if len(spans) > _SHOWN else ""
             notes.append(f"{name} {what} at {places}{more}: what was measured there is not to be trusted.")
-    return TrajectoryFile(trajectory, "layer", tuple(notes), columns)
+    return TrajectoryFile(trajectory, "layer", tuple(notes), columns, reading=reading)
 
 
-def _read_sbet(path: Path, crs_wkt: str | None) -> TrajectoryFile:
-    """An Applanix SBET: latitude, longitude in radians, angles in radians from true north."""
+def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> TrajectoryFile:
+    """An Applanix SBET: latitude, longitude in radians, angles in radians from true north, ellipsoidal heights."""
     if not crs_wkt:
         raise InputError(f"{path.name} is in latitude and longitude: the coordinate reference system of the survey "
                          "must be known; store it in the point cloud or give it.")
@@ -162,19 +178,32 @@ def _read_sbet(path: Path, crs_wkt: str | None) -> TrajectoryFile:
     records = np.fromfile(path, _SBET)
     if not (np.abs(records["latitude"]) < 1.6).all() or not (np.abs(records["longitude"]) < 6.3).all():
         raise InputError(f"{path.name} is no SBET file: its latitudes are no angles in radians.")
+    if any(np.abs(records[name]).max() > _TURN for name in ("roll", "pitch", "heading")):
+        raise InputError(f"{path.name}: its angles are no radians, as those of an SBET are: export it again.")
     bad = first_not_finite(records.view("<f8").reshape(len(records), -1))
     if bad is not None:
         raise InputError(f"{path.name} has no number in record {bad + 1}: export it again, or remove the record.")
     x, y, convergence = _projected(records, crs_wkt)
-    table = np.column_stack([records["time"], x, y, records["altitude"], *np.degrees([records["roll"],
+    height, applied = _heights(records, reading, path.name)
+    table = np.column_stack([records["time"], x, y, height, *np.degrees([records["roll"],
                              records["pitch"]]), np.degrees(records["heading"]) - convergence])
     bad = first_not_finite(table)
     if bad is not None:
         raise InputError(f"{path.name} lies outside the coordinate reference system of the survey at record {bad + 1}: "
                          "choose the right one.")
     order, notes = _order(table, path.name)
-    made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names})
-    return TrajectoryFile(made.trajectory, "sbet", made.notes, made.columns, (), "", crs_wkt)
+    read = TrajectoryReading(geoid=reading.geoid)
+    made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
+    return replace(made, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
+
+
+def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tuple[np.ndarray, str]:
+    """Heights (n,) of SBET records, above the geoid where one is given, and a sentence on it."""
+    if reading.geoid is None:
+        return records["altitude"], ""
+    above = reading.geoid.at(np.degrees(records["longitude"]), np.degrees(records["latitude"]))
+    return records["altitude"] - above, (f"{name}: ellipsoidal heights were lowered by {above.min():.3f} to "
+                                         f"{above.max():.3f} m to heights above the geoid ({reading.geoid.name}).")
 
 
 def _projected(records: np.ndarray, crs_wkt: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -215,9 +244,20 @@ def columns_of(trajectory: Trajectory) -> dict[str, np.ndarray]:
                               (pitch + 180.0) % 360.0 - 180.0, heading % 360.0)))
 
 
-def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
+def columns_in_file(like: TrajectoryFile, trajectory: Trajectory) -> dict[str, np.ndarray]:
+    """The same with angles counted as the file given does."""
     values = columns_of(trajectory)
-    text = {name: [f"{value:.{_DECIMALS[name]}f}" for value in values[name]] for name in COLUMNS}
+    if like.reading.angles != "degrees":
+        angles = np.column_stack([values[name] for name in COLUMNS[4:]])
+        values.update(zip(COLUMNS[4:], to_file_angles(angles, like.reading.angles).T))
+    return values
+
+
+def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
+    values = columns_in_file(like, trajectory)
+    finer = 2 if like.reading.angles.startswith("radians") else 0
+    digits = {name: count + finer * (name in COLUMNS[4:]) for name, count in _DECIMALS.items()}
+    text = {name: [f"{value:.{digits[name]}f}" for value in values[name]] for name in COLUMNS}
     columns = [text.get(_ALIASES.get(name.lower(), name.lower())) or like.columns[name] for name in like.header]
     out = io.StringIO()
     writer = csv.writer(out, delimiter=like.delimiter, lineterminator="\n")
@@ -234,7 +274,8 @@ def _sbet_records(like: TrajectoryFile, trajectory: Trajectory) -> np.ndarray:
     back = Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
     longitude, latitude = back.transform(trajectory.place[:, 0], trajectory.place[:, 1])
     records["longitude"], records["latitude"] = np.radians(longitude), np.radians(latitude)
-    records["altitude"] = trajectory.place[:, 2]
+    above = 0.0 if like.reading.geoid is None else like.reading.geoid.at(longitude, latitude)
+    records["altitude"] = trajectory.place[:, 2] + above
     heading = trajectory.angles[:, 2] + _convergence(crs, longitude, latitude)
     records["roll"], records["pitch"] = np.radians(trajectory.angles[:, :2].T)
     records["heading"] = np.radians((heading + 180.0) % 360.0 - 180.0)

@@ -1,0 +1,120 @@
+"""How a trajectory's file counts angles and heights, and whether its headings go with the direction of travel.
+
+Files of other programs hold radians, or headings counted counter-clockwise from east; read as degrees clockwise from
+north such a trajectory turns every lever arm. The direction of travel tells: a vehicle drives where it heads.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError
+from ..io.geoid import Geoid
+from .trajectory import Trajectory, gaps, jumps, path_chainage, unwrapped
+
+ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
+"""Ways of counting: unit of all angles, and headings clockwise from grid north or counter-clockwise from grid east."""
+
+ANGLE_NAMES = ("degrees clockwise from grid north", "radians clockwise from grid north",
+               "degrees counter-clockwise from east", "radians counter-clockwise from east")
+
+_STEP = 2.0  # m of path over which the direction of travel is taken
+_STEPS = 8  # so many of them say enough
+_AGREES = 5.0  # degrees; side slip and the mounting of the inertial unit stay below
+_STRANGE = 20.0
+_CLEARLY = 3.0
+_RADIAN_LIMIT = 2.0 * np.pi + 0.01
+
+
+@dataclass(frozen=True)
+class TrajectoryReading:
+    """How a file is read.
+
+    Attributes
+    ----------
+    angles : one of `ANGLES`; SBET says it itself. geoid : by which ellipsoidal heights of SBET become those above sea
+        level; None leaves them as they are.
+    """
+
+    angles: str = "degrees"
+    geoid: Geoid | None = None
+
+
+USUAL = TrajectoryReading()
+"""Degrees clockwise from grid north, heights as they are."""
+
+
+def from_file_angles(angles: np.ndarray, counted: str) -> np.ndarray:
+    """Roll, pitch, heading (n, 3) of a file as degrees, headings clockwise from grid north."""
+    made = np.degrees(angles) if counted.startswith("radians") else np.array(angles, float)
+    if counted.endswith("from_east"):
+        made[:, 2] = 90.0 - made[:, 2]
+    return made
+
+
+def to_file_angles(angles: np.ndarray, counted: str) -> np.ndarray:
+    """The other way round."""
+    made = np.array(angles, float)
+    if counted.endswith("from_east"):
+        made[:, 2] = 90.0 - made[:, 2]
+    return np.radians(made) if counted.startswith("radians") else made
+
+
+def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, name: str) -> list[str]:
+    """Notes on headings that do not go with the direction of travel.
+
+    Parameters
+    ----------
+    angles : (n, 3) as the file has them. counted : how they were read, one of `ANGLES`.
+
+    Raises
+    ------
+    InputError : read in another way of counting they go with it.
+    """
+    if counted.startswith("radians") and np.abs(angles).max(initial=0.0) > _RADIAN_LIMIT:
+        raise InputError(f"{name}: angles of up to {np.abs(angles).max():.0f} are no radians: they are degrees; say "
+                         "so.")
+    away = {way: _away(trajectory, angles, way) for way in ANGLES}
+    off = away[counted]
+    if not np.isfinite(off) or off <= _AGREES:
+        return []
+    best = min(away, key=lambda way: away[way])
+    if best != counted and away[best] <= _AGREES and off > _CLEARLY * away[best]:
+        raise InputError(f"{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read as "
+                         f"{ANGLE_NAMES[ANGLES.index(best)]} they go with it ({away[best]:.1f}°): say that the angles "
+                         f"are counted so, or convert them to {ANGLE_NAMES[0]}.")
+    if off > 180.0 - _AGREES:
+        return [f"{name}: the vehicle drove backwards, or its headings are half a turn off: they point against the "
+                "direction of travel."]
+    if off > _STRANGE:
+        return [f"{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x axis "
+                "does not point forward, the calibration must say the same; otherwise the headings are wrong."]
+    return []
+
+
+def _away(trajectory: Trajectory, angles: np.ndarray, counted: str) -> float:
+    """Median angle, degrees, between headings read in a way and the direction of travel; NaN where none is known."""
+    if counted.startswith("radians") and np.abs(angles).max(initial=0.0) > _RADIAN_LIMIT:
+        return np.inf
+    chainage = path_chainage(trajectory)
+    at = np.arange(0.0, chainage[-1] + 1e-9, _STEP)
+    if len(at) <= _STEPS:
+        return np.nan
+    rising = np.concatenate([[True], np.diff(chainage) > 0])
+    time = np.interp(at, chainage[rising], trajectory.time[rising])
+    x, y = (np.interp(time, trajectory.time, axis) for axis in trajectory.place[:, :2].T)
+    course = np.degrees(np.arctan2(np.diff(x), np.diff(y)))
+    heading = unwrapped(from_file_angles(angles, counted))[:, 2]
+    middle = np.interp(0.5 * (time[1:] + time[:-1]), trajectory.time, heading)
+    off = np.abs((middle - course + 180.0) % 360.0 - 180.0)[_driven(trajectory, time)]
+    return float(np.median(off)) if len(off) >= _STEPS else np.nan
+
+
+def _driven(trajectory: Trajectory, time: np.ndarray) -> np.ndarray:
+    """Mask (n - 1,) of the steps between times (n,) that lie in no gap and no jump of the trajectory."""
+    driven = np.ones(len(time) - 1, bool)
+    for start, end in np.concatenate([gaps(trajectory), jumps(trajectory)]):
+        driven &= (time[1:] <= start) | (time[:-1] >= end)
+    return driven
