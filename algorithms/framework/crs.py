@@ -7,6 +7,7 @@ import re
 from qgis.core import QgsCoordinateReferenceSystem, QgsUnitTypes
 
 from ...urbanmap_qgis.errors import InputError
+from ...urbanmap_qgis.io.renamed_crs import known_wkt
 from .parameters import tr
 
 _HORIZONTAL = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOGCS|GEOGCRS|GEODCRS)\[")
@@ -16,7 +17,7 @@ _COMPOUND = re.compile(r"^\s*(COMPD_CS|COMPOUNDCRS)\[")
 
 def wkt_of(crs: QgsCoordinateReferenceSystem) -> str:
     """A CRS as WKT, the form in which it is handed to the core."""
-    return crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED) if crs.isValid() else ""
+    return known_wkt(crs.toWkt(QgsCoordinateReferenceSystem.WktVariant.WKT_PREFERRED)) if crs.isValid() else ""
 
 
 def crs_from(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateReferenceSystem:
@@ -26,7 +27,7 @@ def crs_from(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateRef
     """
     if isinstance(crs, QgsCoordinateReferenceSystem):
         return QgsCoordinateReferenceSystem() if _NONE.match(crs.description()) else crs
-    return QgsCoordinateReferenceSystem.fromWkt(crs) if crs else QgsCoordinateReferenceSystem()
+    return QgsCoordinateReferenceSystem.fromWkt(known_wkt(crs)) if crs else QgsCoordinateReferenceSystem()
 
 
 def horizontal(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateReferenceSystem:

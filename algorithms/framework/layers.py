@@ -32,7 +32,6 @@ from qgis.core import (
     QgsProcessingOutputLayerDefinition,
     QgsProcessingUtils,
     QgsRectangle,
-    QgsVectorLayer,
     QgsWkbTypes,
 )
 from qgis.PyQt.QtCore import QMetaType, QVariant
@@ -47,6 +46,13 @@ from .parameters import tr
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 BATCH = 1000
 TIME = "2000-01-01T00:00:00.000Z"
+
+_STYLES_TABLE = """
+CREATE TABLE layer_styles (id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, f_table_catalog TEXT(256),
+  f_table_schema TEXT(256), f_table_name TEXT(256), f_geometry_column TEXT(256), styleName TEXT(30), styleQML TEXT,
+  styleSLD TEXT, useAsDefault BOOLEAN, description TEXT, owner TEXT(30), ui TEXT(30), update_time DATETIME)
+"""
+"""The table in which QGIS looks for styles of layers of a GeoPackage."""
 
 SHORT = 10
 """Characters that a shapefile leaves of a field's name."""
@@ -383,16 +389,26 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
 
 def _save_style(path: Path, style: str, progress: Progress) -> None:
-    """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result."""
-    error = tr("no such style")
-    if style_path(style).is_file():
-        _know_3d_renderers()
-        layer = QgsVectorLayer(str(path), path.stem, "ogr")
-        error, loaded = layer.loadNamedStyle(str(style_path(style)))
-        if loaded:
-            error = layer.saveStyleToDatabase(style, tr("UrbanMap"), True, "")
-    if error:
-        progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error))
+    """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result.
+
+    QGIS would write the style's own words in an order that differs from run to run, and leave 3D renderers out where
+    it has not been told of them, as in `qgis_process`; so the style's file is stored as it is.
+    """
+    try:
+        text = style_path(style).read_text(encoding="utf-8")
+    except OSError as error:
+        progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error.strerror))
+        return
+    with closing(sqlite3.connect(path)) as database, database:
+        (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+        column = database.execute("SELECT column_name FROM gpkg_geometry_columns").fetchone()
+        database.execute(_STYLES_TABLE)
+        database.execute("INSERT INTO gpkg_contents (table_name, data_type, identifier, last_change, srs_id) "
+                         "VALUES ('layer_styles', 'attributes', 'layer_styles', ?, 0)", (TIME,))
+        database.execute(
+            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, styleName, "
+            "styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', ?, ?, ?, ?, '', 1, ?, "
+            "'', ?)", (table, column[0] if column else "", style, text, tr("UrbanMap"), TIME))
 
 
 def without_times(path: Path) -> None:
@@ -403,23 +419,12 @@ def without_times(path: Path) -> None:
         tables = {name for name, in database.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
         if "gpkg_contents" in tables:
             database.execute("UPDATE gpkg_contents SET last_change = ?", (TIME,))
-        if "layer_styles" in tables:
-            database.execute("UPDATE layer_styles SET update_time = ?", (TIME,))
     # SQLite counts the changes, and the copy of the count that says for which its size holds: GDAL writes now in one
     # more step, now in one less.
     with path.open("r+b") as file:
         for place in (24, 92):
             file.seek(place)
             file.write((1).to_bytes(4, "big"))
-
-
-def _know_3d_renderers() -> None:
-    """`qgis_process` drops 3D renderers from a style without a word until it is told of them."""
-    try:
-        from qgis import _3d
-    except ImportError:  # a build without 3D has no 3D renderers to lose
-        return
-    _3d.Qgs3D.initialize()
 
 
 def _move_into_place(scratch: Path, folder: Path) -> None:

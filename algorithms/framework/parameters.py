@@ -230,7 +230,9 @@ class Declarations:
                 output = owner.outputDefinition(original)
                 self.addOutput(type(output)(name, output.description()))
                 continue
-            definition = definition.clone()
+            # Not clone(): of a copy that C++ made Python does not learn when it is deleted, and takes what comes to
+            # its address for it.
+            definition = type(definition)(definition)
             definition.setName(name)
             if label:
                 definition.setDescription(tr(label) + "".join(UNIT.findall(definition.description())))

@@ -339,6 +339,21 @@ def test_same_crs_ignores_the_height_system(plugin, qgis_app):
         0.3048006096, abs=1e-9)
 
 
+def test_a_system_is_known_by_its_names_before_and_after_it_was_renamed(plugin, qgis_app):
+    """As QGIS with a newer database writes EPSG:6677, and as one with an older does."""
+    from qgis.core import QgsCoordinateReferenceSystem
+
+    crs = plugin("algorithms.framework.crs")
+    plane = QgsCoordinateReferenceSystem("EPSG:6677")
+    old = crs.wkt_of(plane)
+    assert "JGD2024" not in old
+    for wkt in (old, old.replace("JGD2011", "JGD2024").replace("Datum 2011", "Datum 2024")):
+        assert crs.crs_from(wkt).authid() == "EPSG:6677"
+        crs.same_crs("Points", wkt, "Outlines", plane)
+        custom = QgsCoordinateReferenceSystem.fromWkt(wkt)
+        crs.same_crs("Points", custom, "Outlines", plane)
+
+
 def test_two_datums_of_one_zone_differ(plugin, qgis_app):
     """JGD2000 and JGD2011 have the same projection and lie metres apart in the north-east of Japan."""
     from qgis.core import QgsCoordinateReferenceSystem

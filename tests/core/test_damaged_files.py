@@ -89,7 +89,8 @@ def test_layers_longer_than_their_chunk(cloud, layer):
 @pytest.mark.parametrize(("place", "kind", "value", "words"), [
     (100, "<I", 2**32 - 1, "variable length records"), (96, "<I", 2**31, "do not fit its size"),
     (94, "<H", 10, "do not fit its size"), (105, "<H", 0, "too short"), (104, "<B", 63, "point format"),
-    (25, "<B", 9, "version"), (131, "<d", 0.0, "scales"), (155, "<d", float("nan"), "scales"),
+    (25, "<B", 9, "version"), (131, "<d", 0.0, "scales"), (131, "<d", 1e305, "scales"),
+    (155, "<d", float("nan"), "scales"),
     (243, "<I", 2**31, "extended records")])
 def test_headers_that_cannot_be_true(cloud, place, kind, value, words):
     data, path = cloud("las")

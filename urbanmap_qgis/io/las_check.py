@@ -111,7 +111,9 @@ def _header(file: BinaryIO, size: int) -> _Header:
     if record_length < RECORD_LENGTHS[point_format]:
         raise _Damaged(f"its records of {record_length} bytes are too short for point format {point_format}")
     numbers = np.frombuffer(start, "<f8", 12, 131)
-    if not np.isfinite(numbers).all() or (numbers[:3] == 0).any():
+    with np.errstate(over="ignore", invalid="ignore"):
+        farthest = numbers[:3] * 2.0**31 + numbers[3:6]
+    if not np.isfinite(numbers).all() or not np.isfinite(farthest).all() or (numbers[:3] == 0).any():
         raise _Damaged("its scales, offsets or bounds are no usable numbers")
     return _Header(point_format, bool(kind & 0xC0), record_length, points_start, count, header_size, vlrs, evlrs,
                    evlrs_start)

@@ -19,6 +19,7 @@ from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 from .las_check import check_las, decoding
+from .renamed_crs import known_wkt
 
 CHUNK_POINTS = 1_000_000
 """Points held in memory at a time while reading."""
@@ -120,7 +121,9 @@ def _header(path: Path) -> laspy.LasHeader:
 def _stated_crs(path: Path, header: laspy.LasHeader) -> CRS | None:
     """The CRS that a header states, None where it states none."""
     try:
-        return header.parse_crs()
+        crs = header.parse_crs()
+        stated = crs.to_wkt() if crs else ""
+        return crs if known_wkt(stated) == stated else CRS.from_wkt(known_wkt(stated))
     except CRSError as error:
         raise InputError(f"The coordinate reference system in {path.name} cannot be understood: "
                          "set it right in the file.") from error

@@ -20,6 +20,7 @@ from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
 from .atomic import written_beside
+from .renamed_crs import known_wkt
 
 NODATA = -9999.0
 _BLOCK = 256
@@ -100,7 +101,7 @@ class RasterSampler:
         try:
             with own_gdal():
                 self._source = rasterio.open(self.path)
-                self.crs_wkt = self._source.crs.to_wkt() if self._source.crs else ""
+                self.crs_wkt = known_wkt(self._source.crs.to_wkt()) if self._source.crs else ""
         except (RasterioError, OSError) as error:
             raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
         self.bands = self._source.count
