@@ -11,7 +11,7 @@ from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError, OutputError
-from urbanmap_qgis.io import cityjson
+from urbanmap_qgis.io import cityjson_parts
 from urbanmap_qgis.io.cityjson import CityBuilding, read_cityjson, write_cityjson
 from urbanmap_qgis.progress import Progress
 
@@ -98,7 +98,7 @@ def test_same_bytes(path, tmp_path):
 
 
 def test_bounded_memory_of_shared_vertices(path, monkeypatch):
-    monkeypatch.setattr(cityjson, "_REMEMBERED", 5)
+    monkeypatch.setattr(cityjson_parts, "_REMEMBERED", 5)
     write_cityjson(path, houses())
     for item in read_cityjson(path):
         assert all(check_solid(solid) == () for solid in item.solids)

@@ -5,10 +5,8 @@ Source: CityJSON specifications 2.0.1, https://www.cityjson.org/specs/2.0.1/
 
 from __future__ import annotations
 
-import json
 import math
 import os
-from array import array
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import IO, Any
@@ -20,10 +18,8 @@ from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Fac
 from ..geometry.solid_faces import face_normal
 from ..progress import SILENT, Progress
 from .atomic import written_beside
+from .cityjson_parts import VertexList, json_text, json_value, write_end
 from .guard import first_not_finite, read_json, reads
-
-_UNITS = 10_000
-"""Vertices are whole numbers of 1/10000 m."""
 
 _SEMANTICS = {
     ROOF: {"type": "RoofSurface"},
@@ -35,9 +31,6 @@ _SEMANTICS = {
 
 _THEME = "facades"
 """Name of the textures' theme."""
-
-_REMEMBERED = 250_000
-"""Vertices kept at hand to be shared; files of fewer vertices share all of theirs."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +84,7 @@ def write_cityjson(path: str | os.PathLike, buildings: Iterable[CityBuilding], *
     InputError : two buildings have the same id.
     OutputError : the file cannot be written.
     """
-    vertices, appearance = _Vertices(), _Appearance()
+    vertices, appearance = VertexList(), _Appearance()
     seen: set[str] = set()
     with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         file.write('{"type":"CityJSON","version":"2.0","CityObjects":{')
@@ -101,16 +94,16 @@ def write_cityjson(path: str | os.PathLike, buildings: Iterable[CityBuilding], *
                 raise InputError(f"Two buildings have the id '{building.id}': give each building its own.")
             seen.add(building.id)
             file.write(",\n" if number else "\n")
-            file.write(f"{_text(building.id)}:{_text(_city_object(building, lod, vertices, appearance))}")
+            file.write(f"{json_text(building.id)}:{json_text(_city_object(building, lod, vertices, appearance))}")
         file.write("\n}")
         appearance.write(file)
-        _write_end(file, vertices, epsg, title)
+        write_end(file, vertices, epsg, title)
     return len(seen)
 
 
-def _city_object(building: CityBuilding, lod: str, vertices: _Vertices, appearance: _Appearance) -> dict[str, Any]:
+def _city_object(building: CityBuilding, lod: str, vertices: VertexList, appearance: _Appearance) -> dict[str, Any]:
     """A building as a CityJSON object."""
-    attributes = {str(name): _plain(value) for name, value in building.attributes.items()}
+    attributes = {str(name): json_value(value) for name, value in building.attributes.items()}
     geometry = []
     if building.solids:
         surfaces: list[dict] = []
@@ -130,7 +123,7 @@ def _city_object(building: CityBuilding, lod: str, vertices: _Vertices, appearan
     return {"type": "Building", "attributes": attributes, "geometry": geometry}
 
 
-def _shell(solid: Solid, vertices: _Vertices, surfaces: list[dict]) -> tuple[list, list[int]]:
+def _shell(solid: Solid, vertices: VertexList, surfaces: list[dict]) -> tuple[list, list[int]]:
     """Boundary of a solid's outer shell, and for each face its number in `surfaces`, which grows."""
     number = vertices.numbers(solid.vertices)
     boundary = [[[number[vertex] for vertex in ring] for ring in face] for face in solid.faces]
@@ -140,7 +133,7 @@ def _shell(solid: Solid, vertices: _Vertices, surfaces: list[dict]) -> tuple[lis
         if surface_type == ROOF and np.ptp(solid.vertices[list(face[0]), 2]) > 0:
             surface |= _inclination(face_normal(solid.vertices, face))
         if roof_id is not None:
-            surface["roof_id"] = _plain(roof_id)
+            surface["roof_id"] = json_value(roof_id)
         if surface not in surfaces:
             surfaces.append(surface)
         values.append(surfaces.index(surface))
@@ -178,71 +171,8 @@ class _Appearance:
         if not self.images:
             return
         textures = [{"type": "PNG" if name.lower().endswith(".png") else "JPG", "image": name} for name in self.images]
-        file.write(f',"appearance":{_text({"default-theme-texture": _THEME, "textures": textures})[:-1]}'
-                   f',"vertices-texture":{_text(self.places)}}}')
-
-
-class _Vertices:
-    """The file's vertices: whole numbers, shared between faces and between neighbouring buildings.
-
-    Memory for sharing is bounded: only the latest vertices are remembered.
-    """
-
-    def __init__(self) -> None:
-        self.coordinates = array("q")
-        self._recent: dict[tuple[int, int, int], int] = {}
-        self._older: dict[tuple[int, int, int], int] = {}
-
-    def numbers(self, points: np.ndarray) -> list[int]:
-        """Numbers of points (n, 3) in the file."""
-        return [self._number(tuple(point)) for point in np.rint(points * _UNITS).astype(np.int64).tolist()]
-
-    def _number(self, point: tuple[int, int, int]) -> int:
-        number = self._recent.get(point)
-        if number is None:
-            number = self._older.get(point)
-            if number is None:
-                number = len(self.coordinates) // 3
-                self.coordinates.extend(point)
-            if len(self._recent) >= _REMEMBERED:
-                self._older, self._recent = self._recent, {}
-            self._recent[point] = number
-        return number
-
-
-def _write_end(file: IO[str], vertices: _Vertices, epsg: int | None, title: str) -> None:
-    """Write transform, metadata and vertices."""
-    points = np.frombuffer(vertices.coordinates, dtype=np.int64).reshape(-1, 3)
-    low = points.min(axis=0) if len(points) else np.zeros(3, dtype=np.int64)
-    metadata: dict[str, Any] = {}
-    if len(points):
-        metadata["geographicalExtent"] = [value / _UNITS for value in (*low.tolist(), *points.max(axis=0).tolist())]
-    if epsg is not None:
-        metadata["referenceSystem"] = f"https://www.opengis.net/def/crs/EPSG/0/{int(epsg)}"
-    if title:
-        metadata["title"] = title
-    transform = {"scale": [1 / _UNITS] * 3, "translate": [value / _UNITS for value in low.tolist()]}
-    file.write(f',"transform":{_text(transform)},"metadata":{_text(metadata)},"vertices":[')
-    for start in range(0, len(points), 10_000):
-        block = _text((points[start:start + 10_000] - low).tolist())
-        file.write((",\n" if start else "\n") + block[1:-1])
-    file.write("\n]}\n")
-
-
-def _text(value: Any) -> str:
-    """JSON of a value, without blanks, letters of all scripts as they are."""
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-
-
-def _plain(value: Any) -> Any:
-    """A value as JSON can say it: numpy numbers as plain ones, what is not finite as null, dates as text."""
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if value is None or isinstance(value, (bool, int, str)):
-        return value
-    return str(value)
+        file.write(f',"appearance":{json_text({"default-theme-texture": _THEME, "textures": textures})[:-1]}'
+                   f',"vertices-texture":{json_text(self.places)}}}')
 
 
 @reads("CityJSON")

@@ -1,0 +1,210 @@
+"""Building models as objects of a city model: all levels of detail side by side, parts where they stand alone."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+import shapely
+
+from ..citymodel.model import (
+    BUILDING_PART,
+    CEILING_SURFACE,
+    FOOTPRINT,
+    GROUND_SURFACE,
+    MULTI_SURFACE,
+    ROOF_EDGE,
+    ROOF_SURFACE,
+    SOLID,
+    WALL_SURFACE,
+    CityObject,
+    CityShape,
+    CitySurface,
+)
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid, surfaces
+from ..geometry.solid_faces import face_normal, solids_of
+from .levels_of_detail import block_solid, stepped_solids
+from .model_figures import ModelFigures, model_figures, roof_outline, surface_area
+from .party_walls import party_wall_areas
+from .solids.validity import check_solid
+
+KINDS = {ROOF: ROOF_SURFACE, OUTER_WALL: WALL_SURFACE, INNER_WALL: WALL_SURFACE, GROUND: GROUND_SURFACE,
+         OVERHANG: CEILING_SURFACE}
+
+NOT_CLOSED = "not closed"
+_INSIDE = 0.02
+"""A wall's middle farther (m) inside the ground's outline than this is a step between roofs."""
+_ROUND = 1e-4
+
+
+@dataclass(frozen=True, eq=False)
+class BuildingSource:
+    """A building to put into a city model.
+
+    Attributes
+    ----------
+    id : unique. attributes : figures and what the source says, in order.
+    solids : its most detailed solids; empty where it has no model.
+    lod : level of detail of the solids, "2.2" or "1.3".
+    textures : for each solid one entry a face, or empty.
+    problems : of each solid, what keeps it from being closed and valid, empty for none; may be left out.
+    """
+
+    id: str
+    attributes: Mapping[str, Any] = field(default_factory=dict)
+    solids: Sequence[Solid] = ()
+    lod: str = "2.2"
+    textures: Sequence[Sequence[FaceTexture | None]] = ()
+    problems: Sequence[str] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class _Levels:
+    """One part at its levels of detail; empty where a level has no valid solid."""
+
+    detailed: Solid
+    block: tuple[Solid, ...]
+    stepped: tuple[Solid, ...]
+
+
+def city_objects(buildings: Sequence[BuildingSource]) -> Iterator[tuple[CityObject, ModelFigures]]:
+    """Objects with all levels of detail, and the figures, of buildings, one after another.
+
+    Attributes of an object are those of its source and, where the source does not have them, its figures. A solid
+    that is not closed or not valid is kept as loose surfaces, and the object's `problems` say so.
+    """
+    party = party_wall_areas([building.solids for building in buildings])
+    for building, area in zip(buildings, party.tolist()):
+        yield _city_object(building, area)
+
+
+def _city_object(building: BuildingSource, party_area: float) -> tuple[CityObject, ModelFigures]:
+    problems = tuple(building.problems) or ("",) * len(building.solids)
+    levels = [_levels(solid, problem) for solid, problem in zip(building.solids, problems)]
+    figures = model_figures(building.solids, [one for level in levels for one in level.block],
+                            [one for level in levels for one in level.stepped], building.lod.startswith("2"),
+                            party_area)
+    attributes = {**_figure_attributes(figures), **building.attributes}
+    textures = building.textures or [()] * len(levels)
+    parts = [_shapes(level, building.lod, problem, faces) for level, problem, faces in zip(levels, problems, textures)]
+    found = tuple(dict.fromkeys(problem for problem in problems if problem))
+    item = CityObject(building.id, attributes, _outlines(building.solids, figures), problems=found)
+    if len(parts) == 1:
+        return replace(item, shapes=item.shapes + parts[0]), figures
+    return replace(item, parts=tuple(CityObject(f"{building.id}-part-{number}", {}, shapes, BUILDING_PART)
+                                     for number, shapes in enumerate(parts, 1))), figures
+
+
+def _figure_attributes(figures: ModelFigures) -> dict[str, Any]:
+    """Figures as attributes, centimetres and below left out."""
+    known = {name: getattr(figures, name) for name in ModelFigures.__dataclass_fields__}
+    return {name: round(value, 2) if isinstance(value, float) else value for name, value in known.items()
+            if value is not None and value == value}
+
+
+def _levels(solid: Solid, problem: str) -> _Levels:
+    if problem:
+        return _Levels(solid, (), ())
+    return _Levels(solid, block_solid(solid), stepped_solids(solid))
+
+
+def _shapes(level: _Levels, lod: str, problem: str, textures: Sequence[FaceTexture | None]) -> tuple[CityShape, ...]:
+    """Shapes of one part, from coarse to detailed."""
+    if problem:
+        return (CityShape(lod, MULTI_SURFACE, (solid_surfaces(level.detailed, textures),)),)
+    made = [CityShape("1.2", SOLID, (solid_surfaces(one),)) for one in level.block]
+    if lod != "1.3":
+        made += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in level.stepped]
+    return (*made, CityShape(lod, SOLID, (solid_surfaces(level.detailed, textures),)))
+
+
+def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) -> tuple[CitySurface, ...]:
+    """Faces of a solid with their meaning: kind, slope and azimuth (degrees), area (m2), roof_id."""
+    made = []
+    for number, (face, kind, roof_id) in enumerate(zip(solid.faces, solid.surface_type, solid.roof_id)):
+        rings = tuple(solid.vertices[list(ring)] for ring in face)
+        attributes: dict[str, Any] = {"area": round(surface_area(solid.vertices, face), 2)}
+        normal = face_normal(solid.vertices, face)
+        if kind == ROOF:
+            attributes |= _inclination(normal)
+        elif kind in (OUTER_WALL, INNER_WALL):
+            attributes |= {"azimuth": _azimuth(normal), "wall": "outer" if kind == OUTER_WALL else "inner"}
+        if roof_id is not None:
+            attributes["roof_id"] = roof_id
+        made.append(CitySurface(rings, KINDS[kind], attributes, texture=textures[number] if textures else None))
+    return tuple(made)
+
+
+def _inclination(normal: np.ndarray) -> dict[str, float]:
+    """Slope of a roof, and the azimuth (from north, clockwise) of the way down where it has one, degrees."""
+    slope = math.degrees(math.atan2(math.hypot(normal[0], normal[1]), normal[2]))
+    found = {"slope": round(slope, 1)}
+    return {**found, "azimuth": _azimuth(normal)} if found["slope"] > 0 else found
+
+
+def _azimuth(normal: np.ndarray) -> float:
+    return round(math.degrees(math.atan2(normal[0], normal[1])) % 360.0, 1) % 360.0
+
+
+def _outlines(solids: Sequence[Solid], figures: ModelFigures) -> tuple[CityShape, ...]:
+    """Level of detail 0: outline on the ground, and of the roofs at the height of the block."""
+    if not solids:
+        return ()
+    grounds = shapely.union_all([plan for solid in solids for plan, kind in
+                                 zip(shapely.force_2d(surfaces(solid)), solid.surface_type) if kind == GROUND])
+    top = figures.ground_height + figures.roof_50
+    return tuple(CityShape("0", shape, (flat,)) for shape, flat in (
+        (FOOTPRINT, _flat(grounds, figures.ground_height, GROUND_SURFACE)),
+        (ROOF_EDGE, _flat(roof_outline(solids), top, ROOF_SURFACE))) if flat)
+
+
+def _flat(plan: shapely.Geometry, height: float, kind: str) -> tuple[CitySurface, ...]:
+    """Polygons of a plan at one height, m, seen from above."""
+    made = []
+    for polygon in shapely.get_parts(shapely.simplify(plan, _ROUND)):
+        if polygon.geom_type != "Polygon" or polygon.is_empty:
+            continue
+        rings = shapely.get_rings(shapely.orient_polygons(polygon)) if hasattr(shapely, "orient_polygons") \
+            else shapely.get_rings(shapely.geometry.polygon.orient(polygon))
+        corners = [shapely.get_coordinates(ring)[:-1] for ring in rings]
+        made.append(CitySurface(tuple(np.column_stack([ring, np.full(len(ring), height)]) for ring in corners), kind,
+                                {"area": round(polygon.area, 2)}))
+    return tuple(made)
+
+
+def building_source(identifier: str, faces: shapely.Geometry | None, attributes: Mapping[str, Any],
+                    lod: str = "2.2") -> BuildingSource:
+    """A building from the faces (MultiPolygon with z) of a layer of models, as any step writes them.
+
+    Walls inside the plan are steps between roofs; faces that look down over the ground are undersides.
+    """
+    if faces is None or shapely.is_empty(faces) or not shapely.has_z(faces):
+        return BuildingSource(identifier, attributes, lod=lod)
+    solids = [_told_apart(solid) for solid in solids_of(faces)]
+    problems = []
+    for solid in solids:
+        found = check_solid(solid)
+        problems.append(f"{NOT_CLOSED}: {found[0].code} {found[0].name}" if found else "")
+    return BuildingSource(identifier, attributes, solids, lod, problems=problems)
+
+
+def _told_apart(solid: Solid) -> Solid:
+    """A solid whose walls are outer or inner ones, and whose downward faces are the ground or undersides."""
+    kinds = list(solid.surface_type)
+    base = float(solid.vertices[:, 2].min())
+    for face, kind in enumerate(kinds):
+        if kind == GROUND and float(solid.vertices[list(solid.faces[face][0]), 2].mean()) > base + _INSIDE:
+            kinds[face] = OVERHANG
+    polygons = surfaces(solid)
+    ground = [shapely.force_2d(polygon) for polygon, kind in zip(polygons, kinds) if kind in (GROUND, OVERHANG)]
+    inside = shapely.buffer(shapely.union_all(shapely.make_valid(np.array(ground, object))), -_INSIDE)
+    shapely.prepare(inside)
+    for face, kind in enumerate(kinds):
+        if kind == OUTER_WALL:
+            middle = solid.vertices[list(solid.faces[face][0]), :2]
+            span = (middle.min(axis=0) + middle.max(axis=0)) / 2.0
+            kinds[face] = INNER_WALL if shapely.contains_xy(inside, *span) else OUTER_WALL
+    return replace(solid, surface_type=tuple(kinds))

@@ -1,0 +1,131 @@
+"""Levels of detail 0, 1.2 and 1.3 of a building from its solids, and the heights of its roofs.
+
+Source: F. Biljecki, H. Ledoux and J. Stoter, "An improved LOD specification for 3D building models" (2016): 1.2 is one
+block, 1.3 has a height for each part between steps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from ..geometry.solid import GROUND, ROOF, Solid, surfaces
+from ..geometry.triangulation import triangulate_face
+from .solids.plan_partition import Cell, partition_plan
+from .solids.solid import building_solids
+from .solids.validity import check_solid
+
+BLOCK_SHARE = 0.5
+"""Share of the roof's plan area that lies below the height of a block: the median, as Japan's LOD1 has it."""
+
+_HALVINGS = 50
+_NODE = 1e-3
+"""Corners of roofs nearer than this (m) are one."""
+
+
+def roof_triangles(solids: Sequence[Solid]) -> np.ndarray:
+    """Corners (t, 3, 3) of triangles that cover all roofs of solids, m."""
+    found = [solid.vertices[list(triangle)] for solid in solids for face, kind in zip(solid.faces, solid.surface_type)
+             if kind == ROOF for triangle in triangulate_face(solid.vertices, face)]
+    return np.array(found).reshape(-1, 3, 3)
+
+
+def height_quantiles(triangles: np.ndarray, shares: Sequence[float]) -> np.ndarray:
+    """Heights (n,) below which given shares (n,) of the plan area of triangles (t, 3, 3) lie, m.
+
+    Exact for sloped triangles: the share of one below a height is a quadratic function of the height.
+    """
+    triangles = np.asarray(triangles, float)
+    edges = triangles[:, 1:] - triangles[:, :1]
+    area = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0]) / 2.0
+    triangles, area = triangles[area > 0], area[area > 0]
+    if not len(area):
+        return np.full(len(shares), np.nan)
+    z = np.sort(triangles[:, :, 2], axis=1)
+    found = []
+    for share in shares:
+        low, high = float(z.min()), float(z.max())
+        for _ in range(_HALVINGS if 0.0 < share < 1.0 else 0):
+            middle = (low + high) / 2.0
+            if (_share_below(z, middle) * area).sum() < share * area.sum():
+                low = middle
+            else:
+                high = middle
+        found.append(low if share <= 0.0 else high)
+    return np.array(found)
+
+
+def _share_below(z: np.ndarray, height: float) -> np.ndarray:
+    """Share (t,) of each triangle's area below a height; `z` (t, 3) are its heights in order."""
+    low, middle, high = z.T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        rising = (height - low) ** 2 / ((high - low) * (middle - low))
+        falling = 1.0 - (high - height) ** 2 / ((high - low) * (high - middle))
+    return np.where(height >= high, 1.0, np.where(height <= low, 0.0, np.where(height < middle, rising, falling)))
+
+
+def block_solid(solid: Solid) -> tuple[Solid, ...]:
+    """Level of detail 1.2 of a solid: its plan raised to the median height of its roofs; empty where not valid."""
+    height = float(height_quantiles(roof_triangles([solid]), [BLOCK_SHARE])[0])
+    return _raised(solid, [(plan, 0, height) for plan in _ground_plans(solid)])
+
+
+def stepped_solids(solid: Solid) -> tuple[Solid, ...]:
+    """Level of detail 1.3 of a solid: roofs that meet along an edge have one height, their median; steps stay.
+
+    A solid of level roofs is its own level 1.3. Empty where no valid solid comes of it.
+    """
+    faces = [face for face, kind in enumerate(solid.surface_type) if kind == ROOF]
+    if all(np.ptp(solid.vertices[list(solid.faces[face][0]), 2]) < _NODE for face in faces):
+        return (solid,)
+    plans = shapely.force_2d(surfaces(solid)[faces])
+    group = _joined_roofs(solid, faces)
+    cells = []
+    for number in range(max(group) + 1):
+        rows = [row for row, its in enumerate(group) if its == number]
+        triangles = np.array([solid.vertices[list(triangle)] for row in rows
+                              for triangle in triangulate_face(solid.vertices, solid.faces[faces[row]])])
+        height = float(height_quantiles(triangles, [BLOCK_SHARE])[0])
+        cells.append((shapely.union_all(plans[rows]), number, height))
+    return _raised(solid, cells)
+
+
+def _raised(solid: Solid, cells: list[tuple[shapely.Geometry, int, float]]) -> tuple[Solid, ...]:
+    """Solids of plans, their numbers and heights (m) over the ground of a solid; empty where one is not valid."""
+    base = float(solid.vertices[:, 2].min())
+    polygons, numbers, heights = (list(column) for column in zip(*cells))
+    if len(cells) == 1 and polygons[0].geom_type == "Polygon":
+        plan = (Cell(polygons[0], numbers[0], heights[0]),)
+    else:
+        plan = partition_plan(None, polygons, heights, numbers, limit="roofs").cells
+    made = building_solids(plan, base)
+    return () if any(check_solid(one) for one in made) else made
+
+
+def _ground_plans(solid: Solid) -> list[shapely.Polygon]:
+    """Plan polygons of the ground faces."""
+    faces = [face for face, kind in enumerate(solid.surface_type) if kind == GROUND]
+    return list(shapely.force_2d(surfaces(solid)[faces]))
+
+
+def _joined_roofs(solid: Solid, faces: Sequence[int]) -> list[int]:
+    """Number from 0 of the group of each roof: roofs with a common edge in space are of one."""
+    group = list(range(len(faces)))
+
+    def top(row: int) -> int:
+        while group[row] != row:
+            row = group[row]
+        return row
+
+    owner: dict[tuple[int, int], int] = {}
+    for row, face in enumerate(faces):
+        for ring in solid.faces[face]:
+            for edge in zip(ring, (*ring[1:], ring[0])):
+                other = owner.setdefault((min(edge), max(edge)), row)
+                if other != row:
+                    group[top(row)] = top(other)
+    tops = [top(row) for row in range(len(faces))]
+    order = {number: place for place, number in enumerate(dict.fromkeys(tops))}
+    return [order[number] for number in tops]

@@ -1,0 +1,118 @@
+"""Figures of building models that users of city models ask for: heights, volumes, areas, storeys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+
+import numpy as np
+import shapely
+
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Solid, surfaces, volume
+from ..geometry.solid_faces import face_normal
+from .levels_of_detail import height_quantiles, roof_triangles
+
+STOREY_HEIGHT = 3.0
+"""Height (m) of a storey for the estimate of their number."""
+
+FLAT_SLOPE = 5.0
+"""Degrees up to which a roof is flat."""
+
+
+@dataclass(frozen=True)
+class ModelFigures:
+    """Figures of a building's most detailed solids; NaN where there is no model.
+
+    Attributes
+    ----------
+    ground_height : height of the ground face, m.
+    roof_min, roof_50, roof_70, roof_max : height of the roofs above the ground, m: lowest, below which 50 and 70 % of
+        their plan area lie, highest.
+    volume_lod12, volume_lod13, volume_lod22 : volume at each level of detail, m3.
+    area_ground : plan area of the ground, m2. area_roof_flat, area_roof_sloped : area of the roofs up to 5 degrees and
+        steeper, m2, measured on the slope.
+    area_outer_walls : area of all walls that see the open air, steps between roofs too, without party walls, m2.
+    area_party_walls : area of walls that stand against another building's (within 15 cm), m2.
+    storeys_estimated : storeys above ground, estimated: `roof_70` through 3 m, at least one; not counted.
+    """
+
+    ground_height: float = np.nan
+    roof_min: float = np.nan
+    roof_50: float = np.nan
+    roof_70: float = np.nan
+    roof_max: float = np.nan
+    volume_lod12: float = np.nan
+    volume_lod13: float = np.nan
+    volume_lod22: float = np.nan
+    area_ground: float = np.nan
+    area_roof_flat: float = np.nan
+    area_roof_sloped: float = np.nan
+    area_outer_walls: float = np.nan
+    area_party_walls: float = np.nan
+    storeys_estimated: int | None = None
+
+
+FIGURES: tuple[tuple[str, str], ...] = tuple(
+    (name, "int" if name == "storeys_estimated" else "real") for name in ModelFigures.__dataclass_fields__)
+"""Names and kinds of the figures, in order."""
+
+
+def model_figures(solids: Sequence[Solid], blocks: Sequence[Solid] = (), stepped: Sequence[Solid] = (),
+                  sloped: bool = True, party_area: float = 0.0) -> ModelFigures:
+    """Figures of one building.
+
+    Parameters
+    ----------
+    solids : its most detailed solids. blocks, stepped : its levels of detail 1.2 and 1.3, empty where there is none.
+    sloped : whether `solids` are of level of detail 2.2.
+    party_area : area of its walls that stand against other buildings, m2 (`party_wall_areas`).
+    """
+    if not solids:
+        return ModelFigures()
+    base = min(float(solid.vertices[:, 2].min()) for solid in solids)
+    low, middle, upper, high = (height_quantiles(roof_triangles(solids), (0.0, 0.5, 0.7, 1.0)) - base).tolist()
+    areas = _areas(solids)
+    return ModelFigures(
+        base, low, middle, upper, high, _volume(blocks), _volume(stepped), _volume(solids) if sloped else np.nan,
+        areas[GROUND], areas["flat"], areas["sloped"],
+        max(areas[OUTER_WALL] + areas[INNER_WALL] - party_area, 0.0), party_area,
+        max(1, round(upper / STOREY_HEIGHT)))
+
+
+def figure_columns(figures: Sequence[ModelFigures]) -> dict[str, list]:
+    """Columns of `FIGURES`, one entry a building."""
+    rows = [asdict(one) for one in figures]
+    return {name: [row[name] for row in rows] for name, _ in FIGURES}
+
+
+def _volume(solids: Sequence[Solid]) -> float:
+    return sum(volume(solid) for solid in solids) if solids else np.nan
+
+
+def _areas(solids: Sequence[Solid]) -> dict[str, float]:
+    """Area of the faces of each type in space, m2; roofs also as "flat" and "sloped"."""
+    areas = dict.fromkeys((GROUND, ROOF, OUTER_WALL, INNER_WALL, OVERHANG, "flat", "sloped"), 0.0)
+    for solid in solids:
+        for face, kind in zip(solid.faces, solid.surface_type):
+            area = surface_area(solid.vertices, face)
+            areas[kind] += area
+            if kind == ROOF:
+                flat = np.degrees(np.arccos(np.clip(face_normal(solid.vertices, face)[2], -1.0, 1.0))) <= FLAT_SLOPE
+                areas["flat" if flat else "sloped"] += area
+    return areas
+
+
+def surface_area(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> float:
+    """Area in space of a plane face with holes, m2."""
+    total = np.zeros(3)
+    for ring in face:
+        corners = vertices[list(ring)] - vertices[face[0][0]]
+        total += np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0) / 2.0
+    return float(np.linalg.norm(total))
+
+
+def roof_outline(solids: Sequence[Solid]) -> shapely.Geometry:
+    """Outline of all roofs of solids in plan."""
+    plans = [plan for solid in solids for plan, kind in zip(shapely.force_2d(surfaces(solid)), solid.surface_type)
+             if kind == ROOF]
+    return shapely.union_all(plans)
