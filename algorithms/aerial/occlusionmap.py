@@ -16,7 +16,7 @@ class OcclusionMap(UrbanMapAlgorithm):
     SOURCE = "Javanmardi 2018, 3.2.1.1, eq. 1 to 3"
     KEYWORDS = ("perspective occlusion map", "POM", "relief displacement", "building lean", "hidden", "visibility",
                 "mask", "aerial", "photograph")
-    REQUIRES = ("numpy", "scipy", "shapely", "rasterio", "cv2")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (
         "Masks the pixels of an aerial frame that show a building or the ground that a building hides.\n"
         "The surface that is higher above the ground than the threshold is projected into the frame with its camera "

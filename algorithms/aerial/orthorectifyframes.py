@@ -23,7 +23,7 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
     NAME = "Orthorectify frames"
     SOURCE = "Javanmardi 2018, 3.2.1"
     KEYWORDS = ("orthophoto", "orthorectification", "true ortho", "mosaic", "aerial", "frames", "vehicles")
-    REQUIRES = ("numpy", "scipy", "shapely", "rasterio", "cv2")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (
         "Lays aerial frames on the ground as one mosaic. Ground that a building, tree or bridge hides from one frame "
         "is taken from another that sees it; buildings themselves and ground that no frame sees hold no data (0).\n"

@@ -20,7 +20,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
     NAME = "Merge building models with measured walls"
     SOURCE = "Javanmardi 2018, 5.7"
     KEYWORDS = ("building", "model", "wall", "facade", "MMS", "ALS", "merge", "CityJSON")
-    REQUIRES = ("numpy", "scipy", "shapely")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (
         "Joins building models from airborne scanning with walls measured from the street: below a height the walls "
         "lie where the survey found them, above it the models stay as they were.\n"

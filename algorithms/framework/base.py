@@ -384,6 +384,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Refuse two inputs in different CRS, naming both by their labels; a CRS is QGIS's or WKT."""
         crs_checks.same_crs(self.label_of(name_a), crs_a, self.label_of(name_b), crs_b)
 
+    def same_heights(self, name_a: str, crs_a, name_b: str, crs_b) -> None:
+        """Refuse two inputs that state different height systems, naming both by their labels."""
+        crs_checks.same_heights(self.label_of(name_a), crs_a, self.label_of(name_b), crs_b)
+
     def require_projected(self, name: str, crs) -> None:
         """Refuse a CRS that is missing, geographic or not in metres; it is QGIS's or WKT."""
         crs_checks.require_projected(self.label_of(name), crs)

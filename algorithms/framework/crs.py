@@ -10,7 +10,6 @@ from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.io.renamed_crs import known_wkt
 from .parameters import tr
 
-_HORIZONTAL = re.compile(r"\b(PROJCS|PROJCRS|PROJECTEDCRS|GEOGCS|GEOGCRS|GEODCRS)\[")
 _NONE = re.compile(r"^Undefined (geographic|[Cc]artesian) (SRS|coordinate reference system)")
 _COMPOUND = re.compile(r"^\s*(COMPD_CS|COMPOUNDCRS)\[")
 
@@ -27,7 +26,50 @@ def crs_from(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateRef
     """
     if isinstance(crs, QgsCoordinateReferenceSystem):
         return QgsCoordinateReferenceSystem() if _NONE.match(crs.description()) else crs
-    return QgsCoordinateReferenceSystem.fromWkt(known_wkt(crs)) if crs else QgsCoordinateReferenceSystem()
+    return _from_wkt(crs) if crs else QgsCoordinateReferenceSystem()
+
+
+def _from_wkt(wkt: str) -> QgsCoordinateReferenceSystem:
+    """A QGIS CRS that keeps the heights: QGIS 3.22 knows of EPSG's compound systems the horizontal part only."""
+    from ...urbanmap_qgis.io.height_systems import stating_heights
+
+    found = QgsCoordinateReferenceSystem.fromWkt(known_wkt(wkt))
+    if not _COMPOUND.match(wkt) or not found.isValid():
+        return found
+    stated = heights(wkt)
+    if not stated.known or heights(wkt_of(found)) == stated:
+        return found
+    kept = QgsCoordinateReferenceSystem.fromWkt(stating_heights(wkt_of(found), stated, coded=False))
+    return kept if kept.isValid() else found
+
+
+def heights(crs: QgsCoordinateReferenceSystem | str | None):
+    """The height system that a CRS states, as the core's `HeightSystem`; `UNKNOWN` where it states none."""
+    from ...urbanmap_qgis.io.height_systems import UNKNOWN, heights_of
+
+    if not isinstance(crs, QgsCoordinateReferenceSystem):
+        return heights_of(crs or "")
+    return heights_of(stated_wkt(crs)) if crs.isValid() else UNKNOWN
+
+
+def stated_wkt(crs: QgsCoordinateReferenceSystem | str | None) -> str:
+    """A CRS as WKT with all that it states of heights, also where QGIS keeps only the plane of a code that it knows."""
+    if not isinstance(crs, QgsCoordinateReferenceSystem):
+        return crs or ""
+    code = re.fullmatch(r"EPSG:(\d+)", crs.authid())
+    return stated_by_code(int(code.group(1))) or wkt_of(crs) if code else wkt_of(crs)
+
+
+def stated_by_code(epsg: int) -> str:
+    """WKT of a compound system by its code; empty for others and where the code is not known."""
+    from pyproj import CRS
+    from pyproj.exceptions import CRSError
+
+    try:
+        found = CRS.from_epsg(epsg)
+    except CRSError:
+        return ""
+    return found.to_wkt() if found.is_compound else ""
 
 
 def horizontal(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateReferenceSystem:
@@ -35,13 +77,13 @@ def horizontal(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateR
     wkt = wkt_of(crs_from(crs))
     if not _COMPOUND.match(wkt):
         return crs_from(crs)
-    start = _HORIZONTAL.search(wkt).start()
-    depth = 0
-    for place in range(wkt.index("[", start), len(wkt)):
-        depth += {"[": 1, "]": -1}.get(wkt[place], 0)
-        if depth == 0:
-            return QgsCoordinateReferenceSystem.fromWkt(wkt[start:place + 1])
-    return crs_from(crs)
+    from ...urbanmap_qgis.io.crs_text import horizontal_part, parse_wkt, wkt_text
+
+    part = horizontal_part(parse_wkt(wkt))
+    if part is None:
+        return crs_from(crs)
+    return QgsCoordinateReferenceSystem(f"EPSG:{part.epsg}") if part.epsg else QgsCoordinateReferenceSystem.fromWkt(
+        wkt_text(part))
 
 
 def crs_name(crs: QgsCoordinateReferenceSystem | str | None) -> str:
@@ -85,7 +127,7 @@ def require_projected(label: str, crs: QgsCoordinateReferenceSystem | str | None
 
 def same_crs(label_a: str, crs_a: QgsCoordinateReferenceSystem | str | None,
              label_b: str, crs_b: QgsCoordinateReferenceSystem | str | None) -> None:
-    """Refuse two inputs in different horizontal CRS; heights systems are not compared.
+    """Refuse two inputs in different horizontal CRS, or whose heights are stated and differ.
 
     Raises
     ------
@@ -98,16 +140,35 @@ def same_crs(label_a: str, crs_a: QgsCoordinateReferenceSystem | str | None,
     if not _equal(horizontal(crs_a), horizontal(crs_b)):
         raise InputError(tr("{0} is in {1}, but {2} is in {3}; reproject one of them.").format(
             label_a, crs_name(crs_a), label_b, crs_name(crs_b)))
+    same_heights(label_a, crs_a, label_b, crs_b)
+
+
+def same_heights(label_a: str, crs_a: QgsCoordinateReferenceSystem | str | None,
+                 label_b: str, crs_b: QgsCoordinateReferenceSystem | str | None) -> None:
+    """Refuse two inputs that both state a height system, but not the same.
+
+    Raises
+    ------
+    InputError : they differ.
+    """
+    from ...urbanmap_qgis.io.height_systems import refuse_other_heights
+
+    refuse_other_heights(label_a, stated_wkt(crs_a), label_b, stated_wkt(crs_b))
+
+
+def same_plan(a: QgsCoordinateReferenceSystem | str | None, b: QgsCoordinateReferenceSystem | str | None) -> bool:
+    """Whether two CRS have the same horizontal part."""
+    return _equal(horizontal(a), horizontal(b))
 
 
 def _equal(a: QgsCoordinateReferenceSystem, b: QgsCoordinateReferenceSystem) -> bool:
+    from ...urbanmap_qgis.io.crs_text import datum_key, parse_wkt, same_horizontal
+
     if a == b:
         return True
-    if a.authid() and b.authid():
+    if a.authid() and b.authid() and not a.isGeographic():
         return a.authid() == b.authid()
-    return a.toProj() == b.toProj() and _datum(a) == _datum(b)
-
-
-def _datum(crs: QgsCoordinateReferenceSystem) -> str:
-    found = re.search(r'\b(?:DATUM|ENSEMBLE)\["(?:D_)?([^"]+)"', wkt_of(crs))
-    return re.sub(r"[^a-z0-9]", "", found.group(1).lower()) if found else ""
+    if same_horizontal(wkt_of(a), wkt_of(b)):
+        return True
+    # Parameters under other programs' names: PROJ knows them all, but not the datum.
+    return a.toProj() == b.toProj() and datum_key(parse_wkt(wkt_of(a))) == datum_key(parse_wkt(wkt_of(b)))

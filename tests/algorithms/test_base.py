@@ -323,7 +323,7 @@ def test_optional_output_can_be_offered_in_the_toolbox(example, qgis_app):
     assert definition.flags() & definition.Flag.FlagOptional
 
 
-def test_same_crs_ignores_the_height_system(plugin, qgis_app):
+def test_same_crs_compares_plane_and_stated_heights(plugin, qgis_app):
     from qgis.core import QgsCoordinateReferenceSystem
 
     crs = plugin("algorithms.framework.crs")
@@ -352,6 +352,22 @@ def test_a_system_is_known_by_its_names_before_and_after_it_was_renamed(plugin, 
         crs.same_crs("Points", wkt, "Outlines", plane)
         custom = QgsCoordinateReferenceSystem.fromWkt(wkt)
         crs.same_crs("Points", custom, "Outlines", plane)
+
+
+def test_old_and_new_names_of_one_system_are_equal_and_other_heights_are_not(plugin, qgis_app):
+    from qgis.core import QgsCoordinateReferenceSystem
+
+    crs, errors = plugin("algorithms.framework.crs"), plugin("urbanmap_qgis.errors")
+    heights = plugin("urbanmap_qgis.io.height_systems")
+    plane = crs.wkt_of(QgsCoordinateReferenceSystem("EPSG:6677"))
+    renamed = plane.replace("JGD2011", "JGD2024").replace("Datum 2011", "Datum 2024")
+    assert renamed != plane
+    crs.same_crs("Points", plane, "Outlines", renamed)
+    crs.same_crs("Points", plane, "Outlines", renamed.replace(',ID["EPSG",6677]', ""))
+    old, new = (heights.stating_heights(plane, heights.japanese(kind)) for kind in ("JGD2011", "JGD2024"))
+    crs.same_crs("Points", old, "Outlines", renamed)
+    with pytest.raises(errors.InputError, match="^Points has heights in JGD2011 .* but Ground in JGD2024 .* convert"):
+        crs.same_crs("Points", old, "Ground", new)
 
 
 def test_two_datums_of_one_zone_differ(plugin, qgis_app):

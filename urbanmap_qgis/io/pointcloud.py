@@ -18,6 +18,8 @@ from pyproj.exceptions import CRSError
 from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
 from .atomic import written_beside
+from .crs_text import same_horizontal
+from .height_systems import refuse_other_heights
 from .las_check import check_las, decoding
 from .renamed_crs import known_wkt
 
@@ -95,6 +97,7 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
         if not same_plan_crs(crs, stated[0][1]):
             raise InputError(f"{path.name} is in {crs.name}, but {stated[0][0].name} is in "
                              f"{stated[0][1].name}: give files of one coordinate reference system.")
+        refuse_other_heights(path.name, crs.to_wkt(), stated[0][0].name, stated[0][1].to_wkt())
     full = [header for header in headers if header.point_count]
     if not full and not may_be_empty:
         raise InsufficientDataError(f"{files[0].name} holds no points: choose another point cloud.")
@@ -140,6 +143,8 @@ def same_plan_crs(first: CRS, second: CRS) -> bool:
     """Whether two CRS have the same horizontal part (axis order aside)."""
     first, second = plan_crs(first), plan_crs(second)
     if first.equals(second, ignore_axis_order=True):
+        return True
+    if same_horizontal(first.to_wkt(), second.to_wkt()):
         return True
     code = first.to_epsg(min_confidence=70)
     return code is not None and code == second.to_epsg(min_confidence=70)
