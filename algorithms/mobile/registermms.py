@@ -10,7 +10,8 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER
 from ..framework.workers import workers
-from .marking_reference import add_markings, read_reference
+from .marking_reference import add_markings
+from .survey_inputs import read_survey_and_reference
 
 METHODS = ("full", "paper")
 
@@ -87,19 +88,12 @@ class RegisterMms(UrbanMapAlgorithm):
         self.add_number_output("MAX_SIGMA", "Maximum standard deviation", "In plan.", "m")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.calibration import read_calibration
         from ...urbanmap_qgis.mobile.registration.report import write_registration_report
         from ...urbanmap_qgis.mobile.registration.stage import register_survey
 
         progress = self.progress(feedback)
-        paths = self.point_files(parameters, "POINTS", context)
-        crs = open_cloud(paths).crs_wkt
-        self.require_projected("POINTS", crs)
-        trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress)
-        ground = self._ground(parameters, context, crs)
-        reference, reference_crs = read_reference(self, parameters, context, ground, progress)
-        self.same_crs("POINTS", crs, "MARKINGS", reference_crs)
+        paths, crs, trajectory, reference = read_survey_and_reference(self, parameters, context, progress)
         calibration = self.input_path(parameters, "CALIBRATION", context)
         calibration = read_calibration(calibration) if calibration else None
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
@@ -114,16 +108,6 @@ class RegisterMms(UrbanMapAlgorithm):
                                       self.raster_path(parameters, "IMAGE", context))
             results["OUTPUT_REPORT"] = str(report)
         return results
-
-    def _ground(self, parameters, context, crs):
-        """File of GROUND, in the survey's CRS; None where it is not given."""
-        from ...urbanmap_qgis.io.raster import RasterSampler
-
-        path = self.raster_path(parameters, "GROUND", context)
-        if path is not None:
-            with RasterSampler(path) as source:
-                self.same_crs("POINTS", crs, "GROUND", source.crs_wkt)
-        return path
 
     def _run(self, parameters, context, reference):
         """The core's settings."""

@@ -8,6 +8,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.parameters import HTML_FILTER
 from ..framework.point_outputs import check_points_output
 from ..framework.workers import workers
+from .survey_inputs import read_survey
 
 METHODS = ("full", "paper")
 GROUND_SOURCES = ("automatic", "classes", "cloth")
@@ -89,23 +90,19 @@ class RoadMarkingsFromMms(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.calibration import read_calibration
         from ...urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report
         from ...urbanmap_qgis.mobile.markings.marking_stage import markings_to_file
 
         progress = self.progress(feedback)
-        paths = self.point_files(parameters, "POINTS", context)
-        crs = open_cloud(paths).crs_wkt
-        self.require_projected("POINTS", crs)
-        trajectory = self.read_trajectory(parameters, "TRAJECTORY", context, crs, progress).trajectory
+        paths, _, trajectory = read_survey(self, parameters, context, progress)
         calibration = self.input_path(parameters, "CALIBRATION", context)
         calibration = read_calibration(calibration) if calibration else None
         output = self.output_path(parameters, "OUTPUT", context)
         page = self.output_path(parameters, "OUTPUT_CURVE", context)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
-            made = markings_to_file(paths, output, trajectory, calibration, self._settings(parameters, context),
-                                    progress.part(0.0, 0.98), executor)
+            made = markings_to_file(paths, output, trajectory.trajectory, calibration,
+                                    self._settings(parameters, context), progress.part(0.0, 0.98), executor)
         for sentence in doubts(made):
             progress.warn(sentence)
         results = {"OUTPUT": str(output), **facts_of(made)}

@@ -7,6 +7,7 @@ from ..framework.point_outputs import check_points_output
 from ..mobile.applytrajectory import ApplyTrajectory
 from ..mobile.registermms import RegisterMms
 from ..mobile.roadmarkingsfrommms import RoadMarkingsFromMms
+from ..mobile.survey_inputs import read_survey_and_reference
 
 FIGURES = ("WAY", "MEAN_CORRECTION", "MAX_CORRECTION", "REGISTERED_SHARE", "BRIDGED_SHARE", "DISTRUSTED_SHARE",
            "MEDIAN_SIGMA", "MAX_SIGMA")
@@ -52,6 +53,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         def pick(*names):
             return {name: given[name] for name in names if name in given}
 
+        read_survey_and_reference(self, parameters, context, self.progress(feedback))
         run = self.child_runner(context, feedback, 3)
         points = self.parameterAsFileList(parameters, "POINTS", context)
         markings = run("roadmarkingsfrommms", **pick("TRAJECTORY", *READING, "CALIBRATION", "METHOD", "WORKERS"),

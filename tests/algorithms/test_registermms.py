@@ -124,13 +124,17 @@ def test_the_papers_method_moves_each_patch_by_its_window(run, small_city, marki
 
 
 @pytest.mark.parametrize(("change", "words"), [
-    ({"MARKINGS": "far"}, "no reference marking near the survey|could be registered"),
+    ({"MARKINGS": "far"}, "reference markings lie .* from the path of the survey"),
+    ({"GROUND": "elsewhere"}, "ground elevation lies .* from the path of the survey"),
     ({"GROUND": "ellipsoid"}, "heights above the ellipsoid"),
     ({"TRAJECTORY": "later"}, "give those of one survey"),
     ({"MARKINGS": "other crs"}, "reproject one of them"),
     ({"MARKINGS": "table"}, "neither a raster nor a polygon layer"),
 ])
-def test_bad_input_in_one_sentence(run, small_city, markings, polygon_layer, tmp_path, change, words):
+@pytest.mark.parametrize("algorithm", [ALGORITHM, "urbanmap:georeferencemms"])
+def test_bad_input_in_one_sentence(run, small_city, markings, polygon_layer, feedback, tmp_path, change, words,
+                                   algorithm):
+    """The chain says so before it works for minutes: no step of it begins."""
     from qgis.core import QgsProcessingException, QgsProject
 
     summary = json.loads((small_city / "truth/summary.json").read_text(encoding="utf-8"))
@@ -138,15 +142,20 @@ def test_bad_input_in_one_sentence(run, small_city, markings, polygon_layer, tmp
     bad = {"far": lambda: polygon_layer(["POLYGON((0 0,9 0,9 9,0 0))"], name="far"),
            "other crs": lambda: polygon_layer(["POLYGON((0 0,9 0,9 9,0 0))"], crs="EPSG:6676", name="other"),
            "table": lambda: str(small_city / "truth/control_survey_01.csv"),
-           "later": lambda: later(small_city, tmp_path), "ellipsoid": lambda: lifted(small_city, tmp_path)}
+           "later": lambda: later(small_city, tmp_path), "ellipsoid": lambda: lifted(small_city, tmp_path),
+           "elsewhere": lambda: lifted(small_city, tmp_path, 0.0, 5000.0)}
     (name, kind), = change.items()
     value = bad[kind]()
     if not isinstance(value, str):
         QgsProject.instance().addMapLayer(value)
-    parameters = given(small_city, POINTS=[markings], MARKINGS=reference(small_city), OUTPUT=str(tmp_path / "new.csv"))
+    outputs = {"OUTPUT": str(tmp_path / "new.csv")}
+    if algorithm != ALGORITHM:
+        outputs = {"OUTPUT": str(tmp_path / "new.laz"), "OUTPUT_TRAJECTORY": str(tmp_path / "new.csv")}
+    points = [markings] if algorithm == ALGORITHM else [survey(small_city)]
+    parameters = given(small_city, POINTS=points, MARKINGS=reference(small_city), **outputs)
     with pytest.raises(QgsProcessingException, match=words):
-        run(ALGORITHM, {**parameters, name: value})
-    assert not (tmp_path / "new.csv").exists()
+        run(algorithm, {**parameters, name: value})
+    assert not list(tmp_path.glob("new.*")) and not any("Step:" in text for text in feedback.infos)
     if not isinstance(value, str):
         QgsProject.instance().removeMapLayer(value.id())
 
@@ -160,12 +169,14 @@ def later(city, folder):
     return str(folder / "later.csv")
 
 
-def lifted(city, folder, by=37.0):
-    """The ground, by default with heights above an ellipsoid."""
+def lifted(city, folder, by=37.0, away=0.0):
+    """The ground, by default with heights above an ellipsoid; or `away` m to the east."""
     import rasterio
 
     with rasterio.open(city / "truth/ground.tif") as source:
         heights, profile = source.read(1), source.profile
+    old = profile["transform"]
+    profile["transform"] = rasterio.transform.Affine(old.a, old.b, old.c + away, old.d, old.e, old.f)
     with rasterio.open(folder / "lifted.tif", "w", **profile) as target:
         target.write(np.where(heights == profile["nodata"], heights, heights + by).astype(heights.dtype), 1)
     return str(folder / "lifted.tif")

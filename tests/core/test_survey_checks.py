@@ -1,0 +1,82 @@
+"""Points, trajectory and reference of different places, times and heights are told apart before any work."""
+
+import numpy as np
+import pytest
+import shapely
+from pyproj import CRS
+
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.raster import write_raster
+from urbanmap_qgis.mobile.registration.start.reference import Reference
+from urbanmap_qgis.mobile.survey_checks import require_reference, require_survey, survey_span
+from urbanmap_qgis.mobile.trajectory import Trajectory
+from urbanmap_qgis.progress import Progress
+
+X, Y, Z = 5000.0, -36000.0, 42.0
+
+
+def drive():
+    """200 m to the east in 100 s, 2 m above a road at 40 m."""
+    time = 1000.0 + np.arange(101.0)
+    place = np.column_stack([X + 2.0 * np.arange(101.0), np.full(101, Y), np.full(101, Z)])
+    return Trajectory(time, place, np.tile([0.0, 0.0, 90.0], (101, 1)))
+
+
+def cloud(make_cloud, folder, east=0.0, north=0.0, up=0.0, later=0.0, swapped=False):
+    x, y = X + np.arange(201.0) + east, np.full(201, Y + 5.0) + north
+    x, y = (y, x) if swapped else (x, y)
+    return open_cloud([make_cloud(folder / "drive.laz", x, y, np.full(201, 40.0) + up,
+                                  gps_time=1000.0 + 0.5 * np.arange(201.0) + later)])
+
+
+def test_points_of_the_drive_are_accepted(make_cloud, tmp_path):
+    made = cloud(make_cloud, tmp_path)
+    require_survey(made, drive())
+    assert survey_span(made, drive()) == pytest.approx((1000.0, 1100.0), abs=6.0)
+
+
+@pytest.mark.parametrize(("change", "sentence"), [
+    ({"east": 900.0}, r"lies 7\d\d m from where the vehicle was"),
+    ({"north": 40_000.0}, "lies 40 km from"),
+    ({"swapped": True}, "x and y are swapped"),
+    ({"up": 37.0}, "more than 35 m above the trajectory"),
+    ({"up": -37.0}, "more than 39 m below the trajectory"),
+    ({"later": 5000.0}, "give those of one survey"),
+])
+def test_points_of_another_survey_are_refused(make_cloud, tmp_path, change, sentence):
+    with pytest.raises(InputError, match=sentence):
+        require_survey(cloud(make_cloud, tmp_path, **change), drive())
+
+
+def polygons(east):
+    return Reference.from_polygons([shapely.box(X + east, Y - 3, X + east + 100, Y + 3)])
+
+
+def test_references_of_a_part_and_of_another_place():
+    told = []
+    progress = Progress(warn=told.append)
+    require_reference(drive(), None, Reference.from_polygons([shapely.box(X, Y, X + 200, Y + 3)]), progress)
+    assert not told
+    require_reference(drive(), None, polygons(0.0), progress)
+    assert "cover 62 % of the path only" in told[0]
+    require_reference(drive(), (1000.0, 1050.0), polygons(0.0), progress)
+    assert len(told) == 1
+    with pytest.raises(InputError, match="reference markings lie 2 km from the path"):
+        require_reference(drive(), None, polygons(2200.0))
+
+
+@pytest.mark.parametrize(("east", "height", "sentence"), [
+    (0.0, 77.0, "35 m below the ground elevation"), (0.0, 3.0, "39 m above the ground elevation"),
+    (5000.0, 40.0, "ground elevation lies 5 km from the path")])
+def test_ground_of_another_place_or_height_system(tmp_path, east, height, sentence):
+    def ground(east, height):
+        grid = Grid(X + east - 20, Y + 20, 1.0, 40, 240)
+        write_raster(tmp_path / "ground.tif", np.full(grid.shape, height, np.float32), grid,
+                     CRS.from_epsg(6677).to_wkt())
+        return Reference.from_polygons([shapely.box(X, Y, X + 200, Y + 3)], tmp_path / "ground.tif")
+
+    require_reference(drive(), None, ground(0.0, 40.0))
+    with pytest.raises(InputError, match=sentence):
+        require_reference(drive(), None, ground(east, height))

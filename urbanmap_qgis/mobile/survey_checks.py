@@ -1,0 +1,131 @@
+"""Whether points, trajectory and reference are of one place and time: asked before any work is done on them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+from ..errors import InputError
+from ..io.pointcloud import PointCloud
+from ..io.raster import RasterSampler
+from ..progress import SILENT, Progress
+from .gps_time import time_shift
+from .markings.survey_points import sampled_span
+from .registration.start.reference import Reference
+from .trajectory import Trajectory, interpolate
+
+MEASURED = 200.0
+"""m: no scanner of a survey vehicle is used farther out."""
+
+SEEN_BESIDE = 25.0
+"""m to either side of the path within which markings are taken."""
+
+_MOST = 0.9  # of the path; less is told
+_SAMPLES = 500
+_OVER_GROUND = 15.0  # m; no body of a vehicle is higher
+_ABOVE, _BELOW = 30.0, 5.0  # m by which a body is never above all points, or below them
+
+
+@dataclass(frozen=True)
+class Box:
+    """x_min, y_min, x_max, y_max, m."""
+
+    x_min: float
+    y_min: float
+    x_max: float
+    y_max: float
+
+    def distance(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Distance (n,), m, of places from the box; 0 inside."""
+        return np.hypot(np.maximum(np.maximum(self.x_min - x, x - self.x_max), 0.0),
+                        np.maximum(np.maximum(self.y_min - y, y - self.y_max), 0.0))
+
+
+def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
+    """Refuse a cloud that was not measured along a trajectory, by its times and by the corners of its headers.
+
+    Raises
+    ------
+    InputError : the times do not overlap, or the points lie elsewhere or at other heights.
+    """
+    span = sampled_span(cloud)
+    shift = time_shift(cloud, trajectory, span)
+    time = np.linspace(span[0] + shift, span[1] + shift, _SAMPLES)
+    place = interpolate(trajectory, time, "hold").place
+    name, low, high = cloud.paths[0].name, cloud.minimum, cloud.maximum
+    away = _box(low, high).distance(place[:, 0], place[:, 1]).min()
+    if away > MEASURED:
+        swapped = _box(low[[1, 0]], high[[1, 0]]).distance(place[:, 0], place[:, 1]).min() <= MEASURED
+        reason = ("x and y are swapped in one of them: swap them" if swapped else
+                  "give both of one survey, in one coordinate reference system")
+        raise InputError(f"{name} lies {_length(away)} from where the vehicle was at its times: {reason}.")
+    above, below = place[:, 2].min() - high[2], low[2] - place[:, 2].max()
+    if above > _ABOVE or below > _BELOW:
+        raise InputError(f"All points of {name} lie more than {max(above, below):.0f} m "
+                         f"{'below' if above > below else 'above'} the trajectory: heights above the ellipsoid and "
+                         "above sea level cannot be mixed; convert one of them (a geoid model can be given for SBET).")
+
+
+def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, reference: Reference,
+                      progress: Progress = SILENT) -> None:
+    """Refuse reference markings or ground of another place or height system; warn where they cover a part of the path.
+
+    Parameters
+    ----------
+    span : s, times in which the survey was measured; None for the whole trajectory.
+
+    Raises
+    ------
+    InputError : no part of the path lies in them, or the vehicle is far above or below the ground.
+    """
+    first, last = span or (trajectory.time[0], trajectory.time[-1])
+    time = np.linspace(max(first, trajectory.time[0]), min(last, trajectory.time[-1]), _SAMPLES)
+    x, y, z = interpolate(trajectory, time, "hold").place.T
+    boxes = [("The reference markings", _markings_box(reference), SEEN_BESIDE)]
+    if reference.ground is not None:
+        boxes.append(("The ground elevation", _raster_box(reference.ground), 0.0))
+    for what, box, beside in boxes:
+        away = box.distance(x, y)
+        share = float(np.mean(away <= beside))
+        if share == 0.0:
+            reach = "lie" if what.endswith("s") else "lies"
+            raise InputError(f"{what} {reach} {_length(float(away.min()))} from the path of the survey: give those of "
+                             "the same place.")
+        if share < _MOST:
+            progress.warn(f"{what} cover{'' if what.endswith('s') else 's'} {100 * share:.0f} % of the path only: the "
+                          "rest cannot be registered.")
+    if reference.ground is not None:
+        height = z - reference.heights(x, y)
+        middle = float(np.median(height[np.isfinite(height)])) if np.isfinite(height).any() else 0.0
+        if not -_BELOW <= middle <= _OVER_GROUND:
+            raise InputError(f"The vehicle is {abs(middle):.0f} m {'below' if middle < 0 else 'above'} the ground "
+                             "elevation: heights above the ellipsoid and above sea level cannot be mixed, convert one "
+                             "of the two (a geoid model can be given for SBET).")
+
+
+def survey_span(cloud: PointCloud, trajectory: Trajectory) -> tuple[float, float]:
+    """Times, s, in the trajectory's count, in which a cloud was measured."""
+    span = sampled_span(cloud)
+    shift = time_shift(cloud, trajectory, span)
+    return span[0] + shift, span[1] + shift
+
+
+def _box(low: np.ndarray, high: np.ndarray) -> Box:
+    return Box(float(low[0]), float(low[1]), float(high[0]), float(high[1]))
+
+
+def _markings_box(reference: Reference) -> Box:
+    if reference.polygons is not None:
+        return Box(*(float(value) for value in shapely.total_bounds(reference.polygons)))
+    return _raster_box(reference.mask)
+
+
+def _raster_box(path: str) -> Box:
+    with RasterSampler(path) as source:
+        return Box(*(float(value) for value in source.grid.bounds))
+
+
+def _length(metres: float) -> str:
+    return f"{metres:.0f} m" if metres < 2000 else f"{metres / 1000:.0f} km"
