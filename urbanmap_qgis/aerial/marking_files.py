@@ -39,7 +39,7 @@ from .road_markings import (
     margin_pixels,
     noise_of,
 )
-from .worker_resources import WorkerResource, worker_resource
+from .worker_resources import WorkerResource, stored_polygons, worker_resource
 
 MIN_PIXEL = 0.05
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
@@ -196,8 +196,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
     """
     settings, places = settings or MarkingSettings(), places or SearchArea()
     with own_gdal(CACHE), ExitStack() as stack:
-        opener = partial(_OrthophotoReader, path, places, metres_per_unit, 0.0 if settings.paper else MIN_PIXEL)
-        scene = opener(stack)
+        min_pixel = 0.0 if settings.paper else MIN_PIXEL
+        scene = _OrthophotoReader(path, places, metres_per_unit, min_pixel, stack)
         if not scene.mask_covers():
             progress.warn(f"{Path(places.mask).name} does not cover all of {scene.path.name}: where it does not, "
                           "nothing is taken as hidden.")
@@ -205,7 +205,12 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
                    "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
-        given = scene if executor is None else stack.enter_context(worker_resource(opener))
+        given = scene
+        if executor is not None:
+            stored = SearchArea(stack.enter_context(stored_polygons(places.roads)),
+                                stack.enter_context(stored_polygons(places.buildings)), places.mask)
+            given = stack.enter_context(worker_resource(partial(
+                _OrthophotoReader, path, stored, metres_per_unit, min_pixel)))
         try:
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)

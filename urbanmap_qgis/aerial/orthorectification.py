@@ -28,6 +28,7 @@ from .frames import AerialFrame, FrameImage
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
 from .occlusion import OcclusionSettings, occlusion_map
 from .visibility import off_ground, visible_ground
+from .worker_resources import stored_polygons
 
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
 _MAX_OPEN_FILES = 64  # image files
@@ -122,6 +123,7 @@ class Terrain:
                  heights: Sequence[float] | None = None):
         self.ground, self.surface, self.threshold = ground, surface, threshold
         self.cell = (surface or ground).grid.cell
+        outlines = list(outlines)  # read once where they are in a file
         there = [k for k, shape in enumerate(outlines) if shape is not None and not shape.is_empty]
         self._outlines = np.array([outlines[k] for k in there], object)
         self._heights = np.array([np.nan if heights is None or heights[k] is None else heights[k] for k in there],
@@ -401,8 +403,7 @@ def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
             folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="urbanmap-")))
             masks = _frame_masks(frames, camera, place, settings.occlusion, folder, progress.part(0.0, 0.2))
             place, progress = replace(place, masks=masks), progress.part(0.2, 1.0)
-        opener = partial(open_frames, frames, camera, place, settings.height_threshold)
-        sources = opener(stack)
+        sources = open_frames(frames, camera, place, settings.height_threshold, stack)
         terrain, pixels = sources[0].terrain, sources[0].pixels
         resolution = settings.resolution or _own_resolution(frames, camera, terrain)
         grid = covering_grid(sources, resolution)
@@ -410,6 +411,10 @@ def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
         if shifts is not None and len(sources) > 1:
             shifts += frame_shifts(sources, grid, progress.part(0.0, 0.1))
             warn_of_shifts(shifts, resolution, progress)
+        opener = None
+        if executor is not None:
+            stored = replace(place, outlines=stack.enter_context(stored_polygons(place.outlines)))
+            opener = partial(open_frames, frames, camera, stored, settings.height_threshold)
         return write_mosaic(sources, grid, terrain.ground.crs_wkt, pixels.bands, pixels.dtype, output,
                             settings.choice, progress.part(0.1, 1.0), watch, Workers(executor, opener))
 

@@ -26,6 +26,7 @@ CREATE TABLE gpkg_geometry_columns (table_name TEXT NOT NULL UNIQUE REFERENCES g
   m TINYINT NOT NULL, PRIMARY KEY (table_name, column_name));
 """
 _TYPES = {int: "INTEGER", float: "DOUBLE", str: "TEXT", bool: "BOOLEAN"}
+_ADD_COLUMN = {kind: f'ALTER TABLE "%w" ADD COLUMN "%w" {kind}' for kind in _TYPES.values()}
 
 
 @dataclass(frozen=True)
@@ -61,12 +62,9 @@ def _write_layer(connection: sqlite3.Connection, layer: Layer, srs: int) -> None
     geometries = np.asarray(layer.geometries, dtype=object)
     has_z = bool(shapely.has_z(geometries).any())
     kinds = {geometry.geom_type.upper() for geometry in geometries}
-    for name in (layer.name, *layer.fields):
-        if not name.isidentifier():
-            raise ValueError(f"{name} cannot name a table or a field")
-    columns = "".join(f', "{name}" {_type_of(values)}' for name, values in layer.fields.items())
-    connection.execute(f'CREATE TABLE "{layer.name}" (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB'
-                       f"{columns})")
+    _named(connection, 'CREATE TABLE "%w" (fid INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, geom BLOB)', layer.name)
+    for name, values in layer.fields.items():
+        _named(connection, _ADD_COLUMN[_type_of(values)], layer.name, name)
     bounds = [float(edge) for edge in shapely.total_bounds(geometries)] if len(geometries) else [None] * 4
     connection.execute("INSERT INTO gpkg_contents VALUES (?, 'features', ?, '', ?, ?, ?, ?, ?, ?)",
                        (layer.name, layer.name, f"{SURVEYED.isoformat()}T00:00:00.000Z", *bounds, srs))
@@ -75,9 +73,21 @@ def _write_layer(connection: sqlite3.Connection, layer: Layer, srs: int) -> None
     header = b"GP\x00\x01" + struct.pack("<i", srs)
     blobs = [header + blob for blob in shapely.to_wkb(geometries, byte_order=1, flavor="iso")]
     plain = [[_plain(value) for value in values] for values in layer.fields.values()]
-    marks = ", ".join("?" * (1 + len(plain)))
-    names = "".join(f', "{name}"' for name in layer.fields)
-    connection.executemany(f'INSERT INTO "{layer.name}" (geom{names}) VALUES ({marks})', zip(blobs, *plain))
+    names, marks = ', "%w"' * len(plain), ", ?" * len(plain)
+    insert = _statement(connection, 'INSERT INTO "%w" (geom' + names + ") VALUES (?" + marks + ")", layer.name,
+                        *layer.fields)
+    connection.executemany(insert, zip(blobs, *plain))
+
+
+def _statement(connection: sqlite3.Connection, pattern: str, *names: str) -> str:
+    """A statement in which SQLite has put names of tables and columns for each %w, quoted as it needs them."""
+    marks = ", ".join("?" * len(names))
+    (statement,) = connection.execute("SELECT printf(?, " + marks + ")", (pattern, *names)).fetchone()
+    return statement
+
+
+def _named(connection: sqlite3.Connection, pattern: str, *names: str) -> None:
+    connection.execute(_statement(connection, pattern, *names))
 
 
 def _type_of(values: Sequence) -> str:
