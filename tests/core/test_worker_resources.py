@@ -8,7 +8,7 @@ from functools import partial
 
 import shapely
 
-from urbanmap_qgis.aerial.worker_resources import stored_polygons, worker_resource
+from urbanmap_qgis.aerial.worker_resources import sent_polygons, worker_resource
 
 OPENED = []
 
@@ -21,15 +21,15 @@ def opened(kind, stack):
 
 def test_polygons_come_back_in_their_order_and_are_sent_as_a_path():
     polygons = [shapely.box(0, 0, k + 1, 1) for k in range(1000)] + [None, shapely.Polygon()]
-    with stored_polygons(polygons) as stored:
+    with sent_polygons(polygons) as stored:
         sent = pickle.loads(pickle.dumps(stored))
         assert len(pickle.dumps(stored)) < 500
         assert len(sent) == 1002 and sent[1000] is None and sent[1001].is_empty
         assert all(a.equals(b) for a, b in zip(list(sent)[:1000], polygons[:1000]))
     assert not stored.path.exists()
-    with stored_polygons(None) as nothing:
+    with sent_polygons(None) as nothing:
         assert nothing is None
-    with stored_polygons([]) as none_of_them:
+    with sent_polygons([]) as none_of_them:
         assert list(none_of_them) == []
 
 

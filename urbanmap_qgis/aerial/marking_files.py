@@ -39,7 +39,7 @@ from .road_markings import (
     margin_pixels,
     noise_of,
 )
-from .worker_resources import WorkerResource, stored_polygons, worker_resource
+from .worker_resources import WorkerResource, sent_polygons, worker_resource
 
 MIN_PIXEL = 0.05
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
@@ -207,8 +207,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
                    "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
         given = scene
         if executor is not None:
-            stored = SearchArea(stack.enter_context(stored_polygons(places.roads)),
-                                stack.enter_context(stored_polygons(places.buildings)), places.mask)
+            stored = SearchArea(stack.enter_context(sent_polygons(places.roads)),
+                                stack.enter_context(sent_polygons(places.buildings)), places.mask)
             given = stack.enter_context(worker_resource(partial(
                 _OrthophotoReader, path, stored, metres_per_unit, min_pixel)))
         try:

@@ -28,7 +28,7 @@ from .frames import AerialFrame, FrameImage
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
 from .occlusion import OcclusionSettings, occlusion_map
 from .visibility import off_ground, visible_ground
-from .worker_resources import stored_polygons
+from .worker_resources import sent_polygons
 
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
 _MAX_OPEN_FILES = 64  # image files
@@ -413,7 +413,7 @@ def orthorectify(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
             warn_of_shifts(shifts, resolution, progress)
         opener = None
         if executor is not None:
-            stored = replace(place, outlines=stack.enter_context(stored_polygons(place.outlines)))
+            stored = replace(place, outlines=stack.enter_context(sent_polygons(place.outlines)))
             opener = partial(open_frames, frames, camera, stored, settings.height_threshold)
         return write_mosaic(sources, grid, terrain.ground.crs_wkt, pixels.bands, pixels.dtype, output,
                             settings.choice, progress.part(0.1, 1.0), watch, Workers(executor, opener))

@@ -52,7 +52,7 @@ def close_worker() -> None:
 def worker_resource(open_all: Callable[[ExitStack], Opened]) -> Iterator[WorkerResource[Opened]]:
     """For the time of a job, what `open_all` opens and puts on the stack.
 
-    It goes to the workers with every piece: it must be picklable and small (see `stored_polygons`).
+    It goes to the workers with every piece: it must be picklable and small (see `sent_polygons`).
     """
     try:
         yield WorkerResource(uuid.uuid4().hex, open_all)
@@ -60,7 +60,7 @@ def worker_resource(open_all: Callable[[ExitStack], Opened]) -> Iterator[WorkerR
         close_worker()
 
 
-class StoredPolygons(Sequence):
+class SentPolygons(Sequence):
     """Polygons (or None) in a file, read when they are asked for; a worker is sent the file's path alone."""
 
     def __init__(self, path: Path):
@@ -83,7 +83,7 @@ class StoredPolygons(Sequence):
 
 
 @contextmanager
-def stored_polygons(polygons: Sequence[shapely.Geometry | None] | None) -> Iterator[StoredPolygons | None]:
+def sent_polygons(polygons: Sequence[shapely.Geometry | None] | None) -> Iterator[SentPolygons | None]:
     """For the time of a job, polygons in a file for its workers; None for None."""
     if polygons is None:
         yield None
@@ -93,4 +93,4 @@ def stored_polygons(polygons: Sequence[shapely.Geometry | None] | None) -> Itera
         path = Path(folder) / "polygons.npz"
         np.savez(path, lengths=np.array([len(item) for item in packed], np.int64),
                  wkb=np.frombuffer(b"".join(packed), np.uint8))
-        yield StoredPolygons(path)
+        yield SentPolygons(path)
