@@ -29,6 +29,8 @@ _SEMANTICS = {
     OVERHANG: {"type": "OuterCeilingSurface"},
 }
 
+_SOLIDS = ("Solid", "MultiSolid", "CompositeSolid")
+
 _THEME = "facades"
 """Name of the textures' theme."""
 
@@ -179,7 +181,8 @@ class _Appearance:
 def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
     """Read the city objects of a CityJSON file (1.0, 1.1, 2.0) and the outer shells of their solids.
 
-    Solid, MultiSolid and CompositeSolid are read; inner shells and other geometries are left out.
+    Solid, MultiSolid and CompositeSolid are read, of each object those of its highest level of detail; inner shells
+    and other geometries are left out.
 
     Raises
     ------
@@ -202,18 +205,23 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
                 raise InputError(f"{path} is damaged: an attribute of {key} is no finite number.")
         return tuple(
             ReadObject(key, item["type"], item.get("attributes", {}),
-                       tuple(solid for geometry in item.get("geometry", []) for solid in _solids(geometry, vertices)))
+                       tuple(solid for geometry in _most_detailed(item.get("geometry", []))
+                             for solid in _solids(geometry, vertices)))
             for key, item in content["CityObjects"].items())
     except (KeyError, TypeError, ValueError, IndexError) as error:
         raise InputError(f"{path} is damaged: a city object or its vertices cannot be understood.") from error
 
 
+def _most_detailed(geometries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Geometries with solids of the highest level of detail that any has."""
+    solids = [geometry for geometry in geometries if geometry["type"] in _SOLIDS]
+    best = max((str(geometry.get("lod", "")) for geometry in solids), default="")
+    return [geometry for geometry in solids if str(geometry.get("lod", "")) == best]
+
+
 def _solids(geometry: Mapping[str, Any], vertices: np.ndarray) -> list[ReadSolid]:
     """Solids of one geometry, each with its own vertices."""
-    kind = geometry["type"]
-    if kind not in ("Solid", "MultiSolid", "CompositeSolid"):
-        return []
-    one = kind == "Solid"
+    one = geometry["type"] == "Solid"
     boundaries = [geometry["boundaries"]] if one else geometry["boundaries"]
     semantics = geometry.get("semantics") or {}
     values = semantics.get("values")

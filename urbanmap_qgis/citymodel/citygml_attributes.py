@@ -1,0 +1,151 @@
+"""Attributes of city objects as CityGML 2.0: those of the modules by their names, all others as generic ones.
+
+Source: OGC 12-019, OGC City Geography Markup Language 2.0; i-UR 2.0 (uro) by its schema.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+from datetime import date
+from typing import Any
+from xml.sax.saxutils import escape, quoteattr
+
+import numpy as np
+
+from .model import AttributeGroup, CodeValue, Measure
+
+CODES = ("class", "function", "usage", "roofType")
+_YEARS = ("yearOfConstruction", "yearOfDemolition")
+_COUNTS = ("storeysAboveGround", "storeysBelowGround")
+_HEIGHTS = ("storeyHeightsAboveGround", "storeyHeightsBelowGround")
+BUILDING_ORDER = ("class", "function", "usage", "yearOfConstruction", "yearOfDemolition", "roofType", "measuredHeight",
+                  *_COUNTS, *_HEIGHTS)
+"""Attributes of bldg:_AbstractBuilding in the schema's order."""
+
+_FEATURE_ORDER = ("gml:description", "gml:name", "core:creationDate", "core:terminationDate")
+_FEATURE_NAMES = {"description": "gml:description", "name": "gml:name", "creationDate": "core:creationDate",
+                  "terminationDate": "core:terminationDate"}
+_NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
+_GENERIC, _EXTENSION = "gen:", "uro:"
+
+
+def xml_text(value: object) -> str:
+    """Text as XML holds it; characters that XML cannot hold are left out."""
+    return escape(_NOT_IN_XML.sub("", str(value)))
+
+
+def split_attributes(attributes: Mapping[str, Any]) -> tuple[str, str, str]:
+    """The XML of what comes before the geometry (features' and generic attributes), of the building's own attributes,
+    and of extensions, which come last."""
+    feature: dict[str, list[str]] = {name: [] for name in _FEATURE_ORDER}
+    building: dict[str, list[str]] = {name: [] for name in BUILDING_ORDER}
+    generic, extension = [], []
+    for name, value in attributes.items():
+        for item in value if isinstance(value, (list, tuple)) else (value,):
+            place = _FEATURE_NAMES.get(name)
+            if item is None or item == "" or (isinstance(item, float) and not math.isfinite(item)):
+                continue
+            if place and _fits_feature(place, item) and not (place != "gml:name" and feature[place]):
+                feature[place].append(f"<{place}{_code_space(item)}>{_feature_text(item)}</{place}>")
+            elif name in building and _building_element(name, item):
+                building[name].append(_building_element(name, item))
+            elif name.startswith(_EXTENSION):
+                extension.append(f"<{name}>{_nested(item)}</{name}>" if isinstance(item, AttributeGroup)
+                                 else _element(name, item))
+            else:
+                generic.append(generic_attribute(name.removeprefix(_GENERIC), item))
+    return ("".join(text for name in _FEATURE_ORDER for text in feature[name]) + "".join(generic),
+            "".join(text for name in BUILDING_ORDER for text in building[name]), "".join(extension))
+
+
+def generic_attribute(name: str, value: Any) -> str:
+    """One attribute of the generics module, of the type that its value has."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    named = f" name={quoteattr(_NOT_IN_XML.sub('', name))}"
+    if isinstance(value, (AttributeGroup, Mapping)):
+        values = value.values if isinstance(value, AttributeGroup) else value
+        inner = "".join(generic_attribute(key.removeprefix(_GENERIC), item) for key, item in values.items()
+                        if item is not None)
+        return f"<gen:genericAttributeSet{named}>{inner}</gen:genericAttributeSet>"
+    if isinstance(value, Measure):
+        return (f"<gen:measureAttribute{named}><gen:value uom={quoteattr(value.unit)}>{_number(value.value)}"
+                "</gen:value></gen:measureAttribute>")
+    kind = "stringAttribute"
+    if isinstance(value, int) and not isinstance(value, bool):
+        kind = "intAttribute"
+    elif isinstance(value, float):
+        kind = "doubleAttribute"
+    elif isinstance(value, date):
+        kind, value = "dateAttribute", value.isoformat()[:10]
+    elif isinstance(value, CodeValue):
+        value = value.value
+    elif isinstance(value, bool):
+        value = str(value).lower()
+    text = _number(value) if isinstance(value, (int, float)) else xml_text(value)
+    return f"<gen:{kind}{named}><gen:value>{text}</gen:value></gen:{kind}>"
+
+
+def _fits_feature(place: str, value: Any) -> bool:
+    if place.startswith("core:"):
+        return isinstance(value, date) or bool(re.fullmatch(r"\d{4}-\d\d-\d\d", str(value)))
+    return isinstance(value, (str, CodeValue))
+
+
+def _feature_text(value: Any) -> str:
+    if isinstance(value, date):
+        return value.isoformat()[:10]
+    return xml_text(value.value if isinstance(value, CodeValue) else value)
+
+
+def _code_space(value: Any) -> str:
+    return f" codeSpace={quoteattr(value.space)}" if isinstance(value, CodeValue) and value.space else ""
+
+
+def _building_element(name: str, value: Any) -> str:
+    """An attribute of the building module, empty where its value is not of the attribute's type."""
+    if name in CODES:
+        return _element(f"bldg:{name}", value) if isinstance(value, (str, int, CodeValue)) else ""
+    if name == "measuredHeight" and isinstance(value, (int, float)):
+        return _element(f"bldg:{name}", Measure(value, "m"))
+    if name in _HEIGHTS or name == "measuredHeight":
+        return _element(f"bldg:{name}", value) if isinstance(value, Measure) else ""
+    pattern = r"-?\d{4,}" if name in _YEARS else r"\d+"
+    text = str(value)
+    return f"<bldg:{name}>{text}</bldg:{name}>" if re.fullmatch(pattern, text) else ""
+
+
+def _nested(group: AttributeGroup) -> str:
+    """An object of an extension with its values in order."""
+    return f"<{group.type}>{''.join(_values(group))}</{group.type}>"
+
+
+def _values(group: AttributeGroup) -> Iterator[str]:
+    prefix = group.type.partition(":")[0]
+    for name, value in group.values.items():
+        qualified = name if ":" in name else f"{prefix}:{name}"
+        for item in value if isinstance(value, (list, tuple)) else (value,):
+            if isinstance(item, AttributeGroup):
+                yield f"<{qualified}>{_nested(item)}</{qualified}>"
+            elif item is not None:
+                yield _element(qualified, item)
+
+
+def _element(name: str, value: Any) -> str:
+    """A simple element: text, number, measure or code."""
+    if isinstance(value, Measure):
+        return f"<{name} uom={quoteattr(value.unit)}>{_number(value.value)}</{name}>"
+    if isinstance(value, CodeValue):
+        return f"<{name}{_code_space(value)}>{xml_text(value.value)}</{name}>"
+    if isinstance(value, bool):
+        return f"<{name}>{str(value).lower()}</{name}>"
+    if isinstance(value, date):
+        return f"<{name}>{value.isoformat()}</{name}>"
+    return f"<{name}>{_number(value) if isinstance(value, (int, float)) else xml_text(value)}</{name}>"
+
+
+def _number(value: Any) -> str:
+    """A number without loss and without needless digits."""
+    return repr(value.item() if isinstance(value, np.generic) else value)

@@ -1,0 +1,277 @@
+"""A city model as CityGML 2.0: in Japan a folder as PLATEAU lays it out, elsewhere one file.
+
+Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU): folder
+udx/bldg, a file a third mesh, latitude, longitude and height, textures in a folder beside.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+import numpy as np
+
+from ..errors import InputError, OutputError
+from ..io.atomic import written_beside
+from ..progress import SILENT, Progress
+from .citygml_attributes import generic_attribute, split_attributes, xml_text
+from .citygml_geometry import object_geometry
+from .cityjson_writer import unique_objects
+from .codelists import write_codelists
+from .mesh_code import third_mesh_code
+from .model import CityModel, CityObject, CityReference
+from .reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
+
+WRITTEN_BY = "<!-- Written by UrbanMap -->"
+THEME = "rgbTexture"
+_NAMESPACES = {
+    "core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
+    "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",
+    "gml": "http://www.opengis.net/gml", "xlink": "http://www.w3.org/1999/xlink",
+    "xAL": "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0", "uro": "https://www.geospatial.jp/iur/uro/2.0",
+    "xsi": "http://www.w3.org/2001/XMLSchema-instance"}
+_NAME = re.compile(r"[^\W\d][\w.\-]*\Z")
+_OTHER = re.compile(r"[^\w.\-]")
+
+
+@dataclass(frozen=True)
+class _Frame:
+    """How coordinates are written: function from corners (n, 3) to places (n, 3) in the order of the axes, code of
+    the reference system, whether the places are latitudes and longitudes, digits (None for all)."""
+
+    places: Callable[[np.ndarray], np.ndarray]
+    epsg: int | None
+    geographic: bool
+    digits: tuple[int, int] | None
+
+
+@dataclass
+class _GmlFile:
+    """One file that grows building by building: its members and textures wait in scratch files."""
+
+    name: str
+    folder: Path
+    count: int = 0
+    low: np.ndarray = field(default_factory=lambda: np.full(3, np.inf))
+    high: np.ndarray = field(default_factory=lambda: np.full(3, -np.inf))
+    images: dict[str, str] = field(default_factory=dict)
+
+    def add(self, member: str, textures: str, low: np.ndarray, high: np.ndarray) -> None:
+        self.count += 1
+        self.low, self.high = np.minimum(self.low, low), np.maximum(self.high, high)
+        for text, ending in ((member, "members"), (textures, "textures")):
+            if text:
+                with open(self.folder / f"{self.name}.{ending}", "a", encoding="utf-8", newline="\n") as file:
+                    file.write(text)
+
+
+def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progress = SILENT) -> dict[str, int]:
+    """Write a city model into a folder as CityGML 2.0, building by building; return the files with their buildings.
+
+    Coordinates in a JGD2011 or JGD2024 system are written as PLATEAU has them: latitude, longitude and height
+    (EPSG:6697, or 11318 where heights are JGD2024), a file a third mesh. Others keep their system, in one file.
+
+    Raises
+    ------
+    InputError : two objects have the same id, or a place in Japan's systems lies outside of its meshes.
+    OutputError : a file cannot be written, or a texture's image cannot be copied.
+    """
+    target, frame = Path(folder), _frame(model.reference)
+    plateau = frame.epsg in (GEOGRAPHIC_2011, GEOGRAPHIC_2024)
+    place = target / "udx" / "bldg" if plateau else target
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"The folder {target} cannot be made ({error.strerror}): choose another output.") from error
+    files: dict[str, _GmlFile] = {}
+    names = _Names()
+    with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
+        for building in unique_objects(model.buildings):
+            progress.check()
+            bounds = _bounds(building)
+            name = "buildings" if not plateau else "" if bounds is None else _mesh_file(bounds, frame)
+            if not name:
+                continue
+            file = files.setdefault(name, _GmlFile(name, Path(scratch)))
+            _add_building(file, building, frame, names, bounds)
+        for file in files.values():
+            _write_file(place / f"{file.name}.gml", file, frame, model)
+            _place_images(place, file.images, model.images)
+    if plateau:
+        write_codelists(target / "codelists")
+    return {f"{name}.gml": file.count for name, file in files.items()}
+
+
+def gml_folder_trouble(folder: str | os.PathLike) -> str:
+    """Why CityGML cannot be put into a folder: it holds CityGML of another program. Empty if it can."""
+    for path in sorted(Path(folder).rglob("*.gml")) if Path(folder).is_dir() else ():
+        with open(path, "rb") as file:
+            if WRITTEN_BY.encode() not in file.read(4096):
+                return f"The folder {folder} holds CityGML of another program ({path.name}): choose another folder."
+    return ""
+
+
+def _frame(reference: CityReference) -> _Frame:
+    """How coordinates of a reference are written."""
+    code = GEOGRAPHIC_2024 if reference.heights == JGD2024 else GEOGRAPHIC_2011
+    if reference.geographic:
+        known = reference.epsg in (None, GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024)
+        return _Frame(lambda corners: corners[:, [1, 0, 2]], code if known else reference.epsg, True, None)
+    if reference.epsg in PLANE_ZONES:
+        from pyproj import Transformer
+
+        transformer = Transformer.from_crs(reference.epsg, GEOGRAPHIC, always_xy=True)
+
+        def to_degrees(corners: np.ndarray) -> np.ndarray:
+            longitude, latitude = transformer.transform(corners[:, 0], corners[:, 1])
+            return np.column_stack([latitude, longitude, corners[:, 2]])
+
+        return _Frame(to_degrees, code, True, (10, 4))
+    return _Frame(lambda corners: corners, compound_epsg(reference), False, (4, 4))
+
+
+def _bounds(building: CityObject) -> np.ndarray | None:
+    """Lowest and highest corner (2, 3) of a building; None without geometry."""
+    rings = [ring for item in building.objects() for shape in item.shapes for surface in shape.surfaces
+             for ring in surface.rings]
+    if not rings:
+        return None
+    corners = np.vstack(rings)
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
+def _mesh_file(bounds: np.ndarray, frame: _Frame) -> str:
+    """Name of the file of the mesh in which a building's middle lies."""
+    latitude, longitude, _ = frame.places(bounds.mean(axis=0)[None])[0]
+    return f"{third_mesh_code(float(longitude), float(latitude))}_bldg_{frame.epsg}_op"
+
+
+class _Names:
+    """Ids of features as XML takes them, each once."""
+
+    def __init__(self) -> None:
+        self.taken: set[str] = set()
+
+    def of(self, identifier: str) -> str:
+        name = identifier if _NAME.match(identifier) else "bldg_" + _OTHER.sub("_", identifier)
+        plain, number = name, 1
+        while name in self.taken:
+            number += 1
+            name = f"{plain}-{number}"
+        self.taken.add(name)
+        return name
+
+
+def _add_building(file: _GmlFile, building: CityObject, frame: _Frame, names: _Names,
+                  bounds: np.ndarray | None) -> None:
+    """Append a building with its parts and textures."""
+    def places(corners: np.ndarray) -> list[str]:
+        found = frame.places(corners)
+        if frame.digits is None:
+            return [" ".join(map(repr, row)) for row in found.tolist()]
+        plan, height = frame.digits
+        return [f"{a:.{plan}f} {b:.{plan}f} {h:.{height}f}" for a, b, h in found.tolist()]
+
+    textures: dict[str, list] = {}
+    body = _object(building, names, places, textures)
+    rows = []
+    for image, targets in textures.items():
+        name = file.images.setdefault(image, _image_name(file, image))
+        rows.append(_texture(name, targets))
+    if bounds is None:
+        file.add(f"<core:cityObjectMember>{body}</core:cityObjectMember>\n", "", file.low, file.high)
+        return
+    corners = np.array([[x, y, z] for x in bounds[:, 0] for y in bounds[:, 1] for z in bounds[:, 2]])
+    found = frame.places(corners)
+    file.add(f"<core:cityObjectMember>{body}</core:cityObjectMember>\n", "".join(rows), found.min(axis=0),
+             found.max(axis=0))
+
+
+def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) -> str:
+    """A building or a part as XML; what its textures cover is added to `textures`."""
+    identifier = names.of(item.id)
+    geometry = object_geometry(item, identifier, places)
+    for image, targets in geometry.textured.items():
+        textures.setdefault(image, []).extend(targets)
+    before, own, after = split_attributes(item.attributes)
+    if identifier != item.id:
+        before += generic_attribute("source_id", item.id)
+    if item.problems:
+        before += generic_attribute("problems", "; ".join(item.problems))
+    parts = "".join(f"<bldg:consistsOfBuildingPart>{_object(part, names, places, textures)}"
+                    "</bldg:consistsOfBuildingPart>" for part in item.parts)
+    return f'<bldg:{item.type} gml:id="{identifier}">{before}{own}{geometry.xml}{parts}{after}</bldg:{item.type}>'
+
+
+def _image_name(file: _GmlFile, image: str) -> str:
+    """Name of an image beside the file, each its own."""
+    path = PurePosixPath(image.replace("\\", "/"))
+    name, number = path.name, 1
+    while any(taken.endswith(f"/{name}") for taken in file.images.values()):
+        number += 1
+        name = f"{path.stem}-{number}{path.suffix}"
+    return f"{file.name.removesuffix('_op')}_appearance/{name}"
+
+
+def _texture(name: str, targets: list) -> str:
+    """An image with the polygons that it covers."""
+    kind = "png" if name.lower().endswith(".png") else "jpg"
+    rows = []
+    for polygon, rings in targets:
+        lists = "".join(
+            f'<app:textureCoordinates ring="#{ring}">'
+            + " ".join(f"{u:.6f} {v:.6f}" for u, v in [*uv.tolist(), uv[0].tolist()]) + "</app:textureCoordinates>"
+            for ring, uv in rings)
+        rows.append(f'<app:target uri="#{polygon}"><app:TexCoordList>{lists}</app:TexCoordList></app:target>')
+    return (f"<app:surfaceDataMember><app:ParameterizedTexture><app:imageURI>{xml_text(name)}</app:imageURI>"
+            f"<app:mimeType>image/{kind}</app:mimeType>{''.join(rows)}</app:ParameterizedTexture>"
+            "</app:surfaceDataMember>\n")
+
+
+def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel) -> None:
+    """Put head, members and textures together."""
+    spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in _NAMESPACES.items())
+    title = f"<gml:name>{xml_text(model.title)}</gml:name>" if model.title else ""
+    envelope = ""
+    if np.isfinite(file.low).all():
+        system = f' srsName="http://www.opengis.net/def/crs/EPSG/0/{frame.epsg}"' if frame.epsg else ""
+        low, high = (" ".join(map(repr, corner.tolist())) for corner in (file.low, file.high))
+        envelope = (f'<gml:boundedBy><gml:Envelope{system} srsDimension="3"><gml:lowerCorner>{low}</gml:lowerCorner>'
+                    f"<gml:upperCorner>{high}</gml:upperCorner></gml:Envelope></gml:boundedBy>")
+    with written_beside(path) as temporary, open(temporary, "wb") as target:
+        target.write(f'<?xml version="1.0" encoding="UTF-8"?>\n{WRITTEN_BY}\n<core:CityModel {spaces}>\n{title}'
+                     f"{envelope}\n".encode())
+        _append(file.folder / f"{file.name}.members", target)
+        textures = file.folder / f"{file.name}.textures"
+        if textures.exists():
+            target.write(f"<app:appearanceMember><app:Appearance><app:theme>{THEME}</app:theme>\n".encode())
+            _append(textures, target)
+            target.write(b"</app:Appearance></app:appearanceMember>\n")
+        target.write(b"</core:CityModel>\n")
+
+
+def _append(path: Path, target) -> None:
+    with open(path, "rb") as source:
+        shutil.copyfileobj(source, target)
+
+
+def _place_images(place: Path, names: Mapping[str, str], images: Mapping[str, Path]) -> None:
+    """Copy the images of textures beside the file.
+
+    Raises
+    ------
+    InputError : an image was not given. OutputError : it cannot be copied.
+    """
+    for image, name in names.items():
+        if image not in images:
+            raise InputError(f"The image {image} of a texture was not given: its file is missing.")
+        try:
+            (place / name).parent.mkdir(exist_ok=True)
+            shutil.copyfile(images[image], place / name)
+        except OSError as error:
+            raise OutputError(f"The image {place / name} cannot be written ({error.strerror}).") from error

@@ -1,0 +1,280 @@
+"""A city model as CityJSON 2.0: one file, or a sequence of features (CityJSONSeq) written building by building.
+
+Source: CityJSON specifications 2.0.1 and CityJSONSeq, https://www.cityjson.org/
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from datetime import date
+from typing import IO, Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..io.atomic import written_beside
+from ..io.cityjson_parts import UNITS, VertexList, json_text, json_value, write_end
+from ..progress import SILENT, Progress
+from .model import (
+    FOOTPRINT,
+    MULTI_SURFACE,
+    ROOF_EDGE,
+    SOLID,
+    UNKNOWN_HEIGHTS,
+    AttributeGroup,
+    CityModel,
+    CityObject,
+    CityReference,
+    CityShape,
+    CitySurface,
+    CodeValue,
+    Measure,
+)
+from .reference import compound_epsg
+
+THEME = "facades"
+"""Name of the textures' theme."""
+
+_SURFACES = (FOOTPRINT, ROOF_EDGE, MULTI_SURFACE)
+_METRE = "m"
+
+
+def write_model_cityjson(path: str | os.PathLike, model: CityModel, progress: Progress = SILENT) -> int:
+    """Write a city model to a CityJSON 2.0 file, building by building; return how many buildings it holds.
+
+    Images are named as the textures name them; putting them there is for the caller (`texture_images`).
+
+    Raises
+    ------
+    InputError : two objects have the same id. OutputError : the file cannot be written.
+    """
+    vertices, appearance, count = VertexList(), _Appearance(), 0
+    with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
+        file.write('{"type":"CityJSON","version":"2.0","CityObjects":{')
+        written = False
+        for building in unique_objects(model.buildings):
+            progress.check()
+            count += 1
+            for identifier, item in _entries(building, vertices, appearance):
+                file.write((",\n" if written else "\n") + f"{json_text(identifier)}:{json_text(item)}")
+                written = True
+        file.write("\n}")
+        if appearance.images:
+            file.write(f',"appearance":{json_text(appearance.entry())}')
+        write_end(file, vertices, compound_epsg(model.reference), _title(model), _day(model.date))
+    return count
+
+
+def write_model_cityjsonseq(path: str | os.PathLike, model: CityModel, progress: Progress = SILENT) -> int:
+    """Write a city model as CityJSONSeq, a line a building; return how many. Memory does not grow with their number.
+
+    Raises
+    ------
+    InputError : two objects have the same id. OutputError : the file cannot be written.
+    """
+    count, origin = 0, None
+    with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
+        for building in unique_objects(model.buildings):
+            progress.check()
+            if origin is None:
+                origin = _write_head(file, model, _corner(building))
+            vertices, appearance = VertexList(), _Appearance()
+            feature: dict[str, Any] = {"type": "CityJSONFeature", "id": building.id,
+                                       "CityObjects": dict(_entries(building, vertices, appearance))}
+            if appearance.images:
+                feature["appearance"] = appearance.entry()
+            points = np.frombuffer(vertices.coordinates, dtype=np.int64).reshape(-1, 3)
+            feature["vertices"] = (points - origin).tolist()
+            file.write(json_text(feature) + "\n")
+            count += 1
+        if origin is None:
+            _write_head(file, model, np.zeros(3))
+    return count
+
+
+def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
+    """Buildings as they come.
+
+    Raises
+    ------
+    InputError : an id, of a building or of a part, was there before.
+    """
+    seen: set[str] = set()
+    for building in buildings:
+        for item in building.objects():
+            if item.id in seen:
+                raise InputError(f"Two buildings have the id '{item.id}': give each building its own.")
+            seen.add(item.id)
+        yield building
+
+
+def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
+    """Attributes as JSON can say them, without loss.
+
+    A code is its meaning, where that is known, with `<name>_code` and `<name>_codeSpace` beside it; a measure its
+    number, with `<name>_uom` where it is not in metres; a group an object with `type`.
+    """
+    made: dict[str, Any] = {}
+    for name, value in attributes.items():
+        name = str(name)
+        if isinstance(value, CodeValue):
+            made[name] = value.meaning or value.value
+            if value.meaning:
+                made[f"{name}_code"] = value.value
+            if value.space:
+                made[f"{name}_codeSpace"] = value.space
+        elif isinstance(value, Measure):
+            made[name] = json_value(value.value)
+            if value.unit != _METRE:
+                made[f"{name}_uom"] = value.unit
+        else:
+            made[name] = _plain(value)
+    return made
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, AttributeGroup):
+        return {"type": value.type, **plain_attributes(value.values)}
+    if isinstance(value, (CodeValue, Measure)):
+        return plain_attributes({"value": value})
+    if isinstance(value, Mapping):
+        return plain_attributes(value)
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return json_value(value)
+
+
+def _entries(building: CityObject, vertices: VertexList, appearance: _Appearance) -> Iterator[tuple[str, dict]]:
+    """Ids and entries of a building and its parts in CityObjects."""
+    for item in building.objects():
+        entry: dict[str, Any] = {"type": item.type}
+        if item is not building:
+            entry["parents"] = [building.id]
+        elif building.parts:
+            entry["children"] = [part.id for part in building.parts]
+        attributes = plain_attributes(item.attributes)
+        if item.problems:
+            attributes["problems"] = "; ".join(item.problems)
+        if attributes or item is building:
+            entry["attributes"] = attributes
+        entry["geometry"] = [_geometry(shapes, vertices, appearance) for shapes in _side_by_side(item.shapes)]
+        yield item.id, entry
+
+
+def _side_by_side(shapes: tuple[CityShape, ...]) -> list[list[CityShape]]:
+    """Shapes that make one geometry: solids of one level of detail, else each its own."""
+    made: list[list[CityShape]] = []
+    for shape in shapes:
+        if made and shape.kind == SOLID == made[-1][0].kind and shape.lod == made[-1][0].lod:
+            made[-1].append(shape)
+        else:
+            made.append([shape])
+    return made
+
+
+def _geometry(shapes: list[CityShape], vertices: VertexList, appearance: _Appearance) -> dict[str, Any]:
+    """One geometry: MultiSurface, Solid or MultiSolid."""
+    surfaces = _Semantics()
+    flat = shapes[0].kind in _SURFACES
+    shells = [[_shell(shell, vertices, surfaces, appearance) for shell in shape.shells] for shape in shapes]
+    kind = "MultiSurface" if flat else "Solid" if len(shapes) == 1 else "MultiSolid"
+
+    def column(place: int) -> list:
+        solids = [[shell[place] for shell in solid] for solid in shells]
+        return solids[0][0] if flat and solids[0] else [] if flat else solids[0] if len(shapes) == 1 else solids
+
+    geometry = {"type": kind, "lod": shapes[0].lod, "boundaries": column(0)}
+    if surfaces.entries:
+        geometry["semantics"] = {"surfaces": surfaces.entries, "values": column(1)}
+    if any(surface.texture for shape in shapes for surface in shape.surfaces):
+        geometry["texture"] = {THEME: {"values": column(2)}}
+    return geometry
+
+
+def _shell(shell: tuple[CitySurface, ...], vertices: VertexList, surfaces: _Semantics,
+           appearance: _Appearance) -> tuple[list, list, list]:
+    """Boundary, numbers of semantics and textures of one shell."""
+    boundary = [[vertices.numbers(ring) for ring in surface.rings] for surface in shell]
+    return boundary, [surfaces.number(surface) for surface in shell], [appearance.rings(surface) for surface in shell]
+
+
+class _Semantics:
+    """Semantic surfaces of one geometry: polygons of one group share theirs."""
+
+    def __init__(self) -> None:
+        self.entries: list[dict[str, Any]] = []
+        self._groups: dict[str, int] = {}
+
+    def number(self, surface: CitySurface) -> int | None:
+        if not surface.kind:
+            return None
+        if surface.group in self._groups:
+            return self._groups[surface.group]
+        entry = {"type": surface.kind, **plain_attributes(surface.attributes)}
+        if surface.group:
+            entry["id"] = surface.group
+            self._groups[surface.group] = len(self.entries)
+        self.entries.append(entry)
+        return len(self.entries) - 1
+
+
+class _Appearance:
+    """Textures: images by name, and the places of vertices in them."""
+
+    def __init__(self) -> None:
+        self.images: dict[str, int] = {}
+        self.places: list[tuple[float, float]] = []
+
+    def rings(self, surface: CitySurface) -> list:
+        """Number of the image and of the places of each ring; [None] a ring without."""
+        texture = surface.texture
+        if texture is None:
+            return [[None]] * len(surface.rings)
+        made = []
+        for uv in texture.uv:
+            first = len(self.places)
+            self.places.extend((round(u, 6), round(v, 6)) for u, v in np.asarray(uv).tolist())
+            made.append([self.images.setdefault(texture.image, len(self.images)), *range(first, len(self.places))])
+        return made
+
+    def entry(self) -> dict[str, Any]:
+        textures = [{"type": "PNG" if name.lower().endswith(".png") else "JPG", "image": name} for name in self.images]
+        return {"default-theme-texture": THEME, "textures": textures, "vertices-texture": self.places}
+
+
+def _write_head(file: IO[str], model: CityModel, corner: np.ndarray) -> np.ndarray:
+    """Write the first line of a sequence; the origin that its vertices count from, in whole units."""
+    metadata: dict[str, Any] = {"title": _title(model)} if _title(model) else {}
+    if _day(model.date):
+        metadata["referenceDate"] = _day(model.date)
+    code = compound_epsg(model.reference)
+    if code is not None:
+        metadata["referenceSystem"] = f"https://www.opengis.net/def/crs/EPSG/0/{code}"
+    head = {"type": "CityJSON", "version": "2.0", "transform": {"scale": [1 / UNITS] * 3, "translate": corner.tolist()},
+            "metadata": metadata, "CityObjects": {}, "vertices": []}
+    file.write(json_text(head) + "\n")
+    return np.rint(corner * UNITS).astype(np.int64)
+
+
+def _corner(building: CityObject) -> np.ndarray:
+    """Lowest corner (3,) of a building in whole metres."""
+    corners = [ring.min(axis=0) for item in building.objects() for shape in item.shapes
+               for surface in shape.surfaces for ring in surface.rings]
+    return np.floor(np.min(corners, axis=0)) if corners else np.zeros(3)
+
+
+def _title(model: CityModel) -> str:
+    """Title, with the height system where the code of the reference does not say it."""
+    reference: CityReference = model.reference
+    if reference.heights == UNKNOWN_HEIGHTS or compound_epsg(reference) != reference.epsg:
+        return model.title
+    return f"{model.title}; heights: {reference.heights}".lstrip("; ")
+
+
+def _day(text: str) -> str:
+    """The day of an ISO 8601 text, empty where it names none."""
+    try:
+        return date.fromisoformat(text[:10]).isoformat()
+    except ValueError:
+        return ""

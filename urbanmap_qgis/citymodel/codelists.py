@@ -1,0 +1,48 @@
+"""The lists of codes that models of this program refer to, in the form that PLATEAU has them (gml:Dictionary)."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from xml.sax.saxutils import escape
+
+from ..errors import OutputError
+from ..io.atomic import written_beside
+from .model import CodeValue
+
+FOLDER = "../../codelists/"
+"""Where a file in udx/bldg finds the lists."""
+
+LISTS: dict[str, dict[str, str]] = {
+    "BuildingDataQualityAttribute_lod1HeightType": {"2": "点群から取得_中央値"},
+    "UrbanMap_geometrySrcDesc": {"1": "airborne laser scanning", "2": "airborne laser scanning and mobile mapping"},
+}
+"""Codes and their meaning by list; those of `UrbanMap_` are the program's own."""
+
+
+def code_value(name: str, code: str) -> CodeValue:
+    """A code of one of `LISTS`, which says where the list lies."""
+    return CodeValue(code, f"{FOLDER}{name}.xml", LISTS[name][code])
+
+
+def write_codelists(folder: str | os.PathLike) -> None:
+    """Write all lists into a folder.
+
+    Raises
+    ------
+    OutputError : it cannot be written.
+    """
+    place = Path(folder)
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"The folder {place} cannot be made ({error.strerror}): choose another output.") from error
+    for name, codes in LISTS.items():
+        entries = "".join(
+            f'<gml:dictionaryEntry><gml:Definition gml:id="id{code}"><gml:description>{escape(meaning)}'
+            f"</gml:description><gml:name>{code}</gml:name></gml:Definition></gml:dictionaryEntry>\n"
+            for code, meaning in codes.items())
+        text = ('<?xml version="1.0" encoding="UTF-8"?>\n<gml:Dictionary xmlns:gml="http://www.opengis.net/gml" '
+                f'gml:id="{name}"><gml:name>{name}</gml:name>\n{entries}</gml:Dictionary>\n')
+        with written_beside(place / f"{name}.xml") as temporary:
+            temporary.write_text(text, encoding="utf-8", newline="\n")
