@@ -16,6 +16,7 @@ from urbanmap_qgis.mobile.registration.correction.adjustment import (
     adjust_correction,
     correct_trajectory,
 )
+from urbanmap_qgis.mobile.registration.correction.error_model import AttitudeError
 from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarkovDrift, path_parameters_of
 from urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.matching.block_chain import solve_chain
@@ -30,6 +31,10 @@ simulate, shifted = simulated.simulate, simulated.shifted
 
 def plan_error(drive, correction):
     return np.hypot(*(correction.value - drive.error)[:, :2].T)
+
+
+SIMULATED_ATTITUDE = (0.058, 0.058, 0.058)
+"""Degrees: standard deviation of the angles' errors of `simulate`, its constant and its drifting part."""
 
 
 def within_two_sigma(drive, correction):
@@ -85,7 +90,7 @@ def test_sigma_covers_the_error_in_plan(seed):
 
 def test_sigma_covers_the_error_in_space_with_waits():
     drive = simulate(1, three_d=True, waits={120.0: 40.0, 300.0: 20.0}, crossings=25.0)
-    made = adjust_correction(drive.windows, drive.reported)
+    made = adjust_correction(drive.windows, drive.reported, CorrectionSettings(attitude_sigma=SIMULATED_ATTITUDE))
     assert np.linalg.norm((made.value - drive.error)[:, :3], axis=1).mean() < 0.05
     assert np.abs(made.value - drive.error)[:, 2].max() < 0.1
     assert within_two_sigma(drive, made) >= 0.95
@@ -210,3 +215,34 @@ def test_gap_and_jump_of_the_trajectory_are_not_to_be_trusted():
     place = drive.reported.place + (since > 15.0)[:, None] * np.array([2.0, 0.0, 0.0])
     jump = adjust_correction(drive.windows, type(drive.reported)(since, place, drive.reported.angles))
     assert "the trajectory jumps here" in set(jump.reason[np.abs(jump.time - 15.0) < 1.0])
+
+
+def test_angles_stay_within_the_reported_accuracy():
+    """Evidence that contradicts itself does not turn the body by more than its inertial unit may be wrong."""
+    drive = simulate(1, three_d=True, crossings=25.0)
+    stated = replace(drive.reported, angle_sigma=np.full((len(drive.reported), 3), 0.001))
+    made = adjust_correction(drive.windows, stated)
+    assert np.abs(made.value[:, 3:]).max() < 0.004
+    assert made.sigma()[:, 3:].max() <= 0.0011
+
+
+def test_grossly_wrong_heading_is_found_all_the_same():
+    drive = simulate(0, crossings=25.0)
+    turned = np.array([0, 0, 0, 0, 0, 2.0])
+    windows = replace(drive.windows, angles=drive.windows.angles - turned[3:],
+                      linearised=drive.windows.linearised + turned, correction=drive.windows.correction + turned)
+    reported = replace(drive.reported, angles=drive.reported.angles - turned[3:])
+    made = adjust_correction(windows, reported)
+    assert np.abs(made.value[:, 5] - drive.error[:, 5] - 2.0).mean() < 0.05
+    assert made.sigma()[:, 5].max() < 0.5
+
+
+def test_process_of_angles_is_stationary():
+    """However many steps it is propagated, its variance stays what is stated: P = F P F' + Q."""
+    sigma = np.full((4, 3), 0.05)
+    model = AttitudeError(sigma, np.full(3, 200.0))
+    still = np.diag(model.start()[0])
+    for spacing in (0.5, 2.0, 30.0):
+        transition, precision = model.steps(spacing * np.arange(4), np.zeros(3))
+        after = transition[0, 0] @ still @ transition[0, 0].T + np.linalg.inv(precision[0, 0])
+        np.testing.assert_allclose(np.sqrt(np.diag(after)), np.sqrt(np.diag(still)), rtol=2e-3)

@@ -25,11 +25,14 @@ class Trajectory:
     time : (n,) s, strictly increasing.
     place : (n, 3) easting, northing and height of the body's origin, m.
     angles : (n, 3) roll, pitch and heading, degrees, without jumps of a full turn.
+    angle_sigma : (n, 3) degrees, standard deviations of the angles as the navigation states them; None where it does
+        not. Trajectories made from this one do not carry them.
     """
 
     time: np.ndarray
     place: np.ndarray
     angles: np.ndarray
+    angle_sigma: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.time)

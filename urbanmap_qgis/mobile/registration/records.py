@@ -51,6 +51,8 @@ class RegistrationSettings:
     blurs : m, standard deviations of the Gaussians that the coverage is blurred by, one after another.
     height_sigma, height_robust : m, of a point's height over the reference's ground: its standard deviation, and the
         difference from which points lose their weight (Geman and McClure).
+    ground_sigma : m, standard deviation of the errors that neighbouring heights of the ground share; None finds it from
+        how the ground bends against the survey.
     shared_windows : windows are adjusted together about one smooth correction, so that drift within a window does not
         bend it. Without it each window is rigid and on its own (J).
     outlier_share : expected share of points that belong to no reference marking.
@@ -78,6 +80,7 @@ class RegistrationSettings:
     blurs: tuple[float, ...] = (0.15, 0.0)
     height_sigma: float = 0.05
     height_robust: float = 0.15
+    ground_sigma: float | None = None
     shared_windows: bool = True
     outlier_share: float = 0.35
     reference_sigma: float = 0.015

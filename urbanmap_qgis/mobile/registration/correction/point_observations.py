@@ -22,6 +22,7 @@ from ..start.correlation_start import OBSERVATION_AREA
 from ..start.patch_points import PatchPoints, thin_points
 from ..start.patches import Patches
 from ..start.reference import Reference
+from .ground_errors import HeightDifferences, ground_sigma, without_shared_errors
 from .normal_equations import PLANE, SPACE, NormalEquations
 
 _FINE = 4  # parts of a piece in which points are thinned
@@ -34,6 +35,16 @@ _OVERLAP_PIECES = 3  # pieces to either side over which the share is taken
 
 
 @dataclass(frozen=True)
+class _Moved:
+    """Points as a curve corrects them: piece (m,), place and lever arm (m, 3) m, weight (m,) as observations."""
+
+    piece: np.ndarray
+    place: np.ndarray
+    lever_arm: np.ndarray
+    weight: np.ndarray
+
+
+@dataclass(frozen=True)
 class PointObservations:
     """Thinned marking points of a survey, by pieces of the path parameter, and the reference they are laid on.
 
@@ -41,11 +52,14 @@ class PointObservations:
     ----------
     points : thinned; their `path_parameter` is that of the drift, their `patch` counts it in parts of a piece.
     path_parameter : (n,) m, middles of the pieces.
+    heading : (n,) degrees there. piece_length : m of path parameter.
     back : (n, 6, 6) of roll, pitch, heading (degrees) to rotation vectors (radians).
     """
 
     points: PatchPoints
     path_parameter: np.ndarray
+    heading: np.ndarray
+    piece_length: float
     back: np.ndarray
     reference: Reference
     settings: RegistrationSettings
@@ -64,7 +78,8 @@ class PointObservations:
         fine = Patches(length / _FINE, *times, *(np.repeat(values, _FINE, axis=0) for values in places),
                        np.zeros(_FINE * count), trajectory.time, path_parameter, none)
         points = thin_points(markings.take(usable), trajectory, fine, settings.subsampling)
-        return cls(points, middle, np.linalg.inv(angle_rates(pose.angles)), reference, settings)
+        return cls(points, middle, pose.angles[:, 2], length, np.linalg.inv(angle_rates(pose.angles)), reference,
+                   settings)
 
     def about(self, curve: Callable[[np.ndarray], np.ndarray], blur: float) -> NormalEquations:
         """Normal equations about a curve, which gives corrections (m, 6) at path parameters (m,).
@@ -74,12 +89,18 @@ class PointObservations:
         blur : m, by which the reference is softened: how far off the curve may be.
         """
         count = len(self.path_parameter)
-        sums, share = PatchSums(np.zeros((count, 6)), np.zeros((count, 6, 6))), np.zeros((count, 2))
+        none = PatchSums(np.zeros((count, 6)), np.zeros((count, 6, 6)))
+        sums, heights, share, differences = none, none, np.zeros((count, 2)), []
         for first in range(0, count, _SECTION_PATCHES):
             part = self.points.of_patches(first * _FINE, (first + _SECTION_PATCHES) * _FINE - 1)
             if len(part):
-                more, counted = self._section(part, curve(part.path_parameter), blur)
+                moved = self._moved(part, curve(part.path_parameter))
+                more, counted = self._section(part, moved, blur)
                 sums, share = sums + more, share + counted
+                if self.settings.three_d:
+                    heights = heights + self._heights(part, moved, differences)
+        if self.settings.three_d:
+            sums = sums + self._trusted(heights, differences)
         active = list(SPACE if self.settings.three_d else PLANE)
         information = np.swapaxes(self.back, 1, 2) @ sums.information @ self.back
         gradient = np.einsum("nji,nj->ni", self.back, sums.gradient)
@@ -90,24 +111,48 @@ class PointObservations:
                         information * believed[:, None, None], (share[:, 0] > 0) & (believed > 0),
                         self.settings.three_d)
 
-    def _section(self, points: PatchPoints, correction: np.ndarray, blur: float) -> tuple[PatchSums, np.ndarray]:
-        """Sums of some points by piece, and how many there are and lie on reference markings (n, 2)."""
-        count, piece = len(self.path_parameter), points.patch // _FINE
+    def _moved(self, points: PatchPoints, correction: np.ndarray) -> _Moved:
+        """Points moved by corrections (m, 6)."""
+        piece = points.patch // _FINE
         rotation = np.einsum("nij,nj->ni", self.back[piece][:, 3:, 3:], correction[:, 3:])
         side = np.cross(rotation, points.lever_arm)
         lever_arm = points.lever_arm + side + 0.5 * np.cross(rotation, side)
-        moved = points.place + correction[:, :3] + (lever_arm - points.lever_arm)
+        return _Moved(piece, points.place + correction[:, :3] + (lever_arm - points.lever_arm), lever_arm,
+                      points.weight * self.settings.subsampling ** 2 / OBSERVATION_AREA)
+
+    def _section(self, points: PatchPoints, made: _Moved, blur: float) -> tuple[PatchSums, np.ndarray]:
+        """Sums in plan of some points by piece, and how many there are and lie on reference markings (n, 2)."""
+        count, moved, point_weight = len(self.path_parameter), made.place, made.weight
         low, high = moved[:, :2].min(axis=0) - _AROUND - 3 * blur, moved[:, :2].max(axis=0) + _AROUND + 3 * blur
         field = MarkingField.of(self.reference.coverage(*low, *high), blur, self.settings.background)
         terms = field_terms(field, moved[:, 0], moved[:, 1])
-        point_weight = points.weight * self.settings.subsampling ** 2 / OBSERVATION_AREA
-        gradient = [terms.gx * point_weight, terms.gy * point_weight, None]
+        gradient = (terms.gx * point_weight, terms.gy * point_weight, None)
         hessian = {(0, 0): terms.hxx * point_weight, (0, 1): terms.hxy * point_weight, (1, 1): terms.hyy * point_weight}
-        if self.settings.three_d:
-            ground = self.reference.ground_part(*low, *high).at(moved[:, 0], moved[:, 1])
-            gradient[2], hessian[2, 2] = _height_terms(ground - moved[:, 2], point_weight, self.settings)
-        counted = by_patch(np.column_stack([np.ones(len(points)), terms.on_marking]), piece, count)
-        return sum_points(lever_arm, tuple(gradient), hessian, piece, count), counted
+        counted = by_patch(np.column_stack([np.ones(len(points)), terms.on_marking]), made.piece, count)
+        return sum_points(made.lever_arm, gradient, hessian, made.piece, count), counted
+
+    def _heights(self, points: PatchPoints, made: _Moved, differences: list[HeightDifferences]) -> PatchSums:
+        """Sums in height of some points by piece; their differences to the ground are appended."""
+        moved = made.place
+        box = (*(moved[:, :2].min(axis=0) - _AROUND), *(moved[:, :2].max(axis=0) + _AROUND))
+        off = self.reference.ground_part(*box).at(moved[:, 0], moved[:, 1]) - moved[:, 2]
+        gradient, hessian = _height_terms(off, made.weight, self.settings)
+        known = np.abs(off) < 3 * self.settings.height_robust
+        heading = np.radians(self.heading[made.piece[known]])
+        east, north = made.lever_arm[known, :2].T
+        offset = np.column_stack([east * np.sin(heading) + north * np.cos(heading),
+                                  east * np.cos(heading) - north * np.sin(heading)])
+        differences.append(HeightDifferences(made.piece[known], offset, off[known]))
+        return sum_points(made.lever_arm, (None, None, gradient), {(2, 2): hessian}, made.piece,
+                          len(self.path_parameter))
+
+    def _trusted(self, heights: PatchSums, differences: list[HeightDifferences]) -> PatchSums:
+        """The sums in height, less what errors of the ground leave unknown."""
+        sigma = self.settings.ground_sigma
+        if sigma is None:
+            sigma = ground_sigma(HeightDifferences(*(np.concatenate([getattr(part, name) for part in differences])
+                                                     for name in ("piece", "offset", "off"))))
+        return PatchSums(*without_shared_errors(heights.gradient, heights.information, sigma, self.piece_length))
 
 
 def _height_terms(off: np.ndarray, point_weight: np.ndarray,

@@ -1,0 +1,120 @@
+"""The normal equations of the correction: nodes along the path, tied by how the error drifts, and the evidence."""
+
+from __future__ import annotations
+
+from copy import copy
+
+import numpy as np
+
+from ...trajectory import Trajectory
+from ..matching.block_chain import solve_chain
+from .error_model import PoseErrorModel
+from .gauss_markov import jump_steps, stop_steps
+from .normal_equations import NormalEquations
+
+_SINGULAR = 1e-6  # ratio of information below which a direction is not observed
+_STEP_SOFTNESS = 0.2  # share of the information that pieces on a step keep
+_NO_WEIGHT = 0.02  # weight that stands for evidence that is not believed at all
+
+
+class Chain:
+    """The normal equations: nodes along the path, the observations on the node next to each piece."""
+
+    def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray,
+                 fast: np.ndarray):
+        self.nodes, self.fast = nodes, fast
+        rising = np.concatenate([[True], np.diff(path_parameter) > 0])
+        time = np.interp(nodes, path_parameter[rising], trajectory.time[rising])
+        self.stopped, self.jump = stop_steps(trajectory, time), jump_steps(trajectory, time)
+        self._take(normals)
+
+    def _take(self, normals: NormalEquations) -> None:
+        self.size = len(normals.active)
+        self.node, self.ahead = self._next_node(normals.path_parameter)
+        moving = np.concatenate([self.fast[:1], np.maximum(self.fast[1:], self.fast[:-1]), self.fast[-1:]]) > 0
+        # Where the error changes fast its own linearisation is worth less.
+        self.normals = normals.softened(np.where(moving[self.node], _STEP_SOFTNESS, 1.0)) if moving.any() else normals
+
+    def with_normals(self, normals: NormalEquations) -> Chain:
+        """The same nodes with other normal equations."""
+        other = copy(self)
+        other._take(normals)
+        return other
+
+    def _next_node(self, path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Number of the nearest node of each reading, and how far ahead of it the reading is, m."""
+        node = np.searchsorted(0.5 * (self.nodes[1:] + self.nodes[:-1]), path_parameter)
+        return node, path_parameter - self.nodes[node]
+
+    def solve(self, model: PoseErrorModel, weight: np.ndarray):
+        """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
+        k, d = len(self.nodes), self.size
+        diagonal, ahead, right = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2)), np.zeros((k, d, 2))
+        transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast)
+        own = np.arange(d)
+        carried = np.einsum("kdji,kdjl->kdil", transition, precision)  # F' P
+        diagonal[1:, own, :, own, :] += np.moveaxis(precision, 1, 0)
+        diagonal[:-1, own, :, own, :] += np.moveaxis(np.einsum("kdil,kdlm->kdim", carried, transition), 1, 0)
+        ahead[:, own, :, own, :] -= np.moveaxis(carried, 1, 0)
+        start = 1.0 / model.start(self.normals.active)
+        diagonal[0, own, 0, own, 0] += start[:, 0]
+        diagonal[0, own, 1, own, 1] += start[:, 1]
+        weighted = self.normals.information * weight[:, None, None]
+        gradient = self.normals.normal_vector * weight[:, None]
+        steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
+        for a in range(2):
+            np.add.at(right[:, :, a], self.node, gradient * steps[:, a, None])
+            for b in range(2):
+                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (steps[:, a] * steps[:, b])[:, None, None])
+        solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), ahead.reshape(k - 1, 2 * d, 2 * d),
+                               right.reshape(k, 2 * d))
+        determinants = np.linalg.det(precision)
+        prior = float(np.log(determinants).sum() + np.log(start).sum())
+        likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior - solution.log_determinant)
+        return solution.state.reshape(k, d, 2), solution.covariance, likelihood
+
+    def unconstrained_likelihood(self, weight: np.ndarray, allowed: np.ndarray) -> float:
+        """Log-likelihood that the nodes would reach each on its own, with the densities that their weights stand for.
+
+        With it likelihoods can be compared between models that weight the `allowed` (n,) evidence differently.
+        """
+        k, allowed = len(self.nodes), self.normals.present & (allowed > 0)
+        information, gradient = np.zeros((k, self.size, self.size)), np.zeros((k, self.size))
+        np.add.at(information, self.node, self.normals.information * weight[:, None, None])
+        np.add.at(gradient, self.node, self.normals.normal_vector * weight[:, None])
+        values, vectors = np.linalg.eigh(information)
+        there = values > _SINGULAR * np.maximum(values[:, -1:], 1e-12)
+        along = np.einsum("kji,kj->ki", vectors, gradient)
+        best = 0.5 * (np.where(there, along**2, 0.0) / np.where(there, values, 1.0)).sum()
+        count = np.bincount(self.node, allowed, k)
+        mean = np.bincount(self.node, allowed * weight, k) / np.maximum(count, 1)
+        rank = np.where(mean > 0, there.sum(axis=1), self.size) * (count > 0)
+        return float(best) - 0.5 * float((rank * np.log(np.maximum(mean, _NO_WEIGHT))).sum())
+
+    def at(self, state: np.ndarray, covariance: np.ndarray,
+           path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Values (n, d) and covariances (n, d, d) at path parameters (n,)."""
+        node, ahead = self._next_node(path_parameter)
+        value = smooth_between(self.nodes, state, path_parameter)
+        d = self.size
+        blocks = covariance[node].reshape(-1, d, 2, d, 2)
+        lever_arm = ahead[:, None, None]
+        spread = (blocks[:, :, 0, :, 0] + lever_arm * (blocks[:, :, 0, :, 1] + blocks[:, :, 1, :, 0])
+                  + lever_arm**2 * blocks[:, :, 1, :, 1])
+        return value, spread
+
+
+def nodes_along(path_parameter: np.ndarray, length: float) -> np.ndarray:
+    """Path parameters at which the correction has nodes, at most `length` apart, at least two."""
+    count = max(int(np.ceil((path_parameter[-1] - path_parameter[0]) / length)), 1)
+    return np.linspace(path_parameter[0], path_parameter[-1], count + 1)
+
+
+def smooth_between(nodes: np.ndarray, state: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
+    """Values (m, d) at path parameters (m,): cubics that meet the nodes' values and rates."""
+    step = np.clip(np.searchsorted(nodes, path_parameter, side="right") - 1, 0, len(nodes) - 2)
+    length = (nodes[step + 1] - nodes[step])[:, None]
+    t = np.clip((path_parameter - nodes[step])[:, None] / length, 0.0, 1.0)
+    before, after = state[step], state[step + 1]
+    return (before[:, :, 0] * (1 + 2 * t) * (1 - t) ** 2 + after[:, :, 0] * t**2 * (3 - 2 * t)
+            + length * t * (1 - t) * (before[:, :, 1] * (1 - t) - after[:, :, 1] * t))

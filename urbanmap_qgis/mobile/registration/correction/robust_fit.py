@@ -1,0 +1,142 @@
+"""The adjustment in which evidence that contradicts the rest loses its weight, and the sizes that make it likeliest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ....progress import Progress
+from .chain import Chain
+from .error_model import PoseErrorModel
+from .normal_equations import NormalEquations
+from .settings import CorrectionSettings
+
+_PASSES = 6
+_FACTORS = (1.0, 2.0, 4.0, 8.0)
+_FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
+_HEADING_FACTORS = (5.0, 25.0)  # times the stated error of the heading that are tried
+_HEADING_PROOF = 5.0  # log-likelihood by which they must be better
+_WEIGHT_TOLERANCE = 0.02
+_REGION = 5  # pieces to either side that are a piece's region
+_MIN_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
+_MIN_NOISE = 0.3  # of the stated variance of the evidence, whatever the survey says
+_MIN_BLOCKS = 5  # from which the variance of the evidence can be told
+
+
+@dataclass(frozen=True)
+class Fit:
+    """State of the adjustment: nodes' states (k, d, 2) and covariances, weights of the evidence, factors found.
+
+    `noise_factor` is the one that the adjustment used, `found_noise` what the blocks' contradictions say.
+    """
+
+    state: np.ndarray
+    covariance: np.ndarray
+    weight: np.ndarray
+    drift_factor: float
+    noise_factor: float
+    found_noise: float = 1.0
+    heading_factor: float = 1.0
+
+
+def robust_fit(chain: Chain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
+                progress: Progress) -> Fit:
+    """The adjustment with the size of drift that makes the survey likeliest, its gross blocks counted against it."""
+    tried = []
+    for number, factor in enumerate(_FACTORS):
+        progress.step(number / len(_FACTORS))
+        fit, likelihood = reweighted_fit(chain, model.scaled(factor), allowed, settings)
+        tried.append((likelihood - 0.5 * (np.log2(factor) / _FACTOR_SPREAD) ** 2, factor, fit))
+    likelihood, factor, fit = max(tried, key=lambda entry: entry[0])
+    return _with_likely_heading(chain, model, allowed, settings, likelihood, replace(fit, drift_factor=factor))
+
+
+def _with_likely_heading(chain: Chain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
+                         likelihood: float, fit: Fit) -> Fit:
+    """The adjustment with a larger error of the heading, where this makes the survey much likelier."""
+    best = likelihood
+    for factor in _HEADING_FACTORS:
+        other, reached = reweighted_fit(chain, model.scaled(fit.drift_factor).with_heading(factor), allowed, settings)
+        reached -= 0.5 * (np.log2(fit.drift_factor) / _FACTOR_SPREAD) ** 2 + _HEADING_PROOF
+        if reached > best:
+            best, fit = reached, replace(other, drift_factor=fit.drift_factor, heading_factor=factor)
+    return fit
+
+
+def reweighted_fit(chain: Chain, model: PoseErrorModel, allowed: np.ndarray,
+                    settings: CorrectionSettings) -> tuple[Fit, float]:
+    """Adjustment in which blocks that contradict the rest lose their weight, and the log-likelihood of the model."""
+    normals = chain.normals
+    block = ((normals.path_parameter - normals.path_parameter[0]) / settings.block_length).astype(int)
+    single, share, noise, found = allowed.copy(), np.ones(block.max() + 1), 1.0, 1.0
+    weight = single
+    for _ in range(_PASSES):
+        scaled = weight / noise
+        state, spread, likelihood = chain.solve(model, scaled)
+        value, covariance = chain.at(state, spread, normals.path_parameter)
+        test = _block_tests(normals, value, covariance, block, single, share, noise)
+        single = _single_weights(normals.misfit(value), allowed, settings)
+        share, found = _block_shares(test, noise, settings)
+        noise_found = max(found, _MIN_NOISE)
+        last, weight = weight, single * share[block]
+        if np.abs(weight - last).max() < _WEIGHT_TOLERANCE and abs(noise_found / noise - 1.0) < _WEIGHT_TOLERANCE:
+            break
+        noise = noise_found
+    likelihood -= chain.unconstrained_likelihood(scaled, allowed)
+    return Fit(state, spread, weight, 1.0, noise, found), likelihood
+
+
+def _single_weights(misfit: np.ndarray, allowed: np.ndarray, settings: CorrectionSettings) -> np.ndarray:
+    """Weights (n,) of single pieces: those with a much larger misfit than the survey's usual one lose theirs.
+
+    They lie on markings that are not the reference's: painted anew beside the old ones, or something else that shines.
+    """
+    counted = (allowed > 0) & (misfit > 0)
+    if not counted.any():
+        return allowed
+    usual = max(float(np.median(misfit[counted])), _MIN_USUAL)
+    running = np.concatenate([np.zeros((1, 2)), np.cumsum(np.column_stack([misfit * counted, counted]), axis=0)])
+    number = np.arange(len(misfit))
+    total = (running[np.minimum(number + _REGION + 1, len(misfit))] - running[np.maximum(number - _REGION, 0)])
+    around = total[:, 0] / np.maximum(total[:, 1], 1.0)
+    regional = np.maximum(around / (settings.region * usual), 1.0)
+    return allowed / (1.0 + misfit / (settings.single**2 * usual)) / regional
+
+
+def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.ndarray, block: np.ndarray,
+                 single: np.ndarray, share: np.ndarray, noise: float) -> np.ndarray:
+    """For each block (b,): how far its own observations in plan lie from what all others say, as a reduced chi square.
+
+    `single` (n,) and `share` (b,) are the weights of pieces and blocks with which the values were found; NaN is given
+    for a block without observations.
+    """
+    plan, count = normals.in_plan(), len(share)
+    lean, information = np.zeros((count, len(plan))), np.zeros((count, len(plan), len(plan)))
+    np.add.at(lean, block, normals.gradient_at(value)[:, plan] * (single / noise)[:, None])
+    np.add.at(information, block, normals.information[:, plan][:, :, plan] * (single / noise)[:, None, None])
+    covariance = covariance[:, plan][:, :, plan]
+    ends = np.searchsorted(block, np.arange(count + 1))
+    middle = np.minimum((ends[:-1] + ends[1:]) // 2, len(block) - 1)
+    test = np.full(count, np.nan)
+    for b in np.flatnonzero(information.any(axis=(1, 2))):
+        own = information[b]
+        others = np.linalg.inv(covariance[middle[b]]) - share[b] * own
+        values, vectors = np.linalg.eigh(0.5 * (others + others.T))
+        spread = (vectors / np.maximum(values, 1e-9 * max(values.max(), 1e-9))) @ vectors.T
+        apart = lean[b] + share[b] * own @ (spread @ lean[b])
+        scatter = own + own @ spread @ own
+        sizes, axes = np.linalg.eigh(0.5 * (scatter + scatter.T))
+        there = sizes > 1e-8 * sizes.max()
+        test[b] = float(((axes[:, there].T @ apart) ** 2 / sizes[there]).sum()) / max(int(there.sum()), 1)
+    return test
+
+
+def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
+    """Weights (b,) of blocks by their reduced chi square, and the factor of the observations' variance."""
+    fair = test[np.isfinite(test)]
+    if len(fair) >= _MIN_BLOCKS:  # the median, so that gross blocks do not raise it
+        noise *= float(np.clip(np.median(fair) / 0.8, 0.1, 2.0))
+    test = np.nan_to_num(test, nan=0.0)
+    share = np.minimum(1.0, settings.gross**2 / 6.0 / np.maximum(test, 1e-9))
+    return np.where(test > settings.gross**2 / 2.0, 0.0, share), noise
