@@ -333,6 +333,34 @@ def road_markings(layer) -> None:
         "[% round(\"width\", 2) %] m<br>[% round(\"contrast\") %] grey values above the road")
 
 
+def line_symbol(colour: str, width_mm: float, pen: str = "solid"):
+    """A plain line symbol."""
+    return QgsLineSymbol.createSimple({"line_color": colour, "line_width": str(width_mm), "line_style": pen,
+                                       "capstyle": "flat"})
+
+
+def by_class(layer, symbols: dict) -> None:
+    """One symbol for each value of the field class."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("class", [
+        QgsRendererCategory(kind, symbol, kind) for kind, symbol in symbols.items()]))
+
+
+def marking_lines(layer) -> None:
+    """Lines by kind, dashed ones dashed."""
+    by_class(layer, {"solid": line_symbol("#2b4c7e", 0.7), "dashed": line_symbol("#2b4c7e", 0.7, "dash"),
+                     "stop line": line_symbol("#d7263d", 1.2), "guiding strip": line_symbol("#c9a227", 0.7, "dot")})
+    layer.setMapTipTemplate(
+        "[% \"class\" %] [% \"colour\" %], [% round(\"length\", 1) %] m, width [% round(\"width\", 2) %] m<br>"
+        "sigma [% round(\"sigma\", 3) %] m, bridged [% round(\"bridged\", 1) %] m")
+
+
+def marking_areas(layer) -> None:
+    """Crosswalks and symbols in colours, unknown paint in grey."""
+    arrows = ("straight", "left", "right", "straight left", "straight right")
+    by_class(layer, {"crosswalk": fill("#2f7f9e"), "diamond": fill("#8a6bb0"), "unknown": fill("#b5b5b5"),
+                     **{f"arrow {kind}": fill("#3f8f63") for kind in arrows}})
+
+
 def marking_mask(layer) -> None:
     """Markings in one strong colour, the rest transparent, to be laid over the orthophoto."""
     entry = QgsPalettedRasterRenderer.Class
@@ -522,6 +550,8 @@ FIELDS = {
     tie_point_proposals: ("LineString", "set:string time:double length:double support:integer fit:double"),
     rectification_sets: ("PointZ", "set:string status:string before:double after:double east:double north:double"),
     rectification_epochs: ("PointZ", "time:double status:string east:double north:double sigma:double"),
+    marking_lines: ("LineStringZ", "class:string colour:string length:double width:double sigma:double bridged:double"),
+    marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

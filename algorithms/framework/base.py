@@ -40,6 +40,7 @@ GROUPS = {
     "lines": "Line scanners and line cameras",
     "buildings": "Buildings",
     "gnss": "GNSS",
+    "roadmap": "Road map",
     "workflows": "Workflows",
 }
 

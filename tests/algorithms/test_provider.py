@@ -19,7 +19,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals",
-            "satellitevisibility", "gnssreflections", "adjustwalls")
+            "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

@@ -1,0 +1,1 @@
+"""Road map: lines and lanes from the paint of roads and the drives on them."""

@@ -1,0 +1,131 @@
+"""urbanmap:markinglines."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from qgis.core import QgsProcessing
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import tr
+
+LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
+               ("length", "real"), ("bridged", "real"), ("period", "real"), ("dash", "real"), ("dashes", "text"),
+               ("chain", "int"), ("partner", "int"))
+
+
+class MarkingLines(UrbanMapAlgorithm):
+    ID = "markinglines"
+    NAME = "Lines from road markings"
+    SOURCE = "Javanmardi 2018, 6.2"
+    KEYWORDS = ("road", "marking", "lane", "line", "dashed", "crosswalk", "stop line", "arrow", "lane map", "HD map")
+    REQUIRES = ("numpy", "scipy", "shapely", "rasterio")
+    HELP = (
+        "Turns polygons of road markings into line work: centre lines with kind, width, colour and sigma, stop lines, "
+        "crosswalks, and symbols such as arrows and diamonds.\n"
+        "Pieces of paint that continue each other become one line, also across the gaps of dashes, of wear and of "
+        "vehicles; how much was bridged is a field. A line is dashed where a periodic pattern explains its paint "
+        "better than a solid line; begins and ends of the dashes are a field. Centre lines are fitted to "
+        "cross-sections of the paint and smoothed over 3 m.\n"
+        "Arrows are told by their shape, and only where one shape is clearly better than the others. Paint that is "
+        "neither line nor known shape keeps its polygon, with the class unknown."
+    )
+
+    def declare(self):
+        self.add_polygons("MARKINGS", "Road markings", "Polygons of the markings, such as those of “Road markings from "
+                          "orthophoto”, in a projected CRS in metres. A field colour (white, yellow) is used where "
+                          "there is one.")
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the CRS of the markings: "
+                        "gives lines and areas their heights.", optional=True)
+        self.add_distance("SIGMA", "Standard deviation of the markings", "How well the places of the markings are "
+                          "known as a whole, in metres; it enters the lines' sigma.", 0.02, 0.0, 10.0)
+        self.add_distance("MIN_LENGTH", "Minimum line length", "Shorter lines are left out.", 6.0, 1.0, 1000.0,
+                          advanced=True)
+        self.add_distance("MAX_WIDTH", "Maximum line width", "Wider strokes are no part of a line.", 0.5, 0.1, 5.0,
+                          advanced=True)
+        self.add_layer_output("OUTPUT", "Marking lines", "Lines, with heights where a ground is given: class (solid, "
+                              "dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint "
+                              "that should be there), period and dash (m), dashes (begins and ends along the line, "
+                              "m), chain (sections of one line), partner (chain that makes it a double line).",
+                              source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk, arrow straight, ..., "
+                              "diamond, unknown), colour, heading (degrees from grid north in which it is read), "
+                              "score (agreement with the shape, 0 to 1).",
+                              source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+        self.add_number_output("LINES", "Lines", "Number of lines.")
+        self.add_number_output("LENGTH", "Length", "Length of all lines.", "m")
+        self.add_number_output("CROSSWALKS", "Crosswalks", "Number of crosswalks.")
+        self.add_number_output("UNKNOWN_SHARE", "Unknown paint", "Share of the area of the markings that is neither "
+                               "line nor known shape, 0 to 1.")
+
+    def compute(self, parameters, context, feedback):
+        import shapely
+
+        from ...urbanmap_qgis.roadmap.line_work import LineSettings, line_work, with_ground_heights
+
+        progress = self.progress(feedback)
+        table = self.read_polygons(parameters, "MARKINGS", context, progress.part(0.0, 0.05))
+        rows = [row for row, shape in enumerate(table.geometries) if shape is not None]
+        colours = table.columns.get("colour") or table.columns.get("color") or [""] * len(table)
+        parts, owner = shapely.get_parts(shapely.force_2d(table.geometries[rows]), return_index=True)
+        settings = LineSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
+                                min_length=self.parameterAsDouble(parameters, "MIN_LENGTH", context),
+                                source_sigma=self.parameterAsDouble(parameters, "SIGMA", context))
+        work = line_work(list(parts), [colours[rows[k]] or "" for k in owner], settings, progress.part(0.05, 0.8))
+        ground = self.raster_path(parameters, "GROUND", context)
+        if ground is not None:
+            from ...urbanmap_qgis.io.raster import RasterSampler
+
+            with RasterSampler(ground) as heights:
+                self.same_crs("GROUND", heights.crs_wkt, "MARKINGS", table.crs)
+                work = with_ground_heights(work, heights.sample)
+        self._tell(work, progress)
+        lines = self._write_lines(parameters, context, work, table.crs, ground is not None, progress.part(0.8, 0.9))
+        areas = self._write_areas(parameters, context, work, table.crs, ground is not None, progress.part(0.9, 1.0))
+        unknown = sum(area.polygon.area for area in work.areas if area.kind == "unknown")
+        return {"OUTPUT": lines, "OUTPUT_AREAS": areas, "LINES": len(work.lines),
+                "LENGTH": float(sum(line.plan.length for line in work.lines)),
+                "CROSSWALKS": sum(area.kind == "crosswalk" for area in work.areas),
+                "UNKNOWN_SHARE": float(unknown / max(sum(part.area for part in parts), 1e-9))}
+
+    def _write_lines(self, parameters, context, work, crs, has_heights, progress):
+        import numpy as np
+        import shapely
+
+        lines = work.lines
+        columns = {
+            "line_id": np.array(range(len(lines)), np.int64), "class": [line.kind for line in lines],
+            "colour": [line.colour or None for line in lines], "width": [line.width for line in lines],
+            "sigma": [line.sigma for line in lines], "length": [line.plan.length for line in lines],
+            "bridged": [line.bridged for line in lines], "period": np.array([line.period for line in lines]),
+            "dash": np.array([line.dash for line in lines]),
+            "dashes": [";".join(f"{start:.2f}-{end:.2f}" for start, end in line.dashes) for line in lines],
+            "chain": [line.chain for line in lines],
+            "partner": [None if line.partner < 0 else line.partner for line in lines]}
+        return self.write_layer(parameters, "OUTPUT", context, make_fields(*LINE_FIELDS), columns, crs,
+                                [shapely.linestrings(line.points) if has_heights else line.plan for line in lines],
+                                "LineStringZ" if has_heights else "LineString", style="marking_lines",
+                                progress=progress)
+
+    def _write_areas(self, parameters, context, work, crs, has_heights, progress):
+        from ...urbanmap_qgis.roadmap.line_work import grid_heading
+
+        areas = work.areas
+        columns = {"area_id": list(range(len(areas))), "class": [area.kind for area in areas],
+                   "colour": [area.colour or None for area in areas],
+                   "heading": [grid_heading(area.heading) for area in areas], "score": [area.score for area in areas],
+                   "area": [area.polygon.area for area in areas]}
+        fields = make_fields(("area_id", "int"), ("class", "text"), ("colour", "text"), ("heading", "real"),
+                             ("score", "real"), ("area", "real"))
+        return self.write_layer(parameters, "OUTPUT_AREAS", context, fields, columns, crs,
+                                [area.multipolygon for area in areas],
+                                "MultiPolygonZ" if has_heights else "MultiPolygon", style="marking_areas",
+                                progress=progress)
+
+    def _tell(self, work, progress):
+        kinds = Counter(line.kind for line in work.lines)
+        progress.message(", ".join(f"{kind}: {count}" for kind, count in sorted(kinds.items())) or tr("No lines."))
+        if not work.lines:
+            progress.warn(tr("No line was found in the {0} polygons: check that they are road markings in metres, and "
+                             "lower the minimum line length for short ones.").format(work.polygons))

@@ -1,0 +1,161 @@
+"""Lines, crosswalks and symbols from marking polygons that are drawn here, whole, worn and curved."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+from shapely import affinity
+
+from urbanmap_qgis.roadmap.crosswalks import find_crosswalks
+from urbanmap_qgis.roadmap.dash_pattern import line_sections
+from urbanmap_qgis.roadmap.line_work import line_work, with_ground_heights
+from urbanmap_qgis.roadmap.strokes import all_strokes, polygon_strokes
+
+
+def dashes(length, dash, gap, y=0.0, start=0.0):
+    return [shapely.box(x, y - 0.075, x + dash, y + 0.075) for x in np.arange(start, length - dash, dash + gap)]
+
+
+def placed(shapes, angle=23.0, offset=(-7000.0, -34000.0)):
+    """Shapes turned and moved to where maps have their coordinates."""
+    return [affinity.translate(affinity.rotate(shape, angle, origin=(0, 0)), *offset) for shape in shapes]
+
+
+def back(points, angle=23.0, offset=(-7000.0, -34000.0)):
+    moved = affinity.rotate(affinity.translate(shapely.LineString(points[:, :2]), -offset[0], -offset[1]), -angle,
+                            origin=(0, 0))
+    return shapely.get_coordinates(moved)
+
+
+def work_of(shapes, colours=None):
+    return line_work(placed(shapes), colours or ["white"] * len(shapes))
+
+
+def test_straight_rectangle_is_one_stroke_with_its_axis_and_width():
+    (stroke,) = polygon_strokes(placed([shapely.box(0, -0.075, 9, 0.075)])[0])
+    ends = back(stroke.axis)
+    assert np.allclose(np.sort(ends[:, 0]), [0.0, 9.0], atol=1e-6)
+    assert np.allclose(ends[:, 1], 0.0, atol=1e-6)
+    assert stroke.width == pytest.approx(0.15, abs=1e-6)
+
+
+def test_stop_line_that_touches_an_edge_line_is_a_stroke_of_its_own():
+    joined = shapely.union_all([shapely.box(0, -0.075, 12, 0.075), shapely.box(11.55, 0, 12, 3.2)])
+    strokes = polygon_strokes(placed([joined])[0])
+    lengths = sorted(stroke.length for stroke in strokes if stroke.length > 1.0)
+    assert len(lengths) == 2
+    assert lengths[1] == pytest.approx(11.8, abs=0.3) and lengths[0] == pytest.approx(3.0, abs=0.3)
+
+
+def test_dashes_are_one_line_with_period_and_ends():
+    (line,) = work_of(dashes(60.0, 3.0, 4.5)).lines
+    assert line.kind == "dashed"
+    assert line.period == pytest.approx(7.5, abs=0.05) and line.dash == pytest.approx(3.0, abs=0.15)
+    assert len(line.dashes) == 8
+    assert np.allclose(np.diff(line.dashes, axis=1), 3.0, atol=0.12)
+    assert np.abs(back(line.points)[:, 1]).max() < 0.005
+    assert line.bridged < 0.5
+
+
+def test_missing_dash_is_bridged_and_told():
+    (line,) = work_of([dash for k, dash in enumerate(dashes(75.0, 3.0, 4.5)) if k != 4]).lines
+    assert line.kind == "dashed" and line.plan.length == pytest.approx(70.5, abs=0.3)
+    assert line.bridged == pytest.approx(3.0, abs=0.6)
+
+
+def test_worn_solid_line_stays_solid_and_its_gaps_are_told():
+    rng = np.random.default_rng(4)
+    starts = np.cumsum(rng.uniform(2.0, 6.0, 14))
+    pieces = [shapely.box(a, -0.075, b - gap, 0.075)
+              for a, b, gap in zip(starts[:-1], starts[1:], rng.uniform(0.3, 1.6, 13))]
+    (line,) = work_of(pieces).lines
+    assert line.kind == "solid"
+    painted = sum(shapely.length(piece) / 2 - 0.15 for piece in pieces)
+    assert line.bridged == pytest.approx(line.plan.length - painted, abs=1.5)
+
+
+def test_solid_stretch_before_the_stop_line_is_a_section_that_meets_the_dashes():
+    shapes = [*dashes(50.0, 3.0, 4.5), shapely.box(52.5, -0.075, 61.5, 0.075)]
+    lines = sorted(work_of(shapes).lines, key=lambda line: back(line.points)[:, 0].min())
+    assert [line.kind for line in lines] == ["dashed", "solid"]
+    assert lines[0].chain == lines[1].chain
+    ends = np.array([line.points[[0, -1], :2] for line in lines])
+    assert np.linalg.norm(ends[0][:, None] - ends[1][None], axis=2).min() < 0.01
+
+
+def test_curved_line_stays_within_two_centimetres_of_its_arc():
+    radius = 40.0
+    arc = shapely.LineString([(radius * np.sin(t), radius * (1 - np.cos(t))) for t in np.linspace(0, 1.2, 200)])
+    (line,) = work_of([arc.buffer(0.075, cap_style="flat")]).lines
+    points = back(shapely.get_coordinates(line.plan.segmentize(0.2)))
+    off = np.abs(np.hypot(points[:, 0], points[:, 1] - radius) - radius)
+    assert off.max() < 0.02
+
+
+def test_lines_beside_each_other_are_partners_of_a_double_line():
+    shapes = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 0.35)]
+    pair = [line for line in work_of([*shapes, shapely.box(0, 3.425, 40, 3.575)]).lines if line.partner >= 0]
+    assert len(pair) == 2 and {pair[0].partner, pair[1].partner} == {pair[0].chain, pair[1].chain}
+
+
+def test_zebra_is_a_crosswalk_with_its_bounds_and_lines_do_not_run_through():
+    bars = [shapely.box(20.0, y, 24.0, y + 0.45) for y in np.arange(-4.0, 4.0, 0.9)]
+    lines = [shapely.box(a, -0.075, b, 0.075) for a, b in ((0.0, 18.0), (26.0, 44.0))]
+    work = work_of([*bars, *lines])
+    (zebra,) = [area for area in work.areas if area.kind == "crosswalk"]
+    truth = placed([shapely.box(20.0, -4.0, 24.0, 3.65)])[0]
+    assert zebra.polygon.intersection(truth).area / zebra.polygon.union(truth).area > 0.95
+    assert len(work.lines) == 2
+
+
+def test_three_bars_or_bars_at_random_distances_are_no_crosswalk():
+    places = np.cumsum([0.0, 0.7, 1.7, 1.0, 1.4, 0.75, 1.65, 0.9, 1.3])
+    few = [shapely.box(0, y, 4.0, y + 0.45) for y in (0.0, 0.9, 1.8)]
+    assert not find_crosswalks(all_strokes(few))
+    assert len(find_crosswalks(all_strokes([shapely.box(0, y, 4.0, y + 0.3) for y in places]))) == 0
+
+
+def test_bar_across_the_end_of_lines_is_a_stop_line_one_across_their_course_is_not():
+    lines = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 3.25)]
+    work = work_of([*lines, shapely.box(40.3, 0.1, 40.75, 3.1), shapely.box(20.0, -1.0, 20.5, 6.0)])
+    (stop,) = [line for line in work.lines if line.kind == "stop line"]
+    assert back(stop.points)[:, 0] == pytest.approx(40.525, abs=0.03)
+    assert stop.width == pytest.approx(0.45, abs=0.03)
+
+
+def arrow(kind):
+    """Arrows as drawn in a Japanese street, tail at 0, 0, read along x."""
+    if kind == "straight":
+        ring = [(-0.075, 0), (0.075, 0), (0.075, 3.2), (0.35, 3.2), (0, 5), (-0.35, 3.2), (-0.075, 3.2)]
+    else:
+        ring = [(0.375, 0), (0.525, 0), (0.525, 3.6), (-0.1, 3.6), (-0.1, 4.1), (-0.75, 3.4), (-0.1, 2.7), (-0.1, 3.2),
+                (0.375, 3.2)]
+    shape = shapely.Polygon(ring)
+    return affinity.rotate(affinity.scale(shape, -1, 1, origin=(0, 0)) if kind == "right" else shape, -90,
+                           origin=(0, 0))
+
+
+@pytest.mark.parametrize("kind", ["straight", "left", "right"])
+def test_arrow_is_known_by_kind_and_heading(kind):
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    work = work_of([*lines, arrow(kind)])
+    (area,) = work.areas
+    assert area.kind == f"arrow {kind}"
+    assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+
+
+def test_flakes_and_blobs_stay_unknown():
+    work = work_of([shapely.Point(3, 3).buffer(0.4), shapely.box(8, 8, 10.5, 10.5)])
+    assert not work.lines
+    assert [area.kind for area in work.areas] == ["unknown", "unknown"]
+
+
+def test_heights_come_from_the_function_given():
+    work = with_ground_heights(work_of(dashes(40.0, 3.0, 4.5)), lambda x, y: 10.0 + 0.01 * (x + 7000.0))
+    points = work.lines[0].points
+    assert np.allclose(points[:, 2], 10.0 + 0.01 * (points[:, 0] + 7000.0))
+
+
+def test_nothing_covered_has_no_sections():
+    assert line_sections(np.zeros(100, bool), 0.1) == []

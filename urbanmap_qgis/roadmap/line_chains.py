@@ -1,0 +1,160 @@
+"""Strokes of paint that continue each other are one line: links across dashes' gaps, wear and vehicles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from .strokes import Stroke
+
+GAPS = (0.6, 2.0, 5.0, 7.5, 13.0)
+"""Longest gaps bridged, m, round by round: near pieces first, so that far ones are joined by good directions."""
+
+SHORTEST_FOR_GAP = ((0.6, 0.25), (2.0, 0.6), (5.0, 1.0), (7.5, 1.5), (13.0, 2.5))
+"""A gap of at most so many metres may be bridged between lines at least so long, m."""
+
+OFFSET = 0.12
+"""Lateral distance allowed between a line's prolongation and the next piece, m, beside what its direction leaves."""
+
+BEND = np.radians(2.5)
+"""Change of direction allowed beyond what the directions' accuracy leaves, per end."""
+
+DIRECTION_LENGTH = 8.0
+"""The direction of a line at its end is that of its last so many metres."""
+
+WIDTH_RATIO = 1.8
+"""Lines continue each other where their widths differ by no more than this factor."""
+
+
+@dataclass
+class Chain:
+    """Strokes in a row.
+
+    Attributes
+    ----------
+    axis : (n, 2) from the first stroke's tip to the last one's.
+    strokes : numbers of the strokes in this order.
+    painted : length of the strokes, m.
+    width : their mean width by length, m.
+    """
+
+    axis: np.ndarray
+    strokes: list[int]
+    painted: float
+    width: float
+
+    @property
+    def length(self) -> float:
+        """Along the axis with the gaps, m."""
+        return float(np.linalg.norm(np.diff(self.axis, axis=0), axis=1).sum())
+
+
+def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Sequence[shapely.Geometry] = (),
+                 colours: Sequence[str] | None = None) -> list[Chain]:
+    """Chains of the strokes with these numbers.
+
+    Parameters
+    ----------
+    barriers : areas that no gap may cross, such as crosswalks.
+    colours : by stroke; strokes of two known colours are not linked.
+    """
+    chains = [Chain(strokes[n].axis, [n], strokes[n].length, strokes[n].width) for n in numbers]
+    tree = shapely.STRtree(list(barriers)) if len(barriers) else None
+    for longest, shortest in SHORTEST_FOR_GAP:
+        while True:
+            links = _best_links(chains, longest, shortest, tree, colours)
+            if not links:
+                break
+            chains = _joined(chains, links)
+    return chains
+
+
+def _ends(chains: Sequence[Chain]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Place (2n, 2), outward direction (2n, 2) and uncertainty of the direction (2n,), tips of chain k at 2k, 2k+1."""
+    place, outward, doubt = [], [], []
+    for chain in chains:
+        for axis in (chain.axis[::-1], chain.axis):
+            steps = np.linalg.norm(np.diff(axis, axis=0), axis=1)
+            behind = np.concatenate([np.cumsum(steps[::-1])[::-1], [0.0]])
+            start = max(0, int(np.searchsorted(-behind, -DIRECTION_LENGTH, side="right")) - 1)
+            chord = axis[-1] - axis[start]
+            length = max(np.linalg.norm(chord), 1e-6)
+            place.append(axis[-1])
+            outward.append(chord / length)
+            doubt.append(np.arctan(0.06 / length))
+    return np.array(place), np.array(outward), np.array(doubt)
+
+
+def _best_links(chains: list[Chain], longest: float, shortest: float, barriers, colours) -> list[tuple[int, int]]:
+    """Pairs of tips to join, the best first, each tip once."""
+    able = [k for k, chain in enumerate(chains) if chain.length >= shortest]
+    if len(able) < 2:
+        return []
+    place, outward, doubt = _ends([chains[k] for k in able])
+    tips = np.array([(2 * k, 2 * k + 1) for k in able]).ravel()
+    pairs = cKDTree(place).query_pairs(longest, output_type="ndarray")
+    pairs = pairs[tips[pairs[:, 0]] // 2 != tips[pairs[:, 1]] // 2]
+    if not len(pairs):
+        return []
+    cost = _link_cost(place, outward, doubt, pairs)
+    width = np.array([chains[k].width for k in able])[pairs // 2]
+    fits = np.isfinite(cost) & (width.max(axis=1) <= WIDTH_RATIO * width.min(axis=1))
+    pairs, cost = pairs[fits], cost[fits]
+    order = np.argsort(cost, kind="stable")
+    used: set[int] = set()
+    links = []
+    for a, b in pairs[order]:
+        one, other = int(tips[a]), int(tips[b])
+        if one in used or other in used or not _same_colour(chains[one // 2], chains[other // 2], colours):
+            continue
+        if barriers is not None and len(barriers.query(shapely.LineString([place[a], place[b]]), "intersects")):
+            continue
+        used |= {one, one ^ 1, other, other ^ 1}  # a chain takes part in one link a round
+        links.append((one, other))
+    return links
+
+
+def _link_cost(place: np.ndarray, outward: np.ndarray, doubt: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+    """Cost (n,) of joining each pair of tips, m; infinite where the one does not continue the other."""
+    a, b = pairs.T
+    gap = place[b] - place[a]
+    distance = np.linalg.norm(gap, axis=1)
+    cost = distance.copy()
+    for tip, towards in ((a, gap), (b, -gap)):
+        along = (towards * outward[tip]).sum(axis=1)
+        across = np.abs(towards[:, 0] * outward[tip, 1] - towards[:, 1] * outward[tip, 0])
+        allowed = OFFSET + distance * np.tan(doubt[tip] + BEND)
+        cost += 2.0 * across
+        cost[(along < -0.3) | (across > allowed)] = np.inf
+    turn = np.arccos(np.clip(-(outward[a] * outward[b]).sum(axis=1), -1.0, 1.0))
+    cost[turn > doubt[a] + doubt[b] + 2.0 * BEND] = np.inf
+    return cost
+
+
+def _same_colour(one: Chain, other: Chain, colours) -> bool:
+    """Whether the colours of two chains, those of their longest strokes, do not contradict each other."""
+    if colours is None:
+        return True
+    first, second = colours[one.strokes[0]], colours[other.strokes[0]]
+    return not first or not second or first == second
+
+
+def _joined(chains: list[Chain], links: list[tuple[int, int]]) -> list[Chain]:
+    """The chains after joining the tips."""
+    gone: set[int] = set()
+    made = []
+    for one, other in links:
+        first, second = chains[one // 2], chains[other // 2]
+        axis = first.axis if one % 2 else first.axis[::-1]
+        numbers = first.strokes if one % 2 else first.strokes[::-1]
+        after = second.axis[::-1] if other % 2 else second.axis
+        after_numbers = second.strokes[::-1] if other % 2 else second.strokes
+        painted = first.painted + second.painted
+        width = (first.painted * first.width + second.painted * second.width) / max(painted, 1e-9)
+        made.append(Chain(np.vstack([axis, after]), [*numbers, *after_numbers], painted, width))
+        gone |= {one // 2, other // 2}
+    return [chain for k, chain in enumerate(chains) if k not in gone] + made

@@ -1,0 +1,181 @@
+"""Strokes of paint: the centre lines and widths of which a marking's polygon is made."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from scipy.spatial import QhullError, Voronoi
+
+BOUNDARY_STEP = 0.06
+"""Distance of the boundary points whose Voronoi edges make the medial axis, m: half a pixel of the images used."""
+
+STRAIGHT_FILL, STRAIGHT_ASPECT = 0.72, 3.0
+"""A polygon that fills so much of its smallest rectangle, so much longer than wide, is one straight stroke."""
+
+CORNER = np.radians(30.0)
+"""A stroke that turns by more is two."""
+
+LARGEST = 60.0
+"""Paint larger than this is no line, m2."""
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """A piece of a marking between two tips, corners or forks.
+
+    Attributes
+    ----------
+    polygon : number of the polygon that it is part of.
+    axis : (n, 2) centre line from tip to tip, m.
+    width : of the paint across it, m (median).
+    whole : the polygon is this stroke alone.
+    """
+
+    polygon: int
+    axis: np.ndarray
+    width: float
+    whole: bool = True
+
+    @property
+    def length(self) -> float:
+        """Along the axis, m."""
+        return float(np.linalg.norm(np.diff(self.axis, axis=0), axis=1).sum())
+
+    @property
+    def direction(self) -> np.ndarray:
+        """Unit vector (2,) from the first tip to the last."""
+        chord = self.axis[-1] - self.axis[0]
+        return chord / max(np.linalg.norm(chord), 1e-12)
+
+
+def polygon_strokes(polygon: shapely.Polygon, number: int = 0) -> list[Stroke]:
+    """Strokes of one polygon, longest first.
+
+    A nearly rectangular polygon gives the axis of its smallest rectangle. Others are taken apart by their medial axis
+    (the Voronoi edges of boundary points that lie inside), cut where it forks and where it turns by more than 30°.
+    """
+    straight = _straight_stroke(polygon, number)
+    if straight is not None:
+        return [straight]
+    if polygon.area > LARGEST:
+        return []
+    paths = [piece for path in _axis_paths(polygon) for piece in _cut_at_corners(path)]
+    boundary = polygon.boundary
+    found = []
+    for path in paths:
+        middle = shapely.line_interpolate_point(shapely.LineString(path), np.linspace(0.2, 0.8, 7), normalized=True)
+        width = 2.0 * float(np.median(shapely.distance(middle, boundary)))
+        axis = _to_boundary(path, polygon, width)
+        found.append(Stroke(number, axis, width, len(paths) == 1))
+    return sorted(found, key=lambda stroke: -stroke.length)
+
+
+def all_strokes(polygons: Sequence[shapely.Polygon]) -> list[Stroke]:
+    """Strokes of many polygons; `Stroke.polygon` is the place in the sequence."""
+    return [stroke for number, polygon in enumerate(polygons) for stroke in polygon_strokes(polygon, number)]
+
+
+def _straight_stroke(polygon: shapely.Polygon, number: int) -> Stroke | None:
+    """The polygon as one straight stroke, where it is one."""
+    frame = shapely.minimum_rotated_rectangle(polygon)
+    if frame.geom_type != "Polygon":
+        return None
+    corners = shapely.get_coordinates(frame.exterior)[:4]
+    sides = np.linalg.norm(np.roll(corners, -1, axis=0) - corners, axis=1)
+    if sides[0] < sides[1]:
+        corners, sides = np.roll(corners, -1, axis=0), np.roll(sides, -1)
+    if sides[0] < STRAIGHT_ASPECT * sides[1] or polygon.area < STRAIGHT_FILL * sides[0] * sides[1]:
+        return None
+    axis = np.array([corners[0] + corners[3], corners[1] + corners[2]]) / 2.0
+    return Stroke(number, axis, polygon.area / sides[0])
+
+
+def _axis_paths(polygon: shapely.Polygon) -> list[np.ndarray]:
+    """Paths (n, 2) of the medial axis between its tips and forks; short spurs to the boundary are left out."""
+    dense = shapely.segmentize(polygon.simplify(0.02), BOUNDARY_STEP)
+    points = np.unique(np.round(shapely.get_coordinates(dense), 6), axis=0)
+    origin = points.mean(axis=0)
+    try:
+        voronoi = Voronoi(points - origin)
+    except QhullError:
+        return []
+    nodes = voronoi.vertices + origin
+    ridges = np.array([ridge for ridge in voronoi.ridge_vertices if ridge[0] >= 0], np.int64).reshape(-1, 2)
+    within = shapely.contains_xy(polygon, nodes[:, 0], nodes[:, 1])
+    ridges = ridges[within[ridges].all(axis=1)]
+    reach = shapely.distance(shapely.points(nodes[within]), polygon.boundary)
+    radius = np.zeros(len(nodes))
+    radius[within] = reach
+    return [nodes[path] for path in _pruned_paths(ridges, nodes, radius)]
+
+
+def _pruned_paths(edges: np.ndarray, nodes: np.ndarray, radius: np.ndarray) -> list[list[int]]:
+    """Paths of node numbers in a graph, after spurs hardly longer than the paint's half width were taken off."""
+    near: dict[int, set[int]] = {}
+    for a, b in edges.tolist():
+        near.setdefault(a, set()).add(b)
+        near.setdefault(b, set()).add(a)
+    while True:
+        paths = _paths(near)
+        spurs = [path for path in paths if (len(near[path[0]]) == 1) != (len(near[path[-1]]) == 1)
+                 and _length(nodes[path]) < 1.6 * max(radius[path[0]], radius[path[-1]]) + 0.1]
+        if not spurs:
+            return [path for path in paths if _length(nodes[path]) > 0.1]
+        spur = min(spurs, key=lambda path: _length(nodes[path]))
+        path = spur if len(near[spur[0]]) == 1 else spur[::-1]
+        for a, b in zip(path[:-1], path[1:]):
+            near[a].discard(b)
+            near[b].discard(a)
+        near = {node: others for node, others in near.items() if others}
+
+
+def _paths(near: dict[int, set[int]]) -> list[list[int]]:
+    """Chains of nodes between those that have not exactly two neighbours; a ring is one path."""
+    seen: set[tuple[int, int]] = set()
+    paths = []
+    ends = [node for node, others in near.items() if len(others) != 2]
+    for start in ends or list(near)[:1]:
+        for step in near[start]:
+            if (start, step) in seen:
+                continue
+            path = [start, step]
+            while len(near[path[-1]]) == 2 and path[-1] != start:
+                path.append(next(node for node in near[path[-1]] if node != path[-2]))
+            seen |= {(path[0], path[1]), (path[-1], path[-2])}
+            paths.append(path)
+    return paths
+
+
+def _length(path: np.ndarray) -> float:
+    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+
+
+def _cut_at_corners(path: np.ndarray) -> list[np.ndarray]:
+    """The path smoothed to a few centimetres and cut where it turns by more than `CORNER`."""
+    coarse = shapely.get_coordinates(shapely.LineString(path).simplify(0.12))
+    steps = np.diff(coarse, axis=0)
+    turn = np.abs(np.diff(np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))))
+    corners = coarse[1:-1][turn > CORNER]
+    fine = shapely.get_coordinates(shapely.LineString(path).simplify(0.04))
+    if not len(corners):
+        return [fine]
+    cuts = [int(np.argmin(np.linalg.norm(path - corner, axis=1))) for corner in corners]
+    borders = sorted({0, *cuts, len(path) - 1})
+    pieces = [path[a:b + 1] for a, b in zip(borders[:-1], borders[1:])]
+    return [shapely.get_coordinates(shapely.LineString(piece).simplify(0.04)) for piece in pieces
+            if _length(piece) > 0.2]
+
+
+def _to_boundary(axis: np.ndarray, polygon: shapely.Polygon, width: float) -> np.ndarray:
+    """The axis prolonged at both tips to where the paint ends; the medial axis stops half a width before."""
+    ends = []
+    for tip, before in ((axis[0], axis[1]), (axis[-1], axis[-2])):
+        along = (tip - before) / max(np.linalg.norm(tip - before), 1e-12)
+        inside = shapely.LineString([tip, tip + along * width]).intersection(polygon)
+        parts = [part for part in shapely.get_parts(inside) if part.distance(shapely.Point(tip)) < 1e-6]
+        reach = max((part.length for part in parts if part.geom_type == "LineString"), default=0.0)
+        ends.append(tip + along * min(reach, 0.75 * width))
+    return np.vstack([ends[0], axis, ends[1]])
