@@ -64,6 +64,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     SOURCE : where the method is described, such as "Javanmardi 2018, 5.3.2".
     KEYWORDS : words under which the toolbox finds it too.
     REQUIRES : import names of the packages it needs.
+    KEPT_FOLDERS : folder outputs that are written in their place step by step, so that a later run can go on in them.
     """
 
     ID = ""
@@ -72,6 +73,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     SOURCE = ""
     KEYWORDS: tuple[str, ...] = ()
     REQUIRES: tuple[str, ...] = ("numpy", "shapely")
+    KEPT_FOLDERS: tuple[str, ...] = ()
 
     # To be implemented by the algorithm
 
@@ -88,6 +90,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         (Not named `run`: Python callers of Processing call QGIS's own `run`.)
         """
         raise NotImplementedError
+
+    def known_names(self, parameters: Mapping) -> list[str]:
+        """Names of parameters that may be given; others are told as a warning."""
+        return [item.name() for item in self.parameterDefinitions()]
 
     # What QGIS asks
 
@@ -152,7 +158,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return True, ""
 
     def processAlgorithm(self, parameters, context, feedback):
-        for sentence in check_names(parameters, [item.name() for item in self.parameterDefinitions()]):
+        for sentence in check_names(parameters, self.known_names(parameters)):
             feedback.pushWarning(sentence)
         message = self._packages_missing()
         if message:

@@ -143,8 +143,11 @@ def _edge_distances(points: np.ndarray, cell: RoofCell) -> np.ndarray:
         corners = np.column_stack([x, y, cell.heights(x, y)])
         for start, end in zip(corners[:-1], corners[1:]):
             along = end - start
-            share = np.clip((points - start) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
-            nearest = np.minimum(nearest, np.linalg.norm(points - start - share[:, None] * along, axis=1))
+            from_start = points - start
+            # Summed by hand: a matrix product's last digit depends on where the arrays lie in memory.
+            run = from_start[:, 0] * along[0] + from_start[:, 1] * along[1] + from_start[:, 2] * along[2]
+            share = np.clip(run / max(along[0] ** 2 + along[1] ** 2 + along[2] ** 2, 1e-12), 0.0, 1.0)
+            nearest = np.minimum(nearest, np.linalg.norm(from_start - share[:, None] * along, axis=1))
     return nearest
 
 

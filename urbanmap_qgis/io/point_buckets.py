@@ -20,11 +20,13 @@ class PointBuckets:
     ----------
     dtype : structured type of the records.
     memory_limit : bytes kept in memory before everything held is written to temporary files.
+    folder : where these are put; None for the system's place for temporary files.
     """
 
-    def __init__(self, dtype: np.dtype, memory_limit: int = MEMORY_LIMIT):
+    def __init__(self, dtype: np.dtype, memory_limit: int = MEMORY_LIMIT, folder: Path | None = None):
         self.dtype = dtype
         self.memory_limit = memory_limit
+        self._parent = folder
         self._pieces: dict[int, list[np.ndarray]] = {}
         self._held = 0
         self._folder: tempfile.TemporaryDirectory | None = None
@@ -62,7 +64,7 @@ class PointBuckets:
     def _spill(self) -> None:
         """Append everything held in memory to one temporary file a bucket."""
         if self._folder is None:
-            self._folder = tempfile.TemporaryDirectory(prefix="urbanmap-")
+            self._folder = tempfile.TemporaryDirectory(prefix="urbanmap-", dir=self._parent)
         for key, pieces in self._pieces.items():
             with self._path(key).open("ab") as stream:
                 for piece in pieces:

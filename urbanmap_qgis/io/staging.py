@@ -83,7 +83,7 @@ class Staging:
         self._scratch[folder] = scratch
         lock = (scratch / _LOCK).open("w")
         self._locks.append(lock)
-        _take(lock)
+        take_lock(lock)
         (scratch / _FILES).mkdir()
         _SCRATCH[str(scratch / _FILES)] = str(folder)
 
@@ -162,13 +162,13 @@ def clear_leftovers(folder: str | os.PathLike) -> None:
     for scratch in Path(folder).glob(f"{PREFIX}????????"):
         try:
             with (scratch / _LOCK).open("r+") as lock:
-                _take(lock)
+                take_lock(lock)
         except OSError:  # no scratch folder of ours, or its run goes on
             continue
         shutil.rmtree(scratch, ignore_errors=True)
 
 
-def _take(lock) -> None:
+def take_lock(lock) -> None:
     """Lock an open file for as long as it is open; OSError where another process has it."""
     if os.name == "nt":
         import msvcrt

@@ -1,0 +1,282 @@
+"""One tile of a run over many: its inputs cut out, the algorithm run, its own results kept."""
+
+from __future__ import annotations
+
+import shutil
+import sqlite3
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import closing, contextmanager
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from qgis.core import (
+    QgsApplication,
+    QgsCoordinateTransformContext,
+    QgsFeatureRequest,
+    QgsFeatureSink,
+    QgsFields,
+    QgsProcessingException,
+    QgsProcessingFeedback,
+    QgsRectangle,
+    QgsVectorFileWriter,
+    QgsVectorLayer,
+)
+
+from ...urbanmap_qgis.errors import Cancelled, OutputError, UrbanMapError
+from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish
+from ...urbanmap_qgis.tiling.tile_grid import Tile
+from .layers import make_fields, without_times
+from .outlines import BUILDING_ID, NUMBER
+from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
+from .parameters import tr
+
+if TYPE_CHECKING:
+    from ...urbanmap_qgis.tiling.point_pieces import PointFile
+
+INPUTS = "inputs"
+TILE_FIELD = "tile"
+POINTS_SUFFIX, LAYER_SUFFIX = ".laz", ".gpkg"
+
+
+class EmptyTile(Exception):
+    """There is nothing in a tile to work on; its text says what is missing."""
+
+
+@dataclass(frozen=True)
+class TileJob:
+    """All that one tile needs; it can be sent to another process.
+
+    Attributes
+    ----------
+    tile, run_folder, fingerprint : see `tiling.journal`.
+    algorithm : id without the provider's. settings : parameters that are the same for all tiles.
+    points, rasters, layers : inputs to cut, by parameter. A layer is a GeoPackage with one table.
+    owner : the parameter whose features in the core are the tile's own; empty where results go by their place.
+    outputs : file names of the results by parameter.
+    """
+
+    tile: Tile
+    run_folder: Path
+    fingerprint: str
+    algorithm: str
+    settings: Mapping[str, object]
+    points: Mapping[str, tuple[PointFile, ...]]
+    rasters: Mapping[str, Path]
+    layers: Mapping[str, Path]
+    owner: str
+    outputs: Mapping[str, str]
+
+
+class TileFeedback(QgsProcessingFeedback):
+    """Keeps a tile's messages to itself, and asks the whole run whether to stop."""
+
+    def __init__(self, cancelled: Callable[[], bool]):
+        super().__init__(False)
+        self._cancelled = cancelled
+
+    def isCanceled(self):
+        return self._cancelled()
+
+
+def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) -> TileRecord:
+    """Make a tile's results in its folder and write its record; what goes wrong in the tile is said in the record."""
+    start = time.perf_counter()
+    with new_tile_folder(job.run_folder, job.tile) as folder:
+        record = TileRecord(job.tile.name, DONE, fingerprint=job.fingerprint)
+        try:
+            figures = _make(job, folder, cancelled)
+            outputs = {name: (folder / name).stat().st_size for name in job.outputs.values()
+                       if (folder / name).is_file()}
+            record = replace(record, outputs=outputs, figures=figures)
+        except EmptyTile as nothing:
+            record = replace(record, status=EMPTY, reason=str(nothing))
+        except (UrbanMapError, QgsProcessingException, OSError, MemoryError) as error:
+            if cancelled():
+                raise Cancelled() from None
+            record = replace(record, status=FAILED, reason=str(error).strip() or type(error).__name__)
+        shutil.rmtree(folder / INPUTS, ignore_errors=True)
+        record = replace(record, seconds=round(time.perf_counter() - start, 2), memory=round(_peak_memory(), 1))
+        publish(job.run_folder, job.tile, record, folder)
+    return record
+
+
+def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str, float]:
+    """Cut the inputs, run the algorithm, keep the tile's own results; the numbers that it gave."""
+    import processing
+
+    from ...urbanmap_qgis.tiling.mosaic_tiles import write_tile_raster
+
+    inputs = folder / INPUTS
+    inputs.mkdir()
+    parameters = dict(job.settings)
+    own = _cut_layers(job, inputs, parameters)
+    _cut_points(job, inputs, parameters)
+    for name, path in job.rasters.items():
+        parameters[name] = str(inputs / f"{name}.tif")
+        if not write_tile_raster(path, job.tile.outer, parameters[name]):
+            raise EmptyTile(tr("{0} does not reach this tile.").format(path.name))
+    parameters.update({name: str(folder / file) for name, file in job.outputs.items()})
+    results = processing.run(f"urbanmap:{job.algorithm}", parameters, feedback=TileFeedback(cancelled),
+                             is_child_algorithm=True)
+    if cancelled():
+        raise Cancelled()
+    for file in job.outputs.values():
+        _keep_own(folder / file, job.tile, own)
+    return {name: value for name, value in results.items()
+            if isinstance(value, (int, float)) and not isinstance(value, bool)}
+
+
+def _cut_points(job: TileJob, inputs: Path, parameters: dict) -> None:
+    from ...urbanmap_qgis.tiling.point_pieces import write_tile_points
+
+    for name, files in job.points.items():
+        path = inputs / f"{name}{POINTS_SUFFIX}"
+        if not write_tile_points(files, job.tile, path):
+            raise EmptyTile(tr("There are no points in this tile."))
+        parameters[name] = [str(path)]
+
+
+def _cut_layers(job: TileJob, inputs: Path, parameters: dict) -> dict[str, int] | None:
+    """Cut the layers; by their own ids the numbers of the tile's own features, None where none own anything."""
+    own = None
+    for name, path in job.layers.items():
+        cut = inputs / f"{name}{LAYER_SUFFIX}"
+        found = cut_layer(path, job.tile, cut)
+        if name == job.owner:
+            own = found
+            if not found:
+                raise EmptyTile(tr("There are no outlines in this tile."))
+        if cut.is_file():
+            parameters[name] = str(cut)
+    return own
+
+
+def cut_layer(source: Path, tile: Tile, target: Path) -> dict[str, int]:
+    """Copy the features that meet a tile and its buffer; numbers of those that are the tile's own, by id.
+
+    No file is written where no feature meets the tile.
+    """
+    layer = QgsVectorLayer(str(source), source.stem, "ogr")
+    names = layer.fields().names()
+    near = list(layer.getFeatures(QgsFeatureRequest().setFilterRect(QgsRectangle(*tile.outer))))
+    if not near:
+        return {}
+    own = {}
+    if BUILDING_ID in names:
+        number = NUMBER if NUMBER in names else BUILDING_ID
+        own = {str(feature[BUILDING_ID]): int(feature[number]) for feature in near if _is_own(tile, feature)}
+    with layer_file(target, layer.fields(), layer.wkbType(), layer.crs()) as add:
+        add(near)
+    return own
+
+
+@contextmanager
+def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Callable[[list], None]]:
+    """A new GeoPackage with one table; gives the function that adds features to it."""
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName, options.layerName = "GPKG", name or path.stem
+    kept = QgsFields()
+    for item in fields:
+        if item.name().lower() != "fid":
+            kept.append(item)
+    writer = QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)
+    places = [fields.lookupField(item.name()) for item in kept]
+
+    def add(features: list) -> None:  # takes the features as its own
+        for feature in features:
+            feature.setAttributes([feature.attributes()[place] for place in places])
+        if not writer.addFeatures(features, QgsFeatureSink.Flag.FastInsert):
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, writer.errorMessage()))
+
+    try:
+        if writer.hasError() != QgsVectorFileWriter.WriterError.NoError:
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, writer.errorMessage()))
+        yield add
+    finally:
+        del writer, add
+
+
+def _is_own(tile: Tile, feature) -> bool:
+    """Whether the middle of a feature's box is in the core: the same for every tile, and cheap."""
+    if not feature.hasGeometry() or feature.geometry().isEmpty():
+        return False
+    middle = feature.geometry().boundingBox().center()
+    return bool(tile.owns(middle.x(), middle.y()))
+
+
+def _keep_own(path: Path, tile: Tile, own: Mapping[str, int] | None) -> None:
+    """Take out of a result what belongs to other tiles. Rasters are cut when they are put together."""
+    from ...urbanmap_qgis.tiling.point_pieces import keep_own_points
+
+    if not path.is_file():
+        return
+    if path.suffix == POINTS_SUFFIX:
+        keep_own_points(path, tile, None if own is None else list(own.values()))
+    elif path.suffix == LAYER_SUFFIX:
+        keep_own_features(path, tile, own)
+
+
+def keep_own_features(path: Path, tile: Tile, own: Mapping[str, int] | None) -> None:
+    """Delete the features that are another tile's and note in the rest which tile they are from.
+
+    A feature with a `building_id` goes by it where the tile has own buildings, any other by the middle of its box.
+    """
+    layer = QgsVectorLayer(str(path), path.stem, "ogr")
+    by_id = own is not None and layer.fields().lookupField(BUILDING_ID) >= 0
+    others, rest = [], []
+    for feature in layer.getFeatures():
+        if str(feature[BUILDING_ID]) in own if by_id else not feature.hasGeometry() or _is_own(tile, feature):
+            rest.append(feature.id())
+        else:
+            others.append(feature.id())
+    data = layer.dataProvider()
+    data.addAttributes([make_fields((TILE_FIELD, "text"))[0]])
+    data.deleteFeatures(others)
+    layer.updateFields()
+    place = layer.fields().lookupField(TILE_FIELD)
+    data.changeAttributeValues({number: {place: tile.name} for number in rest})
+    del data, layer
+    with closing(sqlite3.connect(path, isolation_level=None)) as database:
+        database.execute("VACUUM")  # what was deleted goes, and the same features give the same bytes
+    without_times(path)
+
+
+def _peak_memory() -> float:
+    """Greatest memory of this process so far, MB; 0 where the system does not tell."""
+    try:
+        import resource
+    except ImportError:
+        return 0.0
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak / (1024 * 1024 if sys.platform == "darwin" else 1024)
+
+
+def start_application(prefix: str, plugins: str, packages: str, package: str) -> None:
+    """Called in a worker process when it starts: a QGIS without a window, with Processing and this provider.
+
+    prefix : QGIS's prefix path. plugins : its folder of Python plugins. packages : see `start_worker`.
+    package : name under which this plugin is imported.
+    """
+    import importlib
+    import os
+
+    from ...urbanmap_qgis.execution import start_worker
+
+    start_worker(packages)
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    application = QgsApplication([], False)
+    application.setPrefixPath(prefix, True)
+    application.initQgis()
+    start_application.running = application  # QGIS ends with the object
+    if plugins not in sys.path:
+        sys.path.append(plugins)
+    from processing.core.Processing import Processing
+
+    Processing.initialize()
+    provider = importlib.import_module(f"{package}.algorithms.provider").UrbanMapProvider()
+    provider.register()
+    import_apart(PACKAGES_WITH_LIBRARIES)
+    start_application.provider = provider

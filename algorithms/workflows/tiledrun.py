@@ -1,0 +1,159 @@
+"""urbanmap:tiledrun."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsApplication, QgsProcessingParameterString
+
+from ...urbanmap_qgis.errors import InsufficientDataError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import HTML_FILTER, tr
+from ..framework.tiled_algorithms import CUTTABLE
+
+
+class TiledRun(UrbanMapAlgorithm):
+    ID = "tiledrun"
+    NAME = "Run over tiles"
+    SOURCE = "own"
+    KEYWORDS = ("tile", "batch", "grid", "large area", "resume", "overnight", "workflow", "scale")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
+    KEPT_FOLDERS = ("OUTPUT_FOLDER",)
+    HELP = (
+        "Runs another algorithm over an area of any size, tile by tile: each tile reads its own part of the inputs with "
+        "a buffer around it, and keeps what is its own of the results, so that a building on an edge is there once.\n"
+        "Each tile is whole or not there. Run again with the same folder, settings and inputs, it goes on where it was "
+        "ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run.\n"
+        "The algorithm's parameters are given as lines NAME=VALUE, on the command line also as parameters of their own. "
+        "Point clouds, rasters and layers among them are cut; everything else is the same for all tiles. Layers and "
+        "rasters are put together in the folder “merged”, point clouds stay by tile."
+    )
+
+    def declare(self):
+        self.add_choice("ALGORITHM", "Algorithm", "What is run on each tile.", tuple(CUTTABLE), next(iter(CUTTABLE)))
+        self.add_points(help="LAS, LAZ or COPC files of the whole area, in any pieces.", optional=True)
+        self.add_polygons("FOOTPRINTS", "Building outlines", "Outlines of the whole area.", optional=True)
+        self.add_raster("INPUT", "Orthophoto", "For road markings: the orthophoto of the whole area.", optional=True)
+        self.declare_parameter(_lines("SETTINGS", tr("Settings of the algorithm")), "Lines NAME=VALUE, with the "
+                               "algorithm's own names, such as GROUND=ground.tif or MIN_ROOF_AREA=20. An output is "
+                               "made where it is by default, or where a line such as OUTPUT_GROUND=yes asks for it.")
+        self.add_distance("TILE", "Tile", "Side of a tile, whole metres; corners lie on its multiples.", 500.0, 10.0,
+                          100000.0)
+        self.add_distance("BUFFER", "Buffer", "Width of the surroundings that a tile reads: more than the largest "
+                          "building, and than the reach of ground under buildings.", 60.0, 0.0, 10000.0)
+        self.add_number("ESTIMATE", "Tiles to try", "Only this many tiles, spread over the area, to say what all will "
+                        "take in time, memory and disk; 0 does all.", 0, 0, integer=True)
+        self.add_workers()
+        self.add_layer_output("OUTPUT", "Tiles", "One square a tile with status, reason, time, memory.")
+        self.add_folder_output("OUTPUT_FOLDER", "Folder of the run", "Results by tile, merged results, and what a later "
+                               "run needs to go on.")
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: what was done, what failed and why, time, memory, "
+                             "disk, a map of the tiles.", HTML_FILTER, optional=True)
+        for name, label in (("TILES", "Tiles"), ("DONE", "Tiles done"), ("EMPTY", "Empty tiles"),
+                            ("FAILED", "Failed tiles"), ("KEPT", "Tiles kept from an earlier run")):
+            self.add_number_output(name, label, "Number of them.")
+
+    def known_names(self, parameters):
+        """The parameters of the algorithm that is run are known too."""
+        stage = QgsApplication.processingRegistry().algorithmById(f"urbanmap:{parameters.get('ALGORITHM', '')}")
+        return [*super().known_names(parameters), *(item.name() for item in stage.parameterDefinitions())] if stage \
+            else super().known_names(parameters)
+
+    def check(self, parameters, context):
+        self._settings(parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.tiling.journal import only_run
+        from ..framework.tiled_inputs import TiledInputs
+
+        progress = self.progress(feedback)
+        folder = Path(self.parameterAsString(parameters, "OUTPUT_FOLDER", context))
+        with only_run(folder):
+            inputs = TiledInputs.read(self, self._stage(parameters, context), self._settings(parameters, context),
+                                      self._grid(parameters, context), folder, context, progress.part(0.0, 0.05))
+            return self._run(parameters, context, inputs, folder, progress)
+
+    def _run(self, parameters, context, inputs, folder, progress):
+        from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, kept_record
+        from ..framework.tile_merge import merge_results
+        from ..framework.tile_pool import run_tiles
+
+        tiles = self._chosen(inputs.tiles, self.parameterAsInt(parameters, "ESTIMATE", context))
+        jobs = {tile.name: inputs.job(tile) for tile in tiles}
+        records = {name: record for name, job in jobs.items()
+                   if (record := kept_record(folder, job.tile, job.fingerprint))}
+        kept = len(records)
+        todo = [job for name, job in jobs.items() if name not in records]
+        progress.message(tr("{0} tiles, {1} kept from an earlier run, {2} to do.").format(len(tiles), kept, len(todo)))
+        working = progress.part(0.05, 0.9)
+        for record in run_tiles(todo, self.parameterAsInt(parameters, "WORKERS", context), progress.cancelled):
+            records[record.name] = record
+            if record.status == FAILED:
+                progress.warn(tr("Tile {0} failed: {1}").format(record.name, record.reason))
+            working.step((len(records) - kept) / len(todo))
+        count = {status: sum(record.status == status for record in records.values())
+                 for status in (DONE, EMPTY, FAILED)}
+        if not count[DONE] and not count[FAILED]:
+            raise InsufficientDataError(tr("All {0} tiles are empty; check that the inputs lie in one place.").format(
+                len(tiles)))
+        merged = merge_results(folder, tiles, records, inputs.outputs, progress.part(0.9, 0.97))
+        for name, path in merged.items():
+            progress.message(tr("{0}: {1}").format(name, path))
+        self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept)
+        layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
+        return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "TILES": len(tiles), "DONE": count[DONE],
+                "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}
+
+    def _stage(self, parameters, context):
+        name = self.parameterAsString(parameters, "ALGORITHM", context)
+        return QgsApplication.processingRegistry().algorithmById(f"urbanmap:{name}")
+
+    def _settings(self, parameters, context) -> dict:
+        """What the stage is given, by its own names: lines of SETTINGS, then parameters of their own."""
+        from ..framework.tiled_inputs import own_settings, settings_of_lines
+
+        stage = self._stage(parameters, context)
+        lines = settings_of_lines(self.parameterAsString(parameters, "SETTINGS", context), stage)
+        return {**lines, **own_settings(parameters, stage, self)}
+
+    def _grid(self, parameters, context):
+        from ...urbanmap_qgis.tiling.tile_grid import TileGrid
+
+        return TileGrid(self.parameterAsDouble(parameters, "TILE", context),
+                        self.parameterAsDouble(parameters, "BUFFER", context))
+
+    @staticmethod
+    def _chosen(tiles, wanted):
+        """All tiles, or so many of them at equal distances."""
+        if not wanted or wanted >= len(tiles):
+            return tiles
+        return [tiles[(2 * number + 1) * len(tiles) // (2 * wanted)] for number in range(wanted)]
+
+    def _report(self, parameters, context, inputs, records, kept):
+        from ...urbanmap_qgis.tiling.report import extrapolated, write_tiles_report
+
+        path = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if path is None:
+            return
+        estimate = {}
+        if len(records) < len(inputs.tiles):
+            estimate = extrapolated(records, len(inputs.tiles), self.parameterAsInt(parameters, "WORKERS", context))
+        write_tiles_report(path, tr("{0}, tile by tile").format(inputs.stage.displayName()), inputs.shown, inputs.grid,
+                           inputs.tiles, records, kept, estimate)
+
+    def _write(self, parameters, context, inputs, tiles, records, progress):
+        import shapely
+
+        rows = [records[tile.name] for tile in tiles]
+        fields = make_fields(("tile", "text"), ("status", "text"), ("reason", "text"), ("seconds", "real"),
+                             ("memory", "real"))
+        columns = {"tile": [row.name for row in rows], "status": [row.status for row in rows],
+                   "reason": [row.reason for row in rows], "seconds": [row.seconds for row in rows],
+                   "memory": [row.memory or None for row in rows]}
+        return self.write_layer(parameters, "OUTPUT", context, fields, columns, inputs.crs,
+                                [shapely.box(*tile.core) for tile in tiles], "Polygon", "tiles", progress)
+
+
+def _lines(name: str, label: str) -> QgsProcessingParameterString:
+    return QgsProcessingParameterString(name, label, None, True, True)

@@ -1,0 +1,1 @@
+"""Areas cut into tiles: planned, cut, kept account of and put together again."""

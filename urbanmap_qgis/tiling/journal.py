@@ -1,0 +1,120 @@
+"""What a run over tiles has done: one record a tile, whole or not there, by which a later run goes on."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+from collections.abc import Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from ..errors import OutputError
+from ..io.atomic import written_beside
+from ..io.staging import take_lock
+from .tile_grid import Tile
+
+RECORD = "tile.json"
+DONE, EMPTY, FAILED = "done", "empty", "failed"
+TILES, PART = "tiles", ".part"
+
+
+@dataclass(frozen=True)
+class TileRecord:
+    """What became of a tile.
+
+    Attributes
+    ----------
+    name : of the tile. status : done, empty (there is nothing in it to work on) or failed.
+    reason : why it is empty or failed, one sentence.
+    fingerprint : of settings and inputs, see `fingerprint`.
+    seconds, memory : time of the work, s, and greatest memory of its process, MB (0 where not known).
+    outputs : size in bytes of each result by its file name in the tile's folder.
+    figures : numbers that the algorithm gave.
+    """
+
+    name: str
+    status: str
+    reason: str = ""
+    fingerprint: str = ""
+    seconds: float = 0.0
+    memory: float = 0.0
+    outputs: Mapping[str, int] = field(default_factory=dict)
+    figures: Mapping[str, float] = field(default_factory=dict)
+
+
+def fingerprint(settings: Mapping[str, object], inputs: Sequence[str | os.PathLike]) -> str:
+    """Short text that changes with the settings and with the size or time of any input file."""
+    files = sorted((str(path), os.stat(path).st_size, os.stat(path).st_mtime_ns) for path in map(Path, inputs))
+    text = json.dumps([settings, files], sort_keys=True, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()[:24]
+
+
+def tile_folder(run_folder: Path, tile: Tile) -> Path:
+    """Folder of a tile's results."""
+    return run_folder / TILES / tile.name
+
+
+@contextmanager
+def new_tile_folder(run_folder: Path, tile: Tile):
+    """Empty folder in which a tile is made; `publish` it when its record is written. Leftovers are removed."""
+    place = tile_folder(run_folder, tile)
+    scratch = place.with_name(place.name + PART)
+    shutil.rmtree(scratch, ignore_errors=True)
+    scratch.mkdir(parents=True)
+    try:
+        yield scratch
+    finally:
+        shutil.rmtree(scratch, ignore_errors=True)
+
+
+def publish(run_folder: Path, tile: Tile, record: TileRecord, made: Path) -> None:
+    """Put a tile's results, all whole, in the place of those of an earlier run."""
+    write_record(made, record)
+    place = tile_folder(run_folder, tile)
+    shutil.rmtree(place, ignore_errors=True)
+    os.replace(made, place)
+
+
+def write_record(folder: Path, record: TileRecord) -> None:
+    """Write a tile's record into its folder."""
+    with written_beside(folder / RECORD) as temporary:
+        temporary.write_text(json.dumps(asdict(record), indent=1, ensure_ascii=False), encoding="utf-8")
+
+
+def kept_record(run_folder: Path, tile: Tile, expected: str) -> TileRecord | None:
+    """The record of a tile that an earlier run did with the same settings and inputs, if all its results are whole.
+
+    None otherwise: also for a tile that failed, which is tried again.
+    """
+    folder = tile_folder(run_folder, tile)
+    try:
+        record = TileRecord(**json.loads((folder / RECORD).read_text(encoding="utf-8")))
+        whole = all((folder / name).stat().st_size == size for name, size in record.outputs.items())
+    except (OSError, ValueError, TypeError):
+        return None
+    return record if whole and record.status in (DONE, EMPTY) and record.fingerprint == expected else None
+
+
+@contextmanager
+def only_run(run_folder: Path):
+    """Hold the folder for one run.
+
+    Raises
+    ------
+    OutputError : it cannot be written, or another run is working in it.
+    """
+    try:
+        run_folder.mkdir(parents=True, exist_ok=True)
+        lock = (run_folder / "lock").open("a+")
+    except OSError as error:
+        raise OutputError(f"The folder {run_folder} cannot be written ({error.strerror}): choose another.") from error
+    with lock:
+        try:
+            take_lock(lock)
+        except OSError:
+            raise OutputError(f"Another run works in {run_folder}: wait for its end, or choose another folder."
+                              ) from None
+        yield

@@ -1,0 +1,91 @@
+"""The report of a run over tiles."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..io.report import Report
+from .journal import DONE, EMPTY, FAILED, TileRecord
+from .tile_grid import Tile, TileGrid
+
+_LISTED = 50
+
+
+def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[str, object], grid: TileGrid,
+                       tiles: Sequence[Tile], records: Sequence[TileRecord], kept: int, estimate: Mapping[str, object]
+                       ) -> None:
+    """Write what became of the tiles: a verdict, the failed ones with their reasons, time and memory, a map.
+
+    Parameters
+    ----------
+    records : of the tiles that were done, in their order. kept : how many of them an earlier run had done.
+    estimate : lines of an extrapolation to all tiles; empty for a run over all.
+    """
+    count = {status: sum(record.status == status for record in records) for status in (DONE, EMPTY, FAILED)}
+    report = Report(title)
+    if estimate:
+        report.paragraph(f"This is an estimate from {len(records)} of {len(tiles)} tiles.")
+        report.facts(estimate)
+    elif count[FAILED]:
+        report.warning(f"{count[FAILED]} of {len(tiles)} tiles failed; the others are whole. Run again with the same "
+                       "folder when the reasons below are put right: only the failed tiles are then done.")
+    else:
+        report.paragraph(f"All {len(tiles)} tiles are done.")
+    _add_failures(report, records)
+    report.section("Tiles")
+    seconds = np.array([record.seconds for record in records if record.status == DONE])
+    report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],
+                  "Kept from an earlier run": kept, "Side of a tile (m)": grid.size, "Buffer (m)": grid.buffer,
+                  "Time of all tiles (s)": float(seconds.sum()) if len(seconds) else None,
+                  "Slowest tile (s)": float(seconds.max()) if len(seconds) else None,
+                  "Greatest memory of a process (MB)": max((record.memory for record in records), default=None),
+                  "Disk of the results (MB)": sum(sum(record.outputs.values()) for record in records) / 1e6})
+    report.figure(_map(tiles, {record.name: record.status for record in records}),
+                  "Tiles: done green, empty grey, failed red, not done white. North is up.")
+    if len(seconds) > 1:
+        report.histogram(seconds, "time of a tile (s)", "How long the tiles took.")
+    report.section("Settings")
+    report.facts(settings)
+    report.write(path)
+
+
+def _add_failures(report: Report, records: Sequence[TileRecord]) -> None:
+    failed = [record for record in records if record.status == FAILED]
+    if not failed:
+        return
+    report.section("Failed tiles")
+    report.table(("Tile", "Reason", "Time (s)"),
+                 [(record.name, record.reason, record.seconds) for record in failed[:_LISTED]])
+    if len(failed) > _LISTED:
+        report.paragraph(f"{len(failed) - _LISTED} more are in the layer of tiles.")
+
+
+_COLOURS = {DONE: "#5fa777", EMPTY: "#d5d9dc", FAILED: "#c8443a", "": "#ffffff"}
+
+
+def _map(tiles: Sequence[Tile], statuses: Mapping[str, str]) -> str:
+    """The tiles as an SVG, at most 640 px wide."""
+    columns = [tile.column for tile in tiles]
+    rows = [tile.row for tile in tiles]
+    wide, high = max(columns) - min(columns) + 1, max(rows) - min(rows) + 1
+    squares = "".join(
+        f'<rect x="{tile.column - min(columns)}" y="{max(rows) - tile.row}" width="1" height="1" '
+        f'fill="{_COLOURS[statuses.get(tile.name, "")]}"/>' for tile in tiles)
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {wide} {high}" width="{min(640, 24 * wide)}" '
+            f'style="max-width:100%" stroke="#888" stroke-width="0.03">{squares}</svg>')
+
+
+def extrapolated(records: Sequence[TileRecord], tiles: int, workers: int) -> dict[str, object]:
+    """What all tiles will take, by those that were tried: time, memory and disk."""
+    share = tiles / len(records)
+    seconds = np.array([record.seconds for record in records])
+    spread = float(seconds.std(ddof=1) / np.sqrt(len(records)) * tiles) if len(records) > 1 else float("nan")
+    size = sum(sum(record.outputs.values()) for record in records)
+    return {"Tiles": tiles, "Tiles tried": len(records), "Work of all tiles (h)": float(seconds.sum()) * share / 3600,
+            "Its standard error (h)": spread / 3600,
+            f"Time with {workers} workers (h)": float(seconds.sum()) * share / 3600 / workers,
+            "Memory of a worker (MB)": max(record.memory for record in records),
+            "Disk of the results (GB), without merged ones": size * share / 1e9}

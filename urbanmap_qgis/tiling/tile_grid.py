@@ -1,0 +1,94 @@
+"""One grid of tiles for point clouds, rasters and outlines."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import InputError
+
+MAX_TILES = 1_000_000
+"""More tiles than this are a mistake in the tile's size or the coordinates."""
+
+Bounds = tuple[float, float, float, float]
+"""x_min, y_min, x_max, y_max in the units of the CRS."""
+
+
+@dataclass(frozen=True)
+class Tile:
+    """A square of the grid.
+
+    Attributes
+    ----------
+    column, row : its place in the grid; row 0 lies north of y = 0.
+    core : what the tile answers for; its left and lower edges belong to it, its right and upper ones to its neighbours.
+    outer : the core and the buffer around it: what the tile reads.
+    """
+
+    column: int
+    row: int
+    core: Bounds
+    outer: Bounds
+
+    @property
+    def name(self) -> str:
+        """Lower left corner in whole units of the CRS, such as ``-12500_-45000``."""
+        return f"{self.core[0]:.0f}_{self.core[1]:.0f}"
+
+    def owns(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Mask (n,) of the points that lie in the core."""
+        x_min, y_min, x_max, y_max = self.core
+        return (x >= x_min) & (x < x_max) & (y >= y_min) & (y < y_max)
+
+    def reads(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Mask (n,) of the points that lie in the core or its buffer."""
+        x_min, y_min, x_max, y_max = self.outer
+        return (x >= x_min) & (x < x_max) & (y >= y_min) & (y < y_max)
+
+
+@dataclass(frozen=True)
+class TileGrid:
+    """Squares whose corners are multiples of their size, so that all data of an area falls on the same tiles.
+
+    Parameters
+    ----------
+    size : side of a tile, whole units of the CRS. buffer : width of the surroundings that a tile reads, same units.
+    """
+
+    size: float
+    buffer: float
+
+    def __post_init__(self):
+        if not (self.size >= 1 and float(self.size).is_integer()) or not self.buffer >= 0:
+            raise InputError("The side of a tile must be a whole number of metres, and its buffer not negative: change "
+                             "them.")
+
+    def tile(self, column: int, row: int) -> Tile:
+        """The tile in a column and row of the grid."""
+        x_min, y_min = column * self.size, row * self.size
+        x_max, y_max = (column + 1) * self.size, (row + 1) * self.size
+        return Tile(column, row, (x_min, y_min, x_max, y_max),
+                    (x_min - self.buffer, y_min - self.buffer, x_max + self.buffer, y_max + self.buffer))
+
+    def numbers(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Column and row (n,) int64 of the tiles that own the points."""
+        return (np.floor(np.asarray(x) / self.size).astype(np.int64),
+                np.floor(np.asarray(y) / self.size).astype(np.int64))
+
+    def covering(self, bounds: Bounds) -> list[Tile]:
+        """Tiles whose cores meet a box, row by row from the south-west.
+
+        Raises
+        ------
+        InputError : the box is not finite, or takes more than a million tiles.
+        """
+        if not all(map(math.isfinite, bounds)):
+            raise InputError("The extent of the data is not a number: check its coordinates.")
+        left, bottom, right, top = (math.floor(value / self.size) for value in bounds)
+        count = (right - left + 1) * (top - bottom + 1)
+        if count > MAX_TILES:
+            raise InputError(f"The data would take {count:,} tiles of {self.size:g} m: give larger tiles, or check the "
+                             "coordinates.")
+        return [self.tile(column, row) for row in range(bottom, top + 1) for column in range(left, right + 1)]
