@@ -383,6 +383,15 @@ def frame_shifts(layer) -> None:
         "σ [% round(\"pair_sigma\", 3) %] m<br>(arrows 100 times enlarged)")
 
 
+def tiles(layer) -> None:
+    """Tiles of a run by what became of them."""
+    entries = [("done", "\"status\" = 'done'", fill("#5fa777")), ("empty", "\"status\" = 'empty'", fill("#d5d9dc")),
+               ("failed (see table)", "\"status\" = 'failed'", fill("#c8443a"))]
+    rules(layer, entries)
+    layer.setMapTipTemplate("<b>[% \"tile\" %]</b> [% \"status\" %]<br>[% coalesce(\"reason\", '') %]<br>"
+                            "[% round(\"seconds\", 1) %] s, [% round(\"memory\") %] MB")
+
+
 def control_residuals(layer) -> None:
     """Control points by their error in plan, with an arrow that shows it enlarged."""
     east, north, plan = (f'coalesce("{name}_after", "{name}_before")' for name in ("east", "north", "plan"))
@@ -552,6 +561,7 @@ FIELDS = {
     rectification_epochs: ("PointZ", "time:double status:string east:double north:double sigma:double"),
     marking_lines: ("LineStringZ", "class:string colour:string length:double width:double sigma:double bridged:double"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
+    tiles: ("Polygon", "tile:string status:string reason:string seconds:double memory:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }
 

@@ -374,7 +374,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
             finally:
                 del sink
             if style and target.suffix.lower() == ".gpkg":
-                _save_style(target, style, progress)
+                save_style(target, style, progress)
             without_times(target)
             _move_into_place(Path(scratch), folder)
     except OSError as error:
@@ -388,7 +388,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     return place
 
 
-def _save_style(path: Path, style: str, progress: Progress) -> None:
+def save_style(path: Path, style: str, progress: Progress) -> None:
     """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result.
 
     QGIS would write the style's own words in an order that differs from run to run, and leave 3D renderers out where

@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
+import sqlite3
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from pathlib import Path
 
 from qgis.core import QgsVectorLayer
 
 from ...urbanmap_qgis.progress import SILENT, Progress
 from ...urbanmap_qgis.tiling.journal import DONE, TileRecord, tile_folder
-from ...urbanmap_qgis.tiling.tile_grid import Tile
-from .layers import without_times
-from .parameters import tr
+from ...urbanmap_qgis.tiling.tile_grid import GridTile
+from .layers import save_style, without_times
 from .tile_work import layer_file
 
 MERGED = "merged"
 
 
-def merge_results(run_folder: Path, tiles: Sequence[Tile], records: Mapping[str, TileRecord], outputs: Mapping[str, str],
-                  progress: Progress = SILENT) -> dict[str, Path]:
+def merge_results(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[str, TileRecord],
+                  outputs: Mapping[str, str], progress: Progress = SILENT) -> dict[str, Path]:
     """Put the tiles' layers and rasters together in the folder `merged`; files by the parameter they came from.
 
     Point clouds stay by tile. The order is that of the tiles.
@@ -54,21 +55,16 @@ def merge_layers(parts: Sequence[Path], target: Path, progress: Progress = SILEN
             for done, part in enumerate(parts):
                 add(list(QgsVectorLayer(str(part), part.stem, "ogr").getFeatures()))
                 progress.step((done + 1) / len(parts))
-        _take_style(first, temporary, target.stem)
+        style = _style_of(parts[0])
+        if style:
+            save_style(temporary, style, progress)
         without_times(temporary)
 
 
-def _take_style(layer: QgsVectorLayer, target: Path, name: str) -> None:
-    """Give a merged layer the style that a tile's layer has, where it has one."""
-    count, _, names, _, _ = layer.listStylesInDatabase()
-    if count < 1 or not names:
-        return
-    layer.loadDefaultStyle()
-    style = target.with_suffix(".qml")
-    try:
-        layer.saveNamedStyle(str(style))
-        merged = QgsVectorLayer(str(target), name, "ogr")
-        merged.loadNamedStyle(str(style))
-        merged.saveStyleToDatabase(names[0], tr("UrbanMap"), True, "")
-    finally:
-        style.unlink(missing_ok=True)
+def _style_of(path: Path) -> str:
+    """Name of the style that a layer was written with; empty where it has none."""
+    with closing(sqlite3.connect(path)) as database:
+        if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone():
+            return ""
+        found = database.execute("SELECT styleName FROM layer_styles").fetchone()
+    return found[0] if found else ""

@@ -14,7 +14,8 @@ from ...urbanmap_qgis.errors import Cancelled
 from ...urbanmap_qgis.tiling.journal import FAILED, TileRecord, new_tile_folder, publish
 from .dependencies import profile_packages
 from .parameters import tr
-from .tile_work import TileJob, start_application, work_on_tile
+from .tile_process import start_application
+from .tile_work import TileJob, work_on_tile
 
 IN_HAND = 2
 """Tiles handed to each worker at a time: one at work, one waiting."""
@@ -66,8 +67,9 @@ def _until_broken(waiting: list[TileJob], count: int, cancelled: Callable[[], bo
 
 
 def _killed(job: TileJob) -> TileRecord:
-    record = TileRecord(job.tile.name, FAILED, tr("The process that worked on this tile was ended, by lack of memory or "
-                                                  "a fault in a library; make the tiles smaller."), job.fingerprint)
+    reason = tr("The process that worked on this tile was ended, by lack of memory or a fault in a library; make the "
+                "tiles smaller.")
+    record = TileRecord(job.tile.name, FAILED, reason, job.fingerprint)
     with new_tile_folder(job.run_folder, job.tile) as folder:
         publish(job.run_folder, job.tile, record, folder)
     return record

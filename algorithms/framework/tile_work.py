@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import (
-    QgsApplication,
     QgsCoordinateTransformContext,
     QgsFeatureRequest,
     QgsFeatureSink,
@@ -27,10 +26,9 @@ from qgis.core import (
 
 from ...urbanmap_qgis.errors import Cancelled, OutputError, UrbanMapError
 from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish
-from ...urbanmap_qgis.tiling.tile_grid import Tile
+from ...urbanmap_qgis.tiling.tile_grid import GridTile
 from .layers import make_fields, without_times
 from .outlines import BUILDING_ID, NUMBER
-from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .parameters import tr
 
 if TYPE_CHECKING:
@@ -58,7 +56,7 @@ class TileJob:
     outputs : file names of the results by parameter.
     """
 
-    tile: Tile
+    tile: GridTile
     run_folder: Path
     fingerprint: str
     algorithm: str
@@ -154,7 +152,7 @@ def _cut_layers(job: TileJob, inputs: Path, parameters: dict) -> dict[str, int] 
     return own
 
 
-def cut_layer(source: Path, tile: Tile, target: Path) -> dict[str, int]:
+def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
     """Copy the features that meet a tile and its buffer; numbers of those that are the tile's own, by id.
 
     No file is written where no feature meets the tile.
@@ -182,24 +180,24 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
     for item in fields:
         if item.name().lower() != "fid":
             kept.append(item)
-    writer = QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)
+    held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
     places = [fields.lookupField(item.name()) for item in kept]
 
     def add(features: list) -> None:  # takes the features as its own
         for feature in features:
             feature.setAttributes([feature.attributes()[place] for place in places])
-        if not writer.addFeatures(features, QgsFeatureSink.Flag.FastInsert):
-            raise OutputError(tr("{0} cannot be written: {1}").format(path, writer.errorMessage()))
+        if not held[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
 
     try:
-        if writer.hasError() != QgsVectorFileWriter.WriterError.NoError:
-            raise OutputError(tr("{0} cannot be written: {1}").format(path, writer.errorMessage()))
+        if held[0].hasError() != QgsVectorFileWriter.WriterError.NoError:
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
         yield add
     finally:
-        del writer, add
+        held.clear()  # the file is whole when its writer is gone
 
 
-def _is_own(tile: Tile, feature) -> bool:
+def _is_own(tile: GridTile, feature) -> bool:
     """Whether the middle of a feature's box is in the core: the same for every tile, and cheap."""
     if not feature.hasGeometry() or feature.geometry().isEmpty():
         return False
@@ -207,7 +205,7 @@ def _is_own(tile: Tile, feature) -> bool:
     return bool(tile.owns(middle.x(), middle.y()))
 
 
-def _keep_own(path: Path, tile: Tile, own: Mapping[str, int] | None) -> None:
+def _keep_own(path: Path, tile: GridTile, own: Mapping[str, int] | None) -> None:
     """Take out of a result what belongs to other tiles. Rasters are cut when they are put together."""
     from ...urbanmap_qgis.tiling.point_pieces import keep_own_points
 
@@ -219,7 +217,7 @@ def _keep_own(path: Path, tile: Tile, own: Mapping[str, int] | None) -> None:
         keep_own_features(path, tile, own)
 
 
-def keep_own_features(path: Path, tile: Tile, own: Mapping[str, int] | None) -> None:
+def keep_own_features(path: Path, tile: GridTile, own: Mapping[str, int] | None) -> None:
     """Delete the features that are another tile's and note in the rest which tile they are from.
 
     A feature with a `building_id` goes by it where the tile has own buildings, any other by the middle of its box.
@@ -252,31 +250,3 @@ def _peak_memory() -> float:
         return 0.0
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return peak / (1024 * 1024 if sys.platform == "darwin" else 1024)
-
-
-def start_application(prefix: str, plugins: str, packages: str, package: str) -> None:
-    """Called in a worker process when it starts: a QGIS without a window, with Processing and this provider.
-
-    prefix : QGIS's prefix path. plugins : its folder of Python plugins. packages : see `start_worker`.
-    package : name under which this plugin is imported.
-    """
-    import importlib
-    import os
-
-    from ...urbanmap_qgis.execution import start_worker
-
-    start_worker(packages)
-    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-    application = QgsApplication([], False)
-    application.setPrefixPath(prefix, True)
-    application.initQgis()
-    start_application.running = application  # QGIS ends with the object
-    if plugins not in sys.path:
-        sys.path.append(plugins)
-    from processing.core.Processing import Processing
-
-    Processing.initialize()
-    provider = importlib.import_module(f"{package}.algorithms.provider").UrbanMapProvider()
-    provider.register()
-    import_apart(PACKAGES_WITH_LIBRARIES)
-    start_application.provider = provider

@@ -13,13 +13,13 @@ from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import SILENT, Progress
 from ...urbanmap_qgis.tiling.journal import fingerprint
 from ...urbanmap_qgis.tiling.point_pieces import LARGE, PointFile, meeting, point_file, sorted_into_pieces
-from ...urbanmap_qgis.tiling.tile_grid import Tile, TileGrid
+from ...urbanmap_qgis.tiling.tile_grid import GridTile, TileGrid
 from . import layers
 from .crs import crs_from
 from .outlines import BUILDING_ID, building_names
 from .parameters import HTML_FILTER, LAZ_FILTER, tr
-from .tiled_algorithms import CUTTABLE
 from .tile_work import LAYER_SUFFIX, POINTS_SUFFIX, TileJob, layer_file
+from .tiled_algorithms import CUTTABLE
 
 CUT, PIECES = "inputs", "pieces"
 _SUFFIXES = {"sink": LAYER_SUFFIX, "rasterDestination": ".tif"}
@@ -72,7 +72,7 @@ class TiledInputs:
     stage: object
     run_folder: Path
     grid: TileGrid
-    tiles: list[Tile]
+    tiles: list[GridTile]
     crs: object
     settings: dict[str, object]
     shown: dict[str, str]
@@ -112,11 +112,12 @@ class TiledInputs:
             crs = crs_from(open_cloud([file.path for file in next(iter(points.values()))]).crs_wkt or "")
         outputs = _outputs(stage, given)
         shown = {stage.label_of(name): str(value) for name, value in rest.items()}
-        return cls(stage, run_folder, grid, _occupied(grid, bounds, points, tables.get(owner)), crs, rest, shown, points,
-                   _pieces(points, grid, run_folder, progress), rasters, copies, outputs,
-                   [stage.name(), rest, outputs, grid.size, grid.buffer, state])
+        tiles = _occupied(grid, bounds, points, tables.get(owner))
+        pieces = _pieces(points, grid, run_folder, progress)
+        state = [stage.name(), rest, outputs, grid.size, grid.buffer, state]
+        return cls(stage, run_folder, grid, tiles, crs, rest, shown, points, pieces, rasters, copies, outputs, state)
 
-    def job(self, tile: Tile) -> TileJob:
+    def job(self, tile: GridTile) -> TileJob:
         """What one tile needs."""
         files = [file.path for given in self.points.values() for file in meeting(given, tile.outer)]
         state = fingerprint({"tile": tile.name, "state": self.state}, [*files, *self.rasters.values()])
@@ -167,9 +168,8 @@ def _extent(points, rasters, owner) -> tuple[tuple[float, float, float, float], 
         return (x_min, y_min + inside, x_max - inside, y_max), crs_from(raster.crs_wkt)
 
 
-def _occupied(grid: TileGrid, bounds, points, owner) -> list[Tile]:
+def _occupied(grid: TileGrid, bounds, points, owner) -> list[GridTile]:
     """Tiles with something in them by the files' boxes and the outlines: an area need not be a rectangle."""
-    import numpy as np
     import shapely
 
     tiles = grid.covering(bounds)

@@ -21,11 +21,11 @@ class TiledRun(UrbanMapAlgorithm):
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
     KEPT_FOLDERS = ("OUTPUT_FOLDER",)
     HELP = (
-        "Runs another algorithm over an area of any size, tile by tile: each tile reads its own part of the inputs with "
+        "Runs another algorithm over an area of any size, tile by tile: each tile reads its part of the inputs with "
         "a buffer around it, and keeps what is its own of the results, so that a building on an edge is there once.\n"
         "Each tile is whole or not there. Run again with the same folder, settings and inputs, it goes on where it was "
         "ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run.\n"
-        "The algorithm's parameters are given as lines NAME=VALUE, on the command line also as parameters of their own. "
+        "The algorithm's parameters are given as lines NAME=VALUE, on the command line also by themselves. "
         "Point clouds, rasters and layers among them are cut; everything else is the same for all tiles. Layers and "
         "rasters are put together in the folder “merged”, point clouds stay by tile."
     )
@@ -46,10 +46,10 @@ class TiledRun(UrbanMapAlgorithm):
                         "take in time, memory and disk; 0 does all.", 0, 0, integer=True)
         self.add_workers()
         self.add_layer_output("OUTPUT", "Tiles", "One square a tile with status, reason, time, memory.")
-        self.add_folder_output("OUTPUT_FOLDER", "Folder of the run", "Results by tile, merged results, and what a later "
-                               "run needs to go on.")
-        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: what was done, what failed and why, time, memory, "
-                             "disk, a map of the tiles.", HTML_FILTER, optional=True)
+        self.add_folder_output("OUTPUT_FOLDER", "Folder of the run", "Results by tile, merged results, and what a "
+                               "later run needs to go on.")
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: what was done, what failed and why, time, "
+                             "memory, disk, a map of the tiles.", HTML_FILTER, optional=True)
         for name, label in (("TILES", "Tiles"), ("DONE", "Tiles done"), ("EMPTY", "Empty tiles"),
                             ("FAILED", "Failed tiles"), ("KEPT", "Tiles kept from an earlier run")):
             self.add_number_output(name, label, "Number of them.")
@@ -143,8 +143,6 @@ class TiledRun(UrbanMapAlgorithm):
                            inputs.tiles, records, kept, estimate)
 
     def _write(self, parameters, context, inputs, tiles, records, progress):
-        import shapely
-
         rows = [records[tile.name] for tile in tiles]
         fields = make_fields(("tile", "text"), ("status", "text"), ("reason", "text"), ("seconds", "real"),
                              ("memory", "real"))
@@ -152,7 +150,7 @@ class TiledRun(UrbanMapAlgorithm):
                    "reason": [row.reason for row in rows], "seconds": [row.seconds for row in rows],
                    "memory": [row.memory or None for row in rows]}
         return self.write_layer(parameters, "OUTPUT", context, fields, columns, inputs.crs,
-                                [shapely.box(*tile.core) for tile in tiles], "Polygon", "tiles", progress)
+                                [tile.square for tile in tiles], "Polygon", "tiles", progress)
 
 
 def _lines(name: str, label: str) -> QgsProcessingParameterString:

@@ -18,7 +18,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals",
+            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals", "tiledrun",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines")
 
 LIST_WITHOUT_PACKAGES = """

@@ -17,8 +17,8 @@ CORE = source_tree.CORE
 BASE = {"errors", "progress", "execution", "dependencies"}
 
 # From the ground up: a room imports from the floors below its own, never from its own floor's neighbours.
-FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel"}, {"aerial", "mobile"}, {"buildings", "roadmap"},
-          {"facades", "imagery", "gnss"}, {"samplecity"})
+FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel", "tiling"}, {"aerial", "mobile"},
+          {"buildings", "roadmap"}, {"facades", "imagery", "gnss"}, {"samplecity"})
 
 IMPORTS = {name: source_tree.own_imports(path) for name, path in source_tree.modules().items()}
 STAGES = {name: path for name, path in source_tree.modules(source_tree.FACE).items()

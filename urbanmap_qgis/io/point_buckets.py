@@ -23,7 +23,7 @@ class PointBuckets:
     folder : where these are put; None for the system's place for temporary files.
     """
 
-    def __init__(self, dtype: np.dtype, memory_limit: int = MEMORY_LIMIT, folder: Path | None = None):
+    def __init__(self, dtype: np.dtype, memory_limit: int = MEMORY_LIMIT, *, folder: Path | None = None):
         self.dtype = dtype
         self.memory_limit = memory_limit
         self._parent = folder

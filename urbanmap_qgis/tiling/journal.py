@@ -14,7 +14,7 @@ from pathlib import Path
 from ..errors import OutputError
 from ..io.atomic import written_beside
 from ..io.staging import take_lock
-from .tile_grid import Tile
+from .tile_grid import GridTile
 
 RECORD = "tile.json"
 DONE, EMPTY, FAILED = "done", "empty", "failed"
@@ -52,13 +52,13 @@ def fingerprint(settings: Mapping[str, object], inputs: Sequence[str | os.PathLi
     return hashlib.sha256(text.encode()).hexdigest()[:24]
 
 
-def tile_folder(run_folder: Path, tile: Tile) -> Path:
+def tile_folder(run_folder: Path, tile: GridTile) -> Path:
     """Folder of a tile's results."""
     return run_folder / TILES / tile.name
 
 
 @contextmanager
-def new_tile_folder(run_folder: Path, tile: Tile):
+def new_tile_folder(run_folder: Path, tile: GridTile):
     """Empty folder in which a tile is made; `publish` it when its record is written. Leftovers are removed."""
     place = tile_folder(run_folder, tile)
     scratch = place.with_name(place.name + PART)
@@ -70,7 +70,7 @@ def new_tile_folder(run_folder: Path, tile: Tile):
         shutil.rmtree(scratch, ignore_errors=True)
 
 
-def publish(run_folder: Path, tile: Tile, record: TileRecord, made: Path) -> None:
+def publish(run_folder: Path, tile: GridTile, record: TileRecord, made: Path) -> None:
     """Put a tile's results, all whole, in the place of those of an earlier run."""
     write_record(made, record)
     place = tile_folder(run_folder, tile)
@@ -84,7 +84,7 @@ def write_record(folder: Path, record: TileRecord) -> None:
         temporary.write_text(json.dumps(asdict(record), indent=1, ensure_ascii=False), encoding="utf-8")
 
 
-def kept_record(run_folder: Path, tile: Tile, expected: str) -> TileRecord | None:
+def kept_record(run_folder: Path, tile: GridTile, expected: str) -> TileRecord | None:
     """The record of a tile that an earlier run did with the same settings and inputs, if all its results are whole.
 
     None otherwise: also for a tile that failed, which is tried again.

@@ -12,7 +12,7 @@ import numpy as np
 from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud
 from ..progress import SILENT, Progress
-from .tile_grid import Bounds, Tile, TileGrid
+from .tile_grid import Bounds, GridTile, TileGrid
 
 LARGE = 9
 """A file that meets more tiles than this is sorted into pieces once, instead of being read by each of them."""
@@ -68,7 +68,7 @@ def sorted_into_pieces(file: PointFile, grid: TileGrid, folder: Path, progress: 
     return pieces
 
 
-def write_tile_points(files: Sequence[PointFile], tile: Tile, path: str | os.PathLike) -> int:
+def write_tile_points(files: Sequence[PointFile], tile: GridTile, path: str | os.PathLike) -> int:
     """Write the points of the tile and its buffer to one file; their number. Nothing is written where there are none.
 
     All attributes are kept; the order is that of the files.
@@ -89,7 +89,7 @@ def write_tile_points(files: Sequence[PointFile], tile: Tile, path: str | os.Pat
     return count
 
 
-def keep_own_points(path: str | os.PathLike, tile: Tile, buildings: Sequence[int] | None = None) -> int:
+def keep_own_points(path: str | os.PathLike, tile: GridTile, buildings: Sequence[int] | None = None) -> int:
     """Leave in a result of the tile only what is the tile's own; the number of points left.
 
     `buildings` are the numbers of the tile's own buildings: points that carry one (`building_id`) then go by it, all

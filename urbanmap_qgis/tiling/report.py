@@ -9,14 +9,14 @@ import numpy as np
 
 from ..io.report import Report
 from .journal import DONE, EMPTY, FAILED, TileRecord
-from .tile_grid import Tile, TileGrid
+from .tile_grid import GridTile, TileGrid
 
 _LISTED = 50
 
 
 def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[str, object], grid: TileGrid,
-                       tiles: Sequence[Tile], records: Sequence[TileRecord], kept: int, estimate: Mapping[str, object]
-                       ) -> None:
+                       tiles: Sequence[GridTile], records: Sequence[TileRecord], kept: int,
+                       estimate: Mapping[str, object]) -> None:
     """Write what became of the tiles: a verdict, the failed ones with their reasons, time and memory, a map.
 
     Parameters
@@ -66,7 +66,7 @@ def _add_failures(report: Report, records: Sequence[TileRecord]) -> None:
 _COLOURS = {DONE: "#5fa777", EMPTY: "#d5d9dc", FAILED: "#c8443a", "": "#ffffff"}
 
 
-def _map(tiles: Sequence[Tile], statuses: Mapping[str, str]) -> str:
+def _map(tiles: Sequence[GridTile], statuses: Mapping[str, str]) -> str:
     """The tiles as an SVG, at most 640 px wide."""
     columns = [tile.column for tile in tiles]
     rows = [tile.row for tile in tiles]

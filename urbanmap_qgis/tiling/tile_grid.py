@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 
 from ..errors import InputError
 
@@ -17,7 +18,7 @@ Bounds = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
-class Tile:
+class GridTile:
     """A square of the grid.
 
     Attributes
@@ -36,6 +37,11 @@ class Tile:
     def name(self) -> str:
         """Lower left corner in whole units of the CRS, such as ``-12500_-45000``."""
         return f"{self.core[0]:.0f}_{self.core[1]:.0f}"
+
+    @property
+    def square(self) -> shapely.Polygon:
+        """The core as a polygon."""
+        return shapely.box(*self.core)
 
     def owns(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Mask (n,) of the points that lie in the core."""
@@ -65,11 +71,11 @@ class TileGrid:
             raise InputError("The side of a tile must be a whole number of metres, and its buffer not negative: change "
                              "them.")
 
-    def tile(self, column: int, row: int) -> Tile:
+    def tile(self, column: int, row: int) -> GridTile:
         """The tile in a column and row of the grid."""
         x_min, y_min = column * self.size, row * self.size
         x_max, y_max = (column + 1) * self.size, (row + 1) * self.size
-        return Tile(column, row, (x_min, y_min, x_max, y_max),
+        return GridTile(column, row, (x_min, y_min, x_max, y_max),
                     (x_min - self.buffer, y_min - self.buffer, x_max + self.buffer, y_max + self.buffer))
 
     def numbers(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -77,7 +83,7 @@ class TileGrid:
         return (np.floor(np.asarray(x) / self.size).astype(np.int64),
                 np.floor(np.asarray(y) / self.size).astype(np.int64))
 
-    def covering(self, bounds: Bounds) -> list[Tile]:
+    def covering(self, bounds: Bounds) -> list[GridTile]:
         """Tiles whose cores meet a box, row by row from the south-west.
 
         Raises

@@ -1,0 +1,138 @@
+"""An algorithm run over tiles: the same as in one piece, gone on with after an end, honest about what failed."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+SIDE = 60
+
+
+@pytest.fixture(scope="module")
+def town(qgis_app, synthetic, make_cloud, save_outlines, tmp_path_factory):
+    """Twelve plain buildings over four by three tiles of 60 m, some of them across the tiles' edges."""
+    folder = tmp_path_factory.mktemp("街区")
+    corners = [(x, y) for x in (5.0, 58.0, 125.0, 190.0) for y in (-20.0, 55.0, 130.0)]
+    heights = [8.0 + 1.5 * number for number in range(len(corners))]
+    blocks = [synthetic.flat(synthetic.rectangle(x, y, 14, 12), height) for (x, y), height in zip(corners, heights)]
+    points, _ = synthetic.Scene(blocks, noise=0.02).points()
+    third = len(points) // 3
+    files = [make_cloud(folder / f"点群 {number}.laz", *part.T, number_of_returns=1, return_number=1)
+             for number, part in enumerate((points[:third], points[third:]))]
+    outlines = save_outlines(folder / "外周.gpkg", [block.outline for block in blocks],
+                             {"building_id": [f"家-{number}" for number in range(len(blocks))]})
+    return {"files": files, "outlines": outlines, "folder": folder,
+            "heights": {f"家-{number}": height for number, height in enumerate(heights)}}
+
+
+def run_tiles(run, town, folder, **more):
+    folder.mkdir(exist_ok=True)
+    return run("urbanmap:tiledrun", {
+        "ALGORITHM": "buildingsfromals", "POINTS": [str(file) for file in town["files"]],
+        "FOOTPRINTS": str(town["outlines"]), "TILE": SIDE, "BUFFER": 30, "SETTINGS": "MIN_ROOF_AREA=20",
+        "OUTPUT": str(folder / "tiles.gpkg"), "OUTPUT_FOLDER": str(folder / "run"),
+        "OUTPUT_REPORT": str(folder / "report.html"), **more})
+
+
+def test_buildings_over_tiles_are_those_of_one_run(run, town, read_layer, tmp_path):
+    results = run_tiles(run, town, tmp_path)
+    run("urbanmap:buildingsfromals", {
+        "POINTS": [str(file) for file in town["files"]], "FOOTPRINTS": str(town["outlines"]), "MIN_ROOF_AREA": 20,
+        "OUTPUT": str(tmp_path / "whole.gpkg"), "OUTPUT_REPORT": None, "OUTPUT_CITYJSON": None})
+    whole = {row.attributes["building_id"]: row for row in read_layer(tmp_path / "whole.gpkg")}
+    tiled = {row.attributes["building_id"]: row for row in read_layer(tmp_path / "run" / "merged" / "output.gpkg")}
+    assert set(tiled) == set(whole) == set(town["heights"])
+    assert len(read_layer(tmp_path / "run" / "merged" / "output.gpkg")) == len(tiled)
+    for name, row in tiled.items():
+        assert row.attributes["status"] == whole[name].attributes["status"]
+        assert row.attributes["volume"] == pytest.approx(whole[name].attributes["volume"], rel=0.01)
+    assert results["DONE"] == 12 and results["FAILED"] == 0 and results["KEPT"] == 0
+    tiles = read_layer(tmp_path / "tiles.gpkg")
+    assert {row.attributes["status"] for row in tiles} <= {"done", "empty"}
+    assert all(row.geometry.area() == SIDE * SIDE for row in tiles)
+    assert "tiles are done" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_a_later_run_does_only_what_is_missing(run, town, read_layer, tmp_path):
+    first = run_tiles(run, town, tmp_path)
+    merged = tmp_path / "run" / "merged" / "output.gpkg"
+    before = merged.read_bytes()
+    broken = sorted((tmp_path / "run" / "tiles").glob("*/output.gpkg"))[0]
+    broken.write_bytes(broken.read_bytes()[:1000])
+    again = run_tiles(run, town, tmp_path)
+    assert again["KEPT"] == first["TILES"] - 1
+    assert again["DONE"] == first["DONE"]
+    assert merged.read_bytes() == before
+    changed = run_tiles(run, town, tmp_path, SETTINGS="MIN_ROOF_AREA=30")
+    assert changed["KEPT"] == 0
+
+
+def test_one_failed_tile_does_not_end_the_run(run, town, make_cloud, read_layer, tmp_path):
+    cloud = make_cloud(tmp_path / "damaged.laz", *np.random.default_rng(1).uniform(0, 50, (3, 20000)))
+    data = bytearray(cloud.read_bytes())
+    middle = len(data) // 2
+    data[middle:middle + 4000] = bytes(4000)
+    cloud.write_bytes(data)
+    results = run_tiles(run, town, tmp_path, POINTS=[*map(str, town["files"]), str(cloud)])
+    failed = [row.attributes for row in read_layer(tmp_path / "tiles.gpkg") if row.attributes["status"] == "failed"]
+    assert len(failed) == results["FAILED"] == 4 and results["DONE"] == 8
+    assert all("damaged.laz" in row["reason"] for row in failed)
+    assert any("failed" in text for text in run.feedback.warnings)
+    assert "tiles failed" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    repaired = run_tiles(run, town, tmp_path)
+    assert (repaired["FAILED"], repaired["KEPT"]) == (0, 8)
+
+
+def test_a_try_says_what_all_will_take(run, town, tmp_path):
+    results = run_tiles(run, town, tmp_path, ESTIMATE=2)
+    assert results["TILES"] == 2
+    report = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "estimate from 2 of" in report and "Work of all tiles" in report
+
+
+def test_the_ground_over_tiles_is_that_of_one_run(run, town, tmp_path):
+    from urbanmap_qgis.io.raster import read_raster
+
+    points = [str(file) for file in town["files"]]
+    run("urbanmap:tiledrun", {"ALGORITHM": "surfacefromals", "POINTS": points, "TILE": SIDE, "BUFFER": 30,
+                              "SETTINGS": "RESOLUTION=1\nOUTPUT_GROUND=yes\n# a remark", "OUTPUT": "TEMPORARY_OUTPUT",
+                              "OUTPUT_FOLDER": str(tmp_path / "run")})
+    run("urbanmap:surfacefromals", {"POINTS": points, "RESOLUTION": 1, "OUTPUT": str(tmp_path / "dsm.tif"),
+                                    "OUTPUT_GROUND": str(tmp_path / "ground.tif")})
+    for tiled, whole in (("output.tif", "dsm.tif"), ("output_ground.tif", "ground.tif")):
+        values, grid, _ = read_raster(tmp_path / "run" / "merged" / tiled)
+        expected, place, _ = read_raster(tmp_path / whole)
+        assert grid == place
+        both = np.isfinite(values) & np.isfinite(expected)
+        assert both.sum() > 0.98 * np.isfinite(expected).sum()
+        assert np.quantile(np.abs(values - expected)[both], 0.99) < 0.05
+
+
+def test_what_cannot_be_is_said_before_the_run(run, town, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="NAME=VALUE"):
+        run_tiles(run, town, tmp_path, SETTINGS="MIN_ROOF=2")
+    with pytest.raises(QgsProcessingException, match="outlines"):
+        run_tiles(run, town, tmp_path, FOOTPRINTS=None)
+    with pytest.raises(QgsProcessingException, match="tile by tile"):
+        run_tiles(run, town, tmp_path, SETTINGS="OUTPUT_CITYJSON=yes")
+
+
+def test_an_area_without_anything_is_said(run, town, make_cloud, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    far = make_cloud(tmp_path / "far.laz", *(np.random.default_rng(1).uniform(0, 50, (3, 200)) + 5000))
+    with pytest.raises(QgsProcessingException, match="empty"):
+        run_tiles(run, town, tmp_path, POINTS=[str(far)])
+
+
+def test_records_tell_time_and_outputs(run, town, tmp_path):
+    run_tiles(run, town, tmp_path, ESTIMATE=1)
+    record, = (json.loads(path.read_text(encoding="utf-8")) for path in Path(tmp_path).glob("run/tiles/*/tile.json"))
+    assert record["seconds"] > 0 and record["outputs"]["output.gpkg"] > 0
+    assert record["figures"]["BUILDINGS"] >= 1
+    assert not list(Path(tmp_path).glob("run/tiles/*/inputs"))

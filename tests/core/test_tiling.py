@@ -1,0 +1,213 @@
+"""Tiles: every point, pixel and feature is one tile's own, and what was done is known again."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import rasterio
+from pyproj import CRS
+
+from urbanmap_qgis.errors import InputError, OutputError
+from urbanmap_qgis.geometry.grid import Grid
+from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.raster import read_raster, write_raster
+from urbanmap_qgis.tiling.journal import (
+    DONE,
+    FAILED,
+    TileRecord,
+    fingerprint,
+    kept_record,
+    new_tile_folder,
+    only_run,
+    publish,
+    tile_folder,
+)
+from urbanmap_qgis.tiling.mosaic_tiles import mosaic_tiles, write_tile_raster
+from urbanmap_qgis.tiling.point_pieces import (
+    keep_own_points,
+    meeting,
+    point_file,
+    sorted_into_pieces,
+    write_tile_points,
+)
+from urbanmap_qgis.tiling.tile_grid import TileGrid
+
+ROOT = Path(__file__).resolve().parents[2]
+WKT = CRS.from_epsg(6677).to_wkt()
+BOX = (-133.0, -71.0, 152.0, 214.0)
+
+
+def random_points(count=4000, seed=3):
+    """Points in the box, some of them exactly on corners and edges of 50 m tiles."""
+    rng = np.random.default_rng(seed)
+    x, y = rng.uniform(BOX[0], BOX[2], count), rng.uniform(BOX[1], BOX[3], count)
+    x[:20], y[10:30] = 50.0, -50.0
+    return x.round(2), y.round(2), rng.uniform(0, 20, count).round(2)
+
+
+def test_every_point_is_owned_by_one_tile():
+    x, y, _ = random_points()
+    grid = TileGrid(50.0, 7.0)
+    tiles = grid.covering(BOX)
+    owners = np.sum([tile.owns(x, y) for tile in tiles], axis=0)
+    assert (owners == 1).all()
+    column, row = grid.numbers(x, y)
+    for tile in tiles:
+        assert np.array_equal(tile.owns(x, y), (column == tile.column) & (row == tile.row))
+        assert np.count_nonzero(tile.reads(x, y)) >= np.count_nonzero(tile.owns(x, y))
+    assert len({tile.name for tile in tiles}) == len(tiles) == 7 * 7
+
+
+@pytest.mark.parametrize(("size", "buffer"), [(0.0, 1.0), (10.5, 1.0), (50.0, -1.0), (float("nan"), 1.0)])
+def test_grids_that_cannot_be_are_refused(size, buffer):
+    with pytest.raises(InputError, match="whole number"):
+        TileGrid(size, buffer)
+
+
+def test_absurd_extents_are_refused():
+    with pytest.raises(InputError, match="larger tiles"):
+        TileGrid(10.0, 0.0).covering((0, 0, 1e7, 1e7))
+    with pytest.raises(InputError, match="not a number"):
+        TileGrid(10.0, 0.0).covering((0, 0, np.inf, 1))
+
+
+@pytest.mark.parametrize("sort", [False, True])
+def test_a_tile_gets_its_points_and_all_own_points_are_all_points(make_cloud, tmp_path, sort):
+    x, y, z = random_points()
+    half = len(x) // 2
+    files = [point_file(make_cloud(tmp_path / f"{name}.laz", x[part], y[part], z[part]))
+             for name, part in (("東", slice(0, half)), ("west", slice(half, None)))]
+    grid = TileGrid(50.0, 7.0)
+    if sort:
+        folders = [tmp_path / str(number) for number in range(2)]
+        for folder in folders:
+            folder.mkdir()
+        files = [piece for file, folder in zip(files, folders) for piece in sorted_into_pieces(file, grid, folder)]
+        assert sum(file.points for file in files) == len(x)
+    own = 0
+    for tile in grid.covering(BOX):
+        path = tmp_path / f"tile {tile.name}.laz"
+        count = write_tile_points(files, tile, path)
+        assert count == np.count_nonzero(tile.reads(x, y))
+        if not count:
+            assert not path.exists()
+            continue
+        found = read_all(open_cloud([path]), ("x", "y", "z"))
+        inside = tile.reads(x, y)
+        assert np.allclose(np.sort(found["x"] * 1e5 + found["y"]), np.sort(x[inside] * 1e5 + y[inside]), atol=1e-3)
+        own += keep_own_points(path, tile)
+    assert own == len(x)
+
+
+def test_points_of_a_building_go_with_their_building(make_cloud, tmp_path):
+    tile = TileGrid(50.0, 10.0).tile(0, 0)
+    x = np.array([10.0, 49.0, 52.0, 53.0, 20.0])
+    path = make_cloud(tmp_path / "buildings.laz", x, np.full(5, 25.0), np.zeros(5),
+                      extra={"building_id": np.array([1, 2, 1, 0, 0], np.uint32)})
+    assert keep_own_points(path, tile, [1]) == 3
+    assert sorted(read_all(open_cloud([path]), ("x",))["x"].tolist()) == [10.0, 20.0, 52.0]
+
+
+@pytest.mark.parametrize("cell", [0.5, 0.3, 1.7])
+def test_a_raster_cut_into_tiles_is_put_together_as_it_was(tmp_path, cell):
+    grid = Grid(-40.25, 61.7, cell, 170, 211)
+    values = np.random.default_rng(5).normal(10, 3, grid.shape).astype(np.float32)
+    values[30:50, 40:90] = np.nan
+    write_raster(tmp_path / "whole.tif", values, grid, WKT)
+    parts = []
+    for tile in TileGrid(25.0, 4.0).covering(grid.bounds):
+        path = tmp_path / f"{tile.name}.tif"
+        if write_tile_raster(tmp_path / "whole.tif", tile.outer, path):
+            parts.append((path, tile.core))
+    mosaic_tiles(parts, tmp_path / "again.tif")
+    again, place, crs = read_raster(tmp_path / "again.tif")
+    assert place.shape == grid.shape
+    assert np.allclose(place.bounds, grid.bounds, atol=1e-6)
+    assert np.array_equal(again, values, equal_nan=True)
+    assert CRS.from_wkt(crs).to_epsg() == 6677
+
+
+def test_colour_images_are_cut_with_all_bands(tmp_path):
+    pixels = np.random.default_rng(1).integers(0, 255, (3, 60, 80), np.uint8)
+    with rasterio.open(tmp_path / "photo.tif", "w", driver="GTiff", width=80, height=60, count=3, dtype="uint8",
+                       crs=CRS.from_epsg(6677).to_wkt(), transform=rasterio.Affine(0.5, 0, 0, 0, -0.5, 30)) as target:
+        target.write(pixels)
+    assert write_tile_raster(tmp_path / "photo.tif", (10.0, 5.0, 20.0, 15.0), tmp_path / "cut.tif")
+    with rasterio.open(tmp_path / "cut.tif") as cut:
+        assert np.array_equal(cut.read(), pixels[:, 30:50, 20:40])
+    assert not write_tile_raster(tmp_path / "photo.tif", (100.0, 5.0, 120.0, 15.0), tmp_path / "none.tif")
+    assert not (tmp_path / "none.tif").exists()
+
+
+def test_rasters_whose_cells_do_not_meet_are_refused(tmp_path):
+    write_raster(tmp_path / "a.tif", np.zeros((10, 10), np.float32), Grid(0, 10, 1.0, 10, 10), WKT)
+    write_raster(tmp_path / "b.tif", np.zeros((10, 10), np.float32), Grid(10.4, 10, 1.0, 10, 10), WKT)
+    with pytest.raises(InputError, match="other cells"):
+        mosaic_tiles([(tmp_path / "a.tif", (0, 0, 10, 10)), (tmp_path / "b.tif", (10, 0, 20, 10))], tmp_path / "c.tif")
+    assert not (tmp_path / "c.tif").exists()
+
+
+def done_tile(folder, tile, state="s", status=DONE):
+    with new_tile_folder(folder, tile) as made:
+        (made / "output.gpkg").write_bytes(b"12345")
+        record = TileRecord(tile.name, status, fingerprint=state, outputs={"output.gpkg": 5})
+        publish(folder, tile, record, made)
+    return record
+
+
+def test_only_a_whole_tile_of_the_same_settings_is_kept(tmp_path):
+    tile = TileGrid(50.0, 0.0).tile(1, -2)
+    assert kept_record(tmp_path, tile, "s") is None
+    record = done_tile(tmp_path, tile)
+    assert kept_record(tmp_path, tile, "s") == record
+    assert kept_record(tmp_path, tile, "other") is None
+    (tile_folder(tmp_path, tile) / "output.gpkg").write_bytes(b"123")
+    assert kept_record(tmp_path, tile, "s") is None
+    done_tile(tmp_path, tile, status=FAILED)
+    assert kept_record(tmp_path, tile, "s") is None
+    (tile_folder(tmp_path, tile) / "tile.json").write_text("{", encoding="utf-8")
+    assert kept_record(tmp_path, tile, "s") is None
+
+
+def test_an_interrupted_tile_leaves_nothing(tmp_path):
+    tile = TileGrid(50.0, 0.0).tile(0, 0)
+    done_tile(tmp_path, tile)
+    with pytest.raises(KeyboardInterrupt), new_tile_folder(tmp_path, tile) as made:
+        (made / "output.gpkg").write_bytes(b"half")
+        raise KeyboardInterrupt
+    assert kept_record(tmp_path, tile, "s") is not None
+    assert [item.name for item in (tmp_path / "tiles").iterdir()] == [tile.name]
+
+
+def test_the_fingerprint_follows_files_and_settings(tmp_path):
+    file = tmp_path / "a.txt"
+    file.write_text("a")
+    first = fingerprint({"TILE": 500}, [file])
+    assert fingerprint({"TILE": 500}, [file]) == first
+    assert fingerprint({"TILE": 400}, [file]) != first
+    file.write_text("ab")
+    assert fingerprint({"TILE": 500}, [file]) != first
+
+
+def test_two_runs_in_one_folder_are_refused(tmp_path):
+    hold = ("import sys\nfrom pathlib import Path\nfrom urbanmap_qgis.tiling.journal import only_run\n"
+            "with only_run(Path(sys.argv[1])):\n    print('held', flush=True)\n    sys.stdin.read()\n")
+    with subprocess.Popen([sys.executable, "-c", hold, str(tmp_path)], cwd=ROOT, stdin=subprocess.PIPE,
+                          stdout=subprocess.PIPE) as other:
+        assert other.stdout.readline().strip() == b"held"
+        with pytest.raises(OutputError, match="Another run"), only_run(tmp_path):
+            pass
+        other.communicate(b"")
+    with only_run(tmp_path):
+        pass
+
+
+def test_files_are_met_by_their_boxes(make_cloud, tmp_path):
+    near = point_file(make_cloud(tmp_path / "near.laz", np.array([1.0, 9.0]), np.array([1.0, 9.0]), np.zeros(2)))
+    far = point_file(make_cloud(tmp_path / "far.laz", np.array([101.0, 109.0]), np.array([1.0, 9.0]), np.zeros(2)))
+    assert meeting([near, far], (0, 0, 50, 50)) == [near]
+    assert meeting([near, far], (20, 20, 50, 50)) == []
