@@ -36,7 +36,9 @@ class RegisterMms(UrbanMapAlgorithm):
     def declare(self):
         self.add_points(help="A survey (LAS, LAZ or COPC with intensities and GPS times) or, faster, its markings as "
                         "“Road markings of a mobile survey” writes them.")
-        self.add_trajectory()
+        self.add_trajectory(help="Where the vehicle was: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, "
+                            "degrees; with sd_roll,sd_pitch,sd_heading where their accuracy is known), Applanix SBET "
+                            "(with its smrmsg file beside it), or a point layer with these fields.")
         add_markings(self)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the height system of the "
                         "survey. With it the correction is in space.", optional=True)
@@ -65,8 +67,19 @@ class RegisterMms(UrbanMapAlgorithm):
                         "started from the one before, and each patch moved by the matrix of its own window; no "
                         "model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in "
                         "chapter 4.", METHODS, "full", advanced=True)
-        self.add_distance("REFERENCE_SIGMA", "Accuracy of the reference", "Standard deviation of the reference "
-                          "markings' places; it is part of every standard deviation.", 0.01, 0.0, 10.0, advanced=True)
+        self.add_distance("REFERENCE_SIGMA", "Accuracy of the reference", "Standard deviation of the error that "
+                          "all reference markings around a place share (orientation of the frames, for example): no "
+                          "survey can show it, so that it is part of every standard deviation. The default holds where "
+                          "the reference counts as true; otherwise give what control points say of it.", 0.005, 0.0,
+                          10.0, advanced=True)
+        self.add_distance("GROUND_SIGMA", "Accuracy of the ground", "Standard deviation of the errors that "
+                          "neighbouring heights of the ground share; they must not turn the vehicle. By default found "
+                          "from how the ground bends against the survey.", None, 0.001, 10.0, optional=True,
+                          advanced=True)
+        self.add_number("ATTITUDE_SIGMA", "Accuracy of roll and pitch", "Standard deviation of the reported roll and "
+                        "pitch; that of the heading is twice as large. Not used where the trajectory states its own "
+                        "(columns sd_roll, sd_pitch, sd_heading, or the smrmsg file beside an SBET).", 0.05, 0.001,
+                        10.0, unit="degrees", advanced=True)
         self.add_distance("TRUSTED_SIGMA", "Maximum trusted standard deviation", "A patch whose standard deviation in "
                           "plan is larger is not to be trusted.", 0.3, 0.01, 100.0, advanced=True)
         self.add_raster("IMAGE", "Aerial image", "Shown behind the markings in the report.", optional=True)
@@ -126,7 +139,11 @@ class RegisterMms(UrbanMapAlgorithm):
         usual, sigma = make(three_d=reference.has_heights), number("REFERENCE_SIGMA")
         given = {"patch_length": number("PATCH_LENGTH"), "feature_grid": number("FEATURE_GRID"),
                  "feature_count": whole("FEATURE_COUNT"), "ndt_grid": number("NDT_GRID"),
-                 "iterations": whole("ITERATIONS"), "search": number("SEARCH"), "reference_sigma": sigma}
+                 "iterations": whole("ITERATIONS"), "search": number("SEARCH"),
+                 "reference_sigma": max(sigma, usual.reference_sigma)}
+        if parameters.get("GROUND_SIGMA") is not None:
+            given["ground_sigma"] = number("GROUND_SIGMA")
+        attitude = number("ATTITUDE_SIGMA")
         if usual.window_points is not None:
             given["window_points"] = usual.feature_points * given["feature_count"]
         for name, key, read in (("WINDOW_PATCHES", "window_patches", whole), ("SUBSAMPLING", "subsampling", number),
@@ -135,8 +152,9 @@ class RegisterMms(UrbanMapAlgorithm):
                 given[key] = read(name)
         if "max_window_patches" not in given and usual.max_window_patches is not None:
             given["max_window_patches"] = max(usual.max_window_patches, given.get("window_patches", 0))
-        return RegistrationRun(replace(usual, **given), CorrectionSettings(reference_sigma=sigma,
-                                                                           trusted_sigma=number("TRUSTED_SIGMA")))
+        return RegistrationRun(replace(usual, **given), CorrectionSettings(
+            reference_sigma=sigma, trusted_sigma=number("TRUSTED_SIGMA"),
+            attitude_sigma=(attitude, attitude, 2.0 * attitude)))
 
     def _figures(self, made):
         import numpy as np

@@ -12,6 +12,9 @@ from ..mobile.survey_inputs import read_survey_and_reference
 FIGURES = ("WAY", "MEAN_CORRECTION", "MAX_CORRECTION", "REGISTERED_SHARE", "BRIDGED_SHARE", "DISTRUSTED_SHARE",
            "MEDIAN_SIGMA", "MAX_SIGMA")
 
+ACCURACIES = ("REFERENCE_SIGMA", "GROUND_SIGMA", "ATTITUDE_SIGMA")
+"""How accurate reference, ground and reported angles are."""
+
 READING = ("ANGLES", "GEOID", "GEOID_HEIGHT")
 """How the trajectories are read, by all steps."""
 
@@ -36,7 +39,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         self.add_from(ApplyTrajectory, "IMAGES")
         self.add_from(RegisterMms, "IMAGE")
         self.add_from(RegisterMms, "METHOD", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
-                      "SEARCH", "REFERENCE_SIGMA", *READING, "WORKERS", advanced=True)
+                      "SEARCH", *ACCURACIES, *READING, "WORKERS", advanced=True)
         self.add_from(RegisterMms, "POINTS_CRS")
         self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
         self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")
@@ -60,7 +63,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
                        POINTS=points, OUTPUT=self.temporary_file(context, "markings.laz"))
         registered = run("registermms", **pick("TRAJECTORY", "MARKINGS", "GROUND", "IMAGE", "PATCH_LENGTH",
                                                "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT", "SEARCH",
-                                               "REFERENCE_SIGMA", *READING, "WORKERS", "METHOD", "OUTPUT_PATCHES",
+                                               *ACCURACIES, *READING, "WORKERS", "METHOD", "OUTPUT_PATCHES",
                                                "OUTPUT_REPORT"),
                          POINTS=[markings["OUTPUT"]],
                          OUTPUT=self.parameterAsFileOutput(parameters, "OUTPUT_TRAJECTORY", context))

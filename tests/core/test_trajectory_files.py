@@ -93,6 +93,15 @@ def test_sbet_lies_where_projection_puts_it_and_heads_as_the_points_say(tmp_path
     assert abs(drawn[0]) > 0.3
 
 
+def test_sbet_carries_the_accuracies_of_its_rms_file(tmp_path):
+    path = sbet(tmp_path / "sbet_drive.out", 139.75 + np.zeros(5), 35.69 + 1e-6 * np.arange(5), np.zeros(5))
+    time = read_trajectory(path, ZONE).trajectory.time
+    np.array([[t, *[1.0] * 6, 0.6, 0.6, 1.8] for t in time]).tofile(tmp_path / "smrmsg_drive.out")
+    read = read_trajectory(path, ZONE)
+    np.testing.assert_allclose(read.trajectory.angle_sigma, np.tile([0.01, 0.01, 0.03], (len(time), 1)))
+    assert "smrmsg_drive.out states the accuracy" in read.applied
+
+
 def test_sbet_is_written_back_as_sbet(tmp_path):
     rng = np.random.default_rng(0)
     path = sbet(tmp_path / "a.out", 139.75 + rng.uniform(0, 0.01, 20), 35.69 + rng.uniform(0, 0.01, 20),

@@ -17,6 +17,7 @@ from ..io.atomic import written_beside
 from ..io.guard import first_not_finite, read_text, reads
 from ..io.pointcloud import plan_crs
 from .trajectory import Trajectory, gaps, jumps, unwrapped
+from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, told
 from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
 
 COLUMNS = ("time", "x", "y", "z", "roll", "pitch", "heading")
@@ -47,7 +48,7 @@ class TrajectoryFile:
     delimiter : of the CSV.
     crs_wkt : of the map coordinates, where it was needed (SBET).
     reading : how its angles and heights were read, and are written.
-    applied : a sentence on what was done to its heights, "" for nothing.
+    applied : sentences on what was done to its heights and what it states on its accuracy, "" for nothing.
     """
 
     trajectory: Trajectory
@@ -65,6 +66,8 @@ class TrajectoryFile:
 def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
                     reading: TrajectoryReading = USUAL) -> TrajectoryFile:
     """Read a trajectory: CSV with `time,x,y,z,roll,pitch,heading`, or Applanix SBET (`.out`, `.sbet`).
+
+    Where it states the accuracy of its angles (see `trajectory_accuracy`), the trajectory carries it.
 
     Parameters
     ----------
@@ -126,7 +129,15 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     if reading.geoid is not None:
         notes.append(f"{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as they "
                      "are.")
-    return _checked(table[order], name, notes, others, reading)
+    made = _checked(table[order], name, notes, others, reading)
+    sigma = sigma_of_columns(others, reading.angles, name)
+    return made if sigma is None else _with_sigma(made, sigma, name)
+
+
+def _with_sigma(made: TrajectoryFile, sigma: np.ndarray, name: str) -> TrajectoryFile:
+    """The same with standard deviations (n, 3) of the angles, degrees, which `name` states."""
+    return replace(made, trajectory=replace(made.trajectory, angle_sigma=sigma),
+                   applied=" ".join(part for part in (made.applied, told(sigma, name)) if part))
 
 
 def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
@@ -194,7 +205,11 @@ def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> T
     order, notes = _order(table, path.name)
     read = TrajectoryReading(geoid=reading.geoid)
     made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
-    return replace(made, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
+    made = replace(made, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
+    beside = rms_file_of(path)
+    if beside is None:
+        return made
+    return _with_sigma(made, sigma_of_rms_file(beside, made.trajectory.time), beside.name)
 
 
 def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tuple[np.ndarray, str]:

@@ -174,6 +174,10 @@ def _tell(made: RegisteredSurvey, progress: Progress) -> None:
               "how accurate it is is not known")
     progress.message(f"{100 * made.share(REGISTERED):.0f} % of the path is registered, "
                      f"{100 * made.share(BRIDGED):.0f} % bridged; {spread}.")
+    if correction.heading_factor > 1.0:
+        progress.warn(f"The reported heading contradicts the markings by {abs(np.median(correction.value[:, 5])):.1f} "
+                      "degrees (median), much more than its accuracy: it was corrected; check the calibration and the "
+                      "trajectory.")
     if made.share(DISTRUSTED) > 0:
         spans = [item for item in unregistered_sections(made) if item.status == STATUS_NAMES[DISTRUSTED]]
         longest = max(spans, key=lambda item: item.end - item.start)

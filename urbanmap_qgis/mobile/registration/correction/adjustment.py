@@ -61,6 +61,7 @@ class Correction:
     residual : (n, 6) the window's own correction less this one; NaN where there is none.
     three_d : whether height, roll and pitch were estimated.
     drift_factor : how many times as large as expected the drift is. noise_factor : of the observations' variance.
+    heading_factor : how many times as large as stated the error of the heading was taken for, 1 as a rule.
     """
 
     time: np.ndarray
@@ -74,6 +75,7 @@ class Correction:
     three_d: bool
     drift_factor: float
     noise_factor: float
+    heading_factor: float
     _node_parameter: np.ndarray = field(repr=False)
     _node_state: np.ndarray = field(repr=False)
     _active: tuple[int, ...] = field(repr=False)
@@ -233,7 +235,7 @@ def _result(windows: WindowResults, chain: Chain, fit: Fit, at_patches: np.ndarr
                            settings.trusted_sigma)
     status[opposed & (status == REGISTERED)], reason[opposed] = BRIDGED, "the window here contradicts the correction"
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
-                      normals.three_d, fit.drift_factor, fit.noise_factor, chain.nodes, fit.state,
+                      normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight)
 
 

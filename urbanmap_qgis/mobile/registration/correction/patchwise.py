@@ -44,7 +44,7 @@ def patchwise_correction(windows: WindowResults, settings: CorrectionSettings) -
     status[wide], reason[wide] = DISTRUSTED, _REASONS[WEAK]
     return Correction(windows.time, windows.chainage, np.nan_to_num(windows.correction), covariance, status, reason,
                       np.where(windows.usable, 1.0, np.nan), np.full((n, 6), np.nan), windows.three_d, np.nan, np.nan,
-                      np.zeros(0), np.zeros((0, 0, 2)), (), 0.0)
+                      1.0, np.zeros(0), np.zeros((0, 0, 2)), (), 0.0)
 
 
 def correct_patchwise(trajectory: Trajectory, windows: WindowResults, patch_length: float) -> Trajectory:

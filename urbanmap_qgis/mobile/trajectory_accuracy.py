@@ -1,0 +1,93 @@
+"""How accurate a navigation says its angles are: columns of a table, or the RMS file beside an Applanix SBET.
+
+Stated accuracies of places are not used: between tall buildings, where reflected signals draw the solution away, they
+are far too small. Those of angles come from the inertial unit and hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import InputError
+
+SIGMA_COLUMNS = ("sd_roll", "sd_pitch", "sd_heading")
+"""Columns with the standard deviations of the angles, in the unit of the angles; upper or lower case."""
+
+_LEAST = 0.001  # degrees: what is stated below is taken as this
+_RMS = np.dtype([(name, "<f8") for name in ("time", "north", "east", "down", "velocity_north", "velocity_east",
+                                           "velocity_down", "roll", "pitch", "heading")])
+_MINUTES = 60.0  # of arc, in which the RMS file has angles
+
+
+def sigma_of_columns(columns: Mapping[str, Sequence], counted: str, name: str) -> np.ndarray | None:
+    """(n, 3) degrees, standard deviations of roll, pitch and heading by `SIGMA_COLUMNS`; None without these columns.
+
+    `counted` : how the angles are counted, one of `trajectory_reading.ANGLES`.
+
+    Raises
+    ------
+    InputError : one of the columns is missing, or a value is no number greater than 0.
+    """
+    known = {key.strip().lower(): key for key in columns}
+    there = [column for column in SIGMA_COLUMNS if column in known]
+    if not there:
+        return None
+    missing = [column for column in SIGMA_COLUMNS if column not in known]
+    if missing:
+        raise InputError(f"{name} has {', '.join(there)} but no {', '.join(missing)}: give the standard deviations of "
+                         "all three angles, or of none.")
+    try:
+        sigma = np.array([np.asarray(columns[known[column]], float) for column in SIGMA_COLUMNS]).T
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{name} holds a standard deviation that is no number ({error}): correct it.") from error
+    return _checked(np.degrees(sigma) if counted.startswith("radians") else sigma, name)
+
+
+def rms_file_of(path: Path) -> Path | None:
+    """The RMS file of an SBET: `smrmsg_NAME.out` beside `sbet_NAME.out`, or `NAME_smrmsg.out`; None without one."""
+    stem, suffix = path.stem, path.suffix
+    names = [f"{stem}_smrmsg", f"smrmsg_{stem}"]
+    if stem.lower().startswith("sbet"):
+        names.insert(0, "smrmsg" + stem[4:])
+    wanted = {f"{name}{ending}".lower() for name in names for ending in {suffix, ".out"}}
+    return next((other for other in sorted(path.parent.iterdir()) if other.name.lower() in wanted), None)
+
+
+def sigma_of_rms_file(path: Path, time: np.ndarray) -> np.ndarray:
+    """(n, 3) degrees at times (n,) from an Applanix RMS file: records of ten doubles, angles in minutes of arc.
+
+    Raises
+    ------
+    InputError : it is no such file, or does not cover the times.
+    """
+    size = path.stat().st_size
+    if size == 0 or size % _RMS.itemsize:
+        raise InputError(f"{path.name} is no RMS file of an SBET or is cut off: its length is no multiple of "
+                         f"{_RMS.itemsize} bytes; export it again, or put it elsewhere.")
+    records = np.fromfile(path, _RMS)
+    away = 1.0 + float(np.median(np.diff(records["time"]))) if len(records) > 1 else 1.0
+    if not (np.diff(records["time"]) > 0).all() or records["time"][0] > time[0] + away or (
+            records["time"][-1] < time[-1] - away):
+        raise InputError(f"{path.name} does not belong to the trajectory: its times run from {records['time'][0]:.1f} "
+                         f"to {records['time'][-1]:.1f} s, the trajectory's from {time[0]:.1f} to {time[-1]:.1f} s; "
+                         "give that of the same solution, or put it elsewhere.")
+    sigma = np.column_stack([np.interp(time, records["time"], records[angle]) for angle in ("roll", "pitch",
+                                                                                            "heading")])
+    return _checked(sigma / _MINUTES, path.name)
+
+
+def _checked(sigma: np.ndarray, name: str) -> np.ndarray:
+    if not np.isfinite(sigma).all() or (sigma <= 0).any() or (sigma > 90.0).any():
+        raise InputError(f"{name} holds a standard deviation of an angle that is not above 0 and below 90 degrees: "
+                         "correct or remove it.")
+    return np.maximum(sigma, _LEAST)
+
+
+def told(sigma: np.ndarray, name: str) -> str:
+    """A sentence on what is stated."""
+    roll, pitch, heading = np.median(sigma, axis=0)
+    return (f"{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading {heading:.3f}° "
+            "(medians).")
