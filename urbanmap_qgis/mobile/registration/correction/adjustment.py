@@ -16,7 +16,7 @@ from ....errors import InsufficientDataError
 from ....progress import SILENT, Progress
 from ...trajectory import Trajectory, gaps, jumps
 from ..records import WindowResults
-from .chain import Chain, nodes_along, smooth_between
+from .chain import NodeChain, nodes_along, smooth_between
 from .error_model import PoseErrorModel
 from .error_steps import window_steps
 from .gauss_markov import path_parameters_of
@@ -124,7 +124,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
             "streets in the same coordinate system, and that the survey has intensities that show paint.")
     at_patches, nodes = normals.path_parameter, nodes_along(path_parameter, settings.node_length)
     model = settings.error_model(_angle_sigma(trajectory, path_parameter, nodes, settings))
-    chain = Chain(normals, nodes, trajectory, path_parameter,
+    chain = NodeChain(normals, nodes, trajectory, path_parameter,
                    window_steps(windows, np.interp(nodes, at_patches, windows.chainage), settings.min_margin))
     sure = windows.margin >= settings.min_margin
     allowed = np.where(sure, 1.0, 0.0) if (sure & normals.present).any() else np.ones(len(windows))
@@ -146,7 +146,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     return _distrusted(made, trajectory, settings)
 
 
-def _scaled_in_plan(chain: Chain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
+def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
     """Covariances of the nodes with the variances east and north of others: heights and angles have noise of their own.
 
     `covariance`, `found` : (k, 2 d, 2 d) of (error, rate) of each parameter, in the chain's order.
@@ -166,8 +166,8 @@ def _angle_sigma(trajectory: Trajectory, path_parameter: np.ndarray, nodes: np.n
     return np.column_stack([np.interp(nodes, path_parameter, axis) for axis in trajectory.angle_sigma.T])
 
 
-def _onto_points(points: Evaluate, chain: Chain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray,
-                 settings: CorrectionSettings, progress: Progress) -> tuple[Chain, Fit]:
+def _onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorModel, allowed: np.ndarray,
+                 settings: CorrectionSettings, progress: Progress) -> tuple[NodeChain, Fit]:
     """Gauss and Newton's method on the points' own normal equations, from the windows' correction."""
     for number, blur in enumerate(settings.blurs):
         progress.step(number / len(settings.blurs))
@@ -191,7 +191,7 @@ def _onto_points(points: Evaluate, chain: Chain, fit: Fit, model: PoseErrorModel
 class _Curve:
     """The correction (m, 6) at path parameters (m,)."""
 
-    chain: Chain
+    chain: NodeChain
     state: np.ndarray
 
     def __call__(self, path_parameter: np.ndarray) -> np.ndarray:
@@ -215,7 +215,7 @@ def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: n
     return (own < 9.0) & (nearest - own > 2 * 3.0 * settings.min_margin)
 
 
-def _result(windows: WindowResults, chain: Chain, fit: Fit, at_patches: np.ndarray, doubtful: np.ndarray,
+def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.ndarray, doubtful: np.ndarray,
             settings: CorrectionSettings) -> Correction:
     """The correction at the patches with its quality."""
     normals, n = chain.normals, len(windows)

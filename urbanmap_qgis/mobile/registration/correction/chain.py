@@ -17,7 +17,7 @@ _STEP_SOFTNESS = 0.2  # share of the information that pieces on a step keep
 _NO_WEIGHT = 0.02  # weight that stands for evidence that is not believed at all
 
 
-class Chain:
+class NodeChain:
     """The normal equations: nodes along the path, the observations on the node next to each piece."""
 
     def __init__(self, normals: NormalEquations, nodes: np.ndarray, trajectory: Trajectory, path_parameter: np.ndarray,
@@ -35,7 +35,7 @@ class Chain:
         # Where the error changes fast its own linearisation is worth less.
         self.normals = normals.softened(np.where(moving[self.node], _STEP_SOFTNESS, 1.0)) if moving.any() else normals
 
-    def with_normals(self, normals: NormalEquations) -> Chain:
+    def with_normals(self, normals: NormalEquations) -> NodeChain:
         """The same nodes with other normal equations."""
         other = copy(self)
         other._take(normals)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ....progress import Progress
-from .chain import Chain
+from .chain import NodeChain
 from .error_model import PoseErrorModel
 from .normal_equations import NormalEquations
 from .settings import CorrectionSettings
@@ -40,7 +40,7 @@ class Fit:
     heading_factor: float = 1.0
 
 
-def robust_fit(chain: Chain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
+def robust_fit(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
                 progress: Progress) -> Fit:
     """The adjustment with the size of drift that makes the survey likeliest, its gross blocks counted against it."""
     tried = []
@@ -52,7 +52,7 @@ def robust_fit(chain: Chain, model: PoseErrorModel, allowed: np.ndarray, setting
     return _with_likely_heading(chain, model, allowed, settings, likelihood, replace(fit, drift_factor=factor))
 
 
-def _with_likely_heading(chain: Chain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
+def _with_likely_heading(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray, settings: CorrectionSettings,
                          likelihood: float, fit: Fit) -> Fit:
     """The adjustment with a larger error of the heading, where this makes the survey much likelier."""
     best = likelihood
@@ -64,7 +64,7 @@ def _with_likely_heading(chain: Chain, model: PoseErrorModel, allowed: np.ndarra
     return fit
 
 
-def reweighted_fit(chain: Chain, model: PoseErrorModel, allowed: np.ndarray,
+def reweighted_fit(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray,
                     settings: CorrectionSettings) -> tuple[Fit, float]:
     """Adjustment in which blocks that contradict the rest lose their weight, and the log-likelihood of the model."""
     normals = chain.normals
