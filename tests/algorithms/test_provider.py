@@ -17,7 +17,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
-            "loadgsibuildings", "segmentbuildings", "segmentroofs", "roofpolygons",
+            "loadgsibuildings", "loadgsidem", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals", "tiledrun",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines")
 

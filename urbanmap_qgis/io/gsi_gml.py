@@ -2,32 +2,23 @@
 
 from __future__ import annotations
 
-import codecs
-import re
 import sys
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import IO
 from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
 from .gsi_sources import XmlSource, opened
+from .xml_stream import decoded
 
 FGD = "{http://fgd.gsi.go.jp/spec/2008/FGD_GMLSchema}"
 GML = "{http://www.opengis.net/gml/3.2}"
 ATTRIBUTES = ("gml_id", "fid", "lfSpanFr", "lfSpanTo", "devDate", "orgGILvl", "orgMDId", "type", "name",
               "source")
 
-_CHUNK = 2**18
-_LONGEST_PROLOG = 2**22
 _LARGEST_OBJECT = 2**26
-_NOT_MARKUP = re.compile(r"<!--.*?(?:-->|\Z)|<\?.*?(?:\?>|\Z)", re.DOTALL)
-_DECLARED = re.compile(rb"""^\s*<\?xml[^>]*?encoding\s*=\s*["']([A-Za-z0-9._:-]+)["']""")
-# Windows programs write "Shift_JIS" and mean its superset, with characters such as U+2460 or U+9AD9.
-_SUPERSETS = {"shift_jis": "cp932", "shift-jis": "cp932", "sjis": "cp932", "x-sjis": "cp932",
-              "windows-31j": "cp932"}
 # Two ends closer than this are one point: 1e-9 degrees, the last digit the GSI gives, is 0.1 mm.
 _SAME_DEGREES = 1.5e-9
 # Latitude and longitude between which all of Japan lies (EPSG's area of use of JGD2011, with a margin).
@@ -95,7 +86,7 @@ def read_source(source: XmlSource, harvest: Harvest, progress: Progress = SILENT
         objects = _objects(parser, source, harvest)
         read = since = 0
         try:
-            for text, size in _decoded(stream, source.name):
+            for text, size in decoded(stream, source.name, "GSI data"):
                 read += size
                 parser.feed(text)
                 since = 0 if next(objects) else since + size
@@ -109,56 +100,6 @@ def read_source(source: XmlSource, harvest: Harvest, progress: Progress = SILENT
             line, column = error.position
             raise InputError(f"{source.name} is not whole, valid XML (line {line}, column {column}): "
                              "download it again.") from error
-
-
-def _decoded(stream: IO[bytes], name: str) -> Iterator[tuple[str, int]]:
-    """Pieces of text and their sizes in bytes, in the encoding that the XML declares.
-
-    The XML parser itself knows no Shift_JIS; given text it passes over the declared encoding.
-    """
-    decoder, prolog = None, True
-    start = ""
-    while True:
-        data = stream.read(_CHUNK)
-        if decoder is None:
-            decoder = _decoder(data, name)
-        try:
-            text = decoder.decode(data, final=not data)
-        except UnicodeError as error:
-            encoding = getattr(error, "encoding", "text in the encoding that it declares")
-            raise InputError(f"{name} holds bytes that are not valid {encoding}: "
-                             "download it again or correct its declared encoding.") from error
-        if prolog:
-            start += text
-            if len(start) > _LONGEST_PROLOG:
-                raise InputError(f"{name} has no object in its first {_LONGEST_PROLOG >> 20} MB: download it again "
-                                 "from the GSI.")
-            plain = _NOT_MARKUP.sub("", start)
-            if "<!DOCTYPE" in plain:
-                raise InputError(f"{name} has a document type declaration, which GSI data never has: "
-                                 "download it again from the GSI.")
-            prolog = re.search(r"<[^!?\s]", plain) is None
-        if text:
-            yield text, len(data)
-        if not data:
-            return
-
-
-def _decoder(start: bytes, name: str) -> codecs.IncrementalDecoder:
-    declared = _DECLARED.match(start)
-    if start.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
-        encoding = "utf-16"
-    elif start.startswith(codecs.BOM_UTF8) or declared is None:
-        encoding = "utf-8-sig"
-    else:
-        encoding = declared.group(1).decode("ascii").lower()
-    try:
-        known = codecs.lookup(_SUPERSETS.get(encoding, encoding))
-        if not known._is_text_encoding or known.incrementaldecoder is None:
-            raise LookupError(encoding)
-        return known.incrementaldecoder()
-    except LookupError as error:
-        raise InputError(f"{name} declares the unknown encoding {encoding}: save it as UTF-8.") from error
 
 
 def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iterator[int]:

@@ -22,6 +22,8 @@ _OBJECT_TYPE = re.compile(r"FG-GML-.*?-([A-Z][A-Za-z]+)-\d{8}", re.IGNORECASE)
 _BUILDING_TYPES = {"blda", "bldl", "all"}
 _DEEPEST_ZIP = 4  # the site packs a zip of map sheets at most twice; deeper is a mistake or a bomb
 _LARGEST_ZIP = 2**31
+_LARGE = 2**30
+_MOST_PACKED = 300  # bytes from one: XML of maps packs to about a thirtieth
 _SPOOL_BYTES = 32 * 2**20
 
 
@@ -40,18 +42,44 @@ class XmlSource:
 
 
 @dataclass(frozen=True)
+class Wanted:
+    """What is looked for among files: how it is called, which names cannot hold it, and what to do without it.
+
+    Attributes
+    ----------
+    what : in messages, such as "building outlines (BldA or BldL)". advice : what to do when there are none.
+    other : whether a file of this name holds something else for certain. suffixes : of the files, lower case.
+    """
+
+    what: str
+    advice: str
+    other: Callable[[str], bool]
+    suffixes: tuple[str, ...] = (".xml",)
+
+
+def _no_building(name: str) -> bool:
+    """Whether a file's name says that it holds roads or the like."""
+    kind = _OBJECT_TYPE.search(name)
+    return bool(kind) and kind.group(1).lower() not in _BUILDING_TYPES
+
+
+BUILDINGS = Wanted("building outlines (BldA or BldL)",
+                   "download the item 'outlines of buildings' from the GSI", _no_building)
+
+
+@dataclass(frozen=True)
 class Listing:
-    """XML files that may hold buildings, and the names of those that by their name hold something else."""
+    """XML files that may hold what is wanted, and the names of those that by their name hold something else."""
 
     sources: list[XmlSource]
     others: list[str]
 
 
-def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack) -> Listing:
+def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted: Wanted = BUILDINGS) -> Listing:
     """List the XML files behind one path or several, in an order that depends on their names only.
 
     A path is an .xml, a .zip (zips inside are opened too) or a folder, searched with all its subfolders.
-    Zip archives stay open until `stack` is closed.
+    Zip archives stay open until `stack` is closed; nothing of them is written anywhere under a name of theirs.
 
     Raises
     ------
@@ -59,23 +87,22 @@ def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack) -> List
     """
     given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     if not given:
-        raise InputError("No file was given: choose GSI building outlines (.xml, .zip or a folder of them).")
+        raise InputError(f"No file was given: choose {wanted.what} ({wanted.suffixes[0]}, .zip or a folder of them).")
     listing = Listing([], [])
     for path in given:
         found = len(listing.sources) + len(listing.others)
-        files = _files_of(Path(path))
+        files = _files_of(Path(path), wanted)
         for file in files:
             with _explained(str(file)):
                 if zipfile.is_zipfile(file) or file.suffix.lower() == ".zip":
-                    _list_zip(stack.enter_context(zipfile.ZipFile(file)), str(file), listing, stack, depth=1)
+                    _list_zip(stack.enter_context(zipfile.ZipFile(file)), str(file), listing, stack, wanted, 1)
                 else:
                     chosen = XmlSource(str(file), file.stat().st_size, lambda file=file: file.open("rb"))
-                    _add(chosen, listing, by_name=Path(path).is_dir())
+                    _add(chosen, listing, wanted, by_name=Path(path).is_dir())
         if len(listing.sources) + len(listing.others) == found:
-            raise InputError(f"{path} holds no .xml file: give building outlines as downloaded from the GSI.")
+            raise InputError(f"{path} holds no {wanted.suffixes[0]} file: give {wanted.what} as they were downloaded.")
     if not listing.sources:
-        raise InputError(f"{given[0]} holds no building outlines (BldA or BldL) but {listing.others[0]}: "
-                         "download the item 'outlines of buildings' from the GSI.")
+        raise InputError(f"{given[0]} holds no {wanted.what} but {listing.others[0]}: {wanted.advice}.")
     return listing
 
 
@@ -86,29 +113,33 @@ def opened(source: XmlSource) -> Iterator[IO[bytes]]:
         yield stream
 
 
-def _files_of(path: Path) -> list[Path]:
+def _files_of(path: Path, wanted: Wanted) -> list[Path]:
     if path.is_file():
         return [path]
     if not path.is_dir():
         raise InputError(f"{path} does not exist: check the path.")
-    return sorted((file for file in path.rglob("*") if file.suffix.lower() in {".xml", ".zip"}
+    return sorted((file for file in path.rglob("*") if file.suffix.lower() in {*wanted.suffixes, ".zip"}
                    and file.is_file()), key=lambda file: file.as_posix())
 
 
-def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: ExitStack, depth: int) -> None:
+def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: ExitStack, wanted: Wanted,
+              depth: int) -> None:
     if depth > _DEEPEST_ZIP:
         raise InputError(f"{name} is a zip nested more than {_DEEPEST_ZIP} deep: unpack it first.")
     entries = sorted((_entry_name(info), index, info) for index, info in enumerate(archive.infolist()))
     for entry, _, info in entries:
         suffix = Path(entry).suffix.lower()
-        if suffix not in {".xml", ".zip"} or info.is_dir() or entry.startswith("__MACOSX/"):
+        if suffix not in {*wanted.suffixes, ".zip"} or info.is_dir() or entry.startswith("__MACOSX/"):
             continue
         label = f"{name}/{entry}"
         if info.flag_bits & 0x1:
-            raise InputError(f"{label} is encrypted: unpack it with its password and give the .xml files.")
-        if suffix == ".xml":
+            raise InputError(f"{label} is encrypted: unpack it with its password and give the files in it.")
+        if info.file_size > _LARGE and info.file_size > _MOST_PACKED * max(info.compress_size, 1):
+            raise InputError(f"{label} would unpack to {info.file_size >> 30} GB from {info.compress_size >> 20} MB, "
+                             "which no map data does: get the file again from where it comes from.")
+        if suffix != ".zip":
             source = XmlSource(label, info.file_size, lambda info=info: archive.open(info))
-            _add(source, listing, by_name=True)
+            _add(source, listing, wanted, by_name=True)
             continue
         # A compressed stream can be read forwards only, a zip starts at its end: so unpack the inner one.
         spool = stack.enter_context(tempfile.SpooledTemporaryFile(_SPOOL_BYTES))  # noqa: SIM115
@@ -117,7 +148,7 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
                 _copy(packed, spool, label)
             spool.seek(0)
             inner = stack.enter_context(zipfile.ZipFile(_seekable(spool)))
-        _list_zip(inner, label, listing, stack, depth + 1)
+        _list_zip(inner, label, listing, stack, wanted, depth + 1)
 
 
 def _copy(packed: IO[bytes], spool: IO[bytes], label: str) -> None:
@@ -148,10 +179,9 @@ def _entry_name(info: zipfile.ZipInfo) -> str:
         return info.filename
 
 
-def _add(source: XmlSource, listing: Listing, by_name: bool) -> None:
+def _add(source: XmlSource, listing: Listing, wanted: Wanted, by_name: bool) -> None:
     """Sort a file in; roads and the like beside the buildings are told by their names and not opened."""
-    kind = _OBJECT_TYPE.search(source.short_name)
-    if by_name and kind and kind.group(1).lower() not in _BUILDING_TYPES:
+    if by_name and wanted.other(source.short_name):
         listing.others.append(source.name)
     else:
         listing.sources.append(source)
@@ -166,6 +196,6 @@ def _explained(name: str) -> Iterator[None]:
         raise InputError(f"{name} is damaged or not a zip file ({error}): download it again.") from error
     except (NotImplementedError, RuntimeError) as error:
         raise InputError(f"{name} cannot be unpacked here ({error}): "
-                         "unpack it and give the .xml files.") from error
+                         "unpack it and give the files in it.") from error
     except OSError as error:
         raise InputError(f"{name} cannot be read ({error.strerror or error}): check the file.") from error

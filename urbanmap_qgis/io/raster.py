@@ -20,6 +20,7 @@ from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
 from .atomic import written_beside
+from .height_systems import heights_of, stating_heights
 from .renamed_crs import known_wkt
 
 NODATA = -9999.0
@@ -68,7 +69,7 @@ def write_raster(path: str | os.PathLike, raster: np.ndarray, grid: Grid, crs_wk
                "predictor": 3 if floating else 2, "bigtiff": "if_safer", "nodata": nodata}
     try:
         with (own_gdal(), written_beside(path) as temporary,
-              rasterio.open(temporary, "w", crs=CRS.from_wkt(crs_wkt), **profile) as target):
+              rasterio.open(temporary, "w", crs=_lasting_crs(crs_wkt), **profile) as target):
             for top in range(0, grid.rows, _BLOCK):
                 band = np.asarray(raster[top:top + _BLOCK])
                 if floating and nodata is not None:
@@ -79,6 +80,20 @@ def write_raster(path: str | os.PathLike, raster: np.ndarray, grid: Grid, crs_wk
         raise InputError("The coordinate reference system cannot be understood: set another one.") from error
     except RasterioError as error:
         raise OutputError(f"{Path(path).name} cannot be written ({error}): choose another output.") from error
+
+
+def _lasting_crs(crs_wkt: str) -> CRS:
+    """A CRS that comes back from a GeoTIFF: heights whose code the database does not know are spelt out.
+
+    A GeoTIFF holds codes, and one that the reader's database lacks would be lost with all that it says of heights.
+    """
+    system = heights_of(crs_wkt)
+    if system.epsg is not None:
+        try:
+            CRS.from_epsg(system.epsg)
+        except CRSError:
+            crs_wkt = stating_heights(crs_wkt, system, coded=False)
+    return CRS.from_wkt(crs_wkt)
 
 
 class RasterSampler:
