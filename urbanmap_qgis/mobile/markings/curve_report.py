@@ -9,6 +9,7 @@ import numpy as np
 
 from ...io.report import Report
 from .intensity_calibration import IntensityCurve
+from .lasers import LaserGains
 from .marking_stage import Extraction
 
 WIDTH, HEIGHT = 640, 320
@@ -40,6 +41,8 @@ def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequenc
     _survey(report, made, files)
     for number, curve in sorted(made.curves.items()):
         report.section(f"Scanner {number}")
+        if number in made.lasers:
+            _lasers(report, made.lasers[number])
         _curve(report, curve, made.reference)
     for number, reason in sorted(made.failed.items()):
         report.warning(f"Scanner {number} has no curve and its points are left out: {reason}.")
@@ -86,6 +89,16 @@ def doubts(made: Extraction) -> list[str]:
             sentences.append(f"Single asphalt points of scanner {number} scatter by {100 * curve.scatter:.0f} %: only "
                              "strong paint stands out, and bright specks may be taken for paint.")
     return sentences
+
+
+def _lasers(report: Report, gains: LaserGains) -> None:
+    """What the lasers of a scanner differ by."""
+    known = gains.gain[np.isfinite(gains.gain)]
+    report.facts({
+        "Lasers told apart by": gains.told_by, "Lasers (of the angle: bins of 0.1 degrees) used": gains.used,
+        "Left out (no signal or too much scatter)": gains.left_out, "Smallest gain": float(known.min()),
+        "Largest gain": float(known.max()), "Scatter on even ground before, %": 100.0 * gains.before,
+        "After, %": 100.0 * gains.after})
 
 
 def _curve(report: Report, curve: IntensityCurve, reference: float) -> None:

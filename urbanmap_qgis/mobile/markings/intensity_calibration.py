@@ -302,6 +302,14 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
                           np.isin(rows, run), float(1.4826 * residual), float(scatter))
 
 
+def scatter_about(histogram: RangeHistogram, curve: IntensityCurve) -> float:
+    """Scatter of single asphalt points of a histogram about a curve, as a share of it, where the curve holds."""
+    middle = (np.arange(histogram.rows) + 0.5) * BIN
+    used = (middle >= curve.nearest) & (middle <= curve.r2)
+    spread, points = _spread(histogram.counts, np.log(curve.at(middle)))[used], histogram.counts.sum(axis=1)[used]
+    return float(np.sqrt((spread**2 * points).sum() / max(points.sum(), 1)))
+
+
 def _spread(counts: np.ndarray, centre: np.ndarray) -> np.ndarray:
     """Standard deviation (bins,) of the logarithms of asphalt, from its dark side: no paint or paving lies there."""
     offset = RangeHistogram.level_values()[None, :] - centre[:, None]

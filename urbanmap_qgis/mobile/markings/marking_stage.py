@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 import laspy
@@ -18,9 +18,18 @@ from ...io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks,
 from ...progress import SILENT, Progress
 from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
 from ...terrain.surface import ground_source
-from ..calibration import Calibration
+from ..calibration import Calibration, scanner_of
 from ..trajectory import Trajectory
-from .intensity_calibration import IntensityCurve, RangeHistogram, brightness_counts, calibrated, fit_curve
+from .intensity_calibration import (
+    MIN_INTENSITY,
+    IntensityCurve,
+    RangeHistogram,
+    brightness_counts,
+    calibrated,
+    fit_curve,
+    scatter_about,
+)
+from .lasers import RESTLESS, LaserGains, Lasers, told_apart
 from .marking_points import MarkingAnswer, MarkingPointSettings, Noise, marking_points, roughness
 from .plain_threshold import WHITE_SHARE, PlainThreshold, plain_marking_points
 from .records import MarkingPoints
@@ -36,6 +45,7 @@ _PIECE_POINTS = 1_500_000
 _MAX_UNITS = 8
 _MARGIN = 2
 _BUCKET_MEMORY = 250_000_000
+_LASER_POINTS = 500_000
 
 
 @dataclass(frozen=True)
@@ -78,6 +88,7 @@ class Extraction:
     ground_method : "classes" or "cloth".
     marked_share : share of the units of path (20 m) with marking points.
     height_scatter : m, of ground points within 20 cm.
+    lasers : of scanners of many lasers, what their intensities were freed of.
     """
 
     points: MarkingPoints
@@ -96,6 +107,7 @@ class Extraction:
     ground_method: str
     marked_share: float
     height_scatter: float
+    lasers: Mapping[int, LaserGains] = field(default_factory=dict)
 
 
 def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Calibration | None = None,
@@ -122,6 +134,8 @@ def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Cal
         run = _Run(survey, settings, executor)
         run.find_ground(near, ground, progress.part(0.5, 0.7))
         run.fit(progress)
+        run.tell_lasers(ground, progress)
+        run.require_curves()
         return run.find_markings(ground, progress.part(0.7, 1.0))
 
 
@@ -147,6 +161,7 @@ class _Run:
         self.histograms: dict[int, RangeHistogram] = {}
         self.curves: dict[int, IntensityCurve] = {}
         self.failed: dict[int, str] = {}
+        self.lasers: dict[int, Lasers] = {}
         self.ground_points = self.in_range = 0
         self.scatter = 0.0
         self.method = ground_source(survey.read_counts.classes, settings.ground).method
@@ -191,8 +206,14 @@ class _Run:
         scanner = self._scanner(records["source"])
         for number in np.unique(scanner).tolist():
             some = records[scanner == number]
+            intensity = self._intensity(number, some)
+            heard = np.isfinite(intensity)
             histogram = self.histograms.setdefault(number, RangeHistogram(self.settings.max_range))
-            histogram.add(some["range"], some["intensity"])
+            histogram.add(some["range"][heard], intensity[heard])
+
+    def _intensity(self, number: int, records: np.ndarray) -> np.ndarray:
+        """Intensity (n,) of a scanner's records, freed of what its lasers differ by; NaN where one is left out."""
+        return self.lasers[number].freed(records) if number in self.lasers else records["intensity"]
 
     def fit(self, progress: Progress) -> None:
         """Fit the curve of each scanner."""
@@ -201,12 +222,66 @@ class _Run:
                 self.curves[number] = fit_curve(histogram)
             except InsufficientDataError as error:
                 self.failed[number] = str(error)
-                progress.message(f"Scanner {number} is left out: {error}.")
+        progress.check()
+
+    def tell_lasers(self, ground: PointBuckets, progress: Progress) -> None:
+        """Free intensities of what the lasers of a scanner differ by, where its asphalt scatters much."""
+        restless = [number for number in self.histograms
+                    if number not in self.curves or self.curves[number].scatter > RESTLESS]
+        sample = self._sample(ground) if restless else np.empty(0, RECORD)
+        scanner = self._scanner(sample["source"])
+        for number in restless:
+            found = self._told_apart(number, sample[scanner == number])
+            if found is not None:
+                self.lasers[number] = found
+                gains = found.gains
+                progress.message(f"The lasers of scanner {number} are told apart by {gains.told_by}: asphalt scatters "
+                                 f"by {100 * gains.after:.0f} % instead of {100 * gains.before:.0f} %.")
+        if self.lasers:
+            self._count_again(ground, progress)
+
+    def _sample(self, ground: PointBuckets) -> np.ndarray:
+        """Ground points of units spread over the path, as many as lasers are judged by."""
+        units = sorted(self.survey.units)
+        wanted = max(int(_LASER_POINTS * len(units) / max(self.ground_points, 1)), 1)
+        chosen = [units[k] for k in np.unique(np.linspace(0, len(units) - 1, min(wanted, len(units))).astype(int))]
+        return np.concatenate([ground.read(unit) for unit in chosen])[:2 * _LASER_POINTS]
+
+    def _told_apart(self, number: int, records: np.ndarray) -> Lasers | None:
+        """The lasers of a scanner, if something tells them apart."""
+        if not len(records):
+            return None
+        source = int(records["source"][0])
+        mount = scanner_of(self.survey.calibration, source) if self.survey.calibration else None
+        curve, intensity = self.curves.get(number), records["intensity"].astype(float)
+        silent = intensity < MIN_INTENSITY
+        level = np.median(intensity[~silent]) if (~silent).any() else 1.0
+        brightness = intensity / (curve.at(records["range"]) if curve else level)
+        return told_apart(records, brightness, silent, self.survey.tracks.of(source), mount, self.survey.trajectory)
+
+    def _count_again(self, ground: PointBuckets, progress: Progress) -> None:
+        """Count the scanners whose lasers are told apart anew, and fit those that had no curve."""
+        for number in self.lasers:
+            del self.histograms[number]
+            self.failed.pop(number, None)
+        # Gains are those about the curve with which they were found, and hold with it.
+        fitted = dict(self.curves)
+        for unit in sorted(self.survey.units):
+            records = ground.read(unit)
+            self._count(records[np.isin(self._scanner(records["source"]), list(self.lasers))])
+        self.fit(progress)
+        self.curves.update(fitted)
+        for number in set(self.lasers) & set(fitted):
+            self.curves[number] = replace(fitted[number], scatter=scatter_about(self.histograms[number],
+                                                                                fitted[number]))
+            self.failed.pop(number, None)
+
+    def require_curves(self) -> None:
+        """Refuse a survey of which no scanner has a curve."""
         if not self.curves:
             reason = next(iter(self.failed.values()))
             raise InsufficientDataError(f"The intensity of asphalt over range cannot be told in "
                                         f"{self.survey.cloud.paths[0].name} ({reason}): give a longer stretch of road.")
-        progress.check()
 
     @property
     def reference(self) -> float:
@@ -257,7 +332,7 @@ class _Run:
         brightness = np.full(len(records), np.nan, dtype=np.float32)
         for number, curve in self.curves.items():
             some = slice(None) if len(self.histograms) == 1 else scanner == number
-            brightness[some] = calibrated(records["intensity"][some], records["range"][some], curve, 1.0)
+            brightness[some] = calibrated(self._intensity(number, records[some]), records["range"][some], curve, 1.0)
         keep = np.isfinite(brightness)
         return records[keep], own[keep], brightness[keep]
 
@@ -275,7 +350,8 @@ class _Run:
         return Extraction(points, records["number"], (brightness * self.reference).astype(np.float32), contrast,
                           self.curves, self.failed, self.reference, read_counts.points, read_counts.outside,
                           read_counts.standing, read_counts.kept, self.ground_points, self.in_range,
-                          self.method, marked, self.scatter)
+                          self.method, marked, self.scatter,
+                          {number: item.gains for number, item in self.lasers.items()})
 
 
 def _first_ids(survey: SurveyPoints) -> np.ndarray:

@@ -21,8 +21,12 @@ from ..trajectory import Trajectory, gaps, path_chainage
 from .ranges import Tracks, ranges
 
 RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("time", "<f8"), ("number", "<i8"), ("intensity", "<f4"),
-                   ("range", "<f4"), ("source", "<u2"), ("ground", "?")])
-"""A point: m, s in the trajectory's time, its number in the files, m, point source id, of a ground class."""
+                   ("range", "<f4"), ("source", "<u2"), ("ground", "?"), ("laser", "u1")])
+"""A point: m, s in the trajectory's time, its number in the files, m, point source id, of a ground class, and what may
+be the number of its laser."""
+
+LASER_DIMENSIONS = ("ring", "laser", "laser_id", "laser_number", "channel", "beam", "user_data")
+"""Attributes that may number the lasers of a scanner; the first one that the files have is taken."""
 
 UNIT = 20.0
 """m of path whose points are kept together."""
@@ -85,6 +89,7 @@ class SurveyPoints:
         self.gaps = gaps(trajectory)
         self.breaks = breaks(trajectory, self.chainage)
         self.tracks = Tracks(trajectory, calibration)
+        self.laser_dimension = next(name for name in LASER_DIMENSIONS if cloud.has_dimension(name))
         self.read_counts = ReadCounts()
         self.units: set[int] = set()
 
@@ -118,6 +123,7 @@ class SurveyPoints:
         records["time"], records["number"] = time, first + rows
         records["intensity"] = np.asarray(chunk["intensity"])[rows]
         records["source"] = np.asarray(chunk["point_source_id"])[rows]
+        records["laser"] = np.asarray(chunk[self.laser_dimension])[rows].astype(np.int64) & 0xFF
         records["ground"] = np.isin(classes[rows], GROUND_CLASSES)
         self.read_counts.least = min(self.read_counts.least, float(records["intensity"].min()))
         self.read_counts.most = max(self.read_counts.most, float(records["intensity"].max()))
