@@ -25,6 +25,7 @@ from ...urbanmap_qgis.io.staging import Staging, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from . import crs as crs_checks
 from . import destinations, layers
+from .cluster import scheduler
 from .dependencies import refusal
 from .interrupt import signals_cancel
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
@@ -186,7 +187,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Compute with all outputs beside their places, then move them there together."""
         try:
             run = destinations.staged(self, parameters, context, staging)
-            with self._points_crs(run, context):
+            with self._points_crs(run, context), self._scheduler(run, context):
                 results = self.compute(run, context, feedback)
             staging.publish()
         except UrbanMapError as error:
@@ -204,6 +205,13 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         crs = self.parameterAsCrs(parameters, "POINTS_CRS", context)
         self.require_projected("POINTS_CRS", crs)
         return assumed_crs(crs_checks.wkt_of(crs))
+
+    def _scheduler(self, parameters: Mapping, context: QgsProcessingContext):
+        """Context in which pieces go to the cluster that SCHEDULER names, where one is given."""
+        if self.parameterDefinition("SCHEDULER") is None:
+            return nullcontext()
+        address = self.parameterAsString(parameters, "SCHEDULER", context).strip()
+        return scheduler(address, destinations.folders_of(self, parameters, context)) if address else nullcontext()
 
     def _check_all(self, parameters: Mapping, context: QgsProcessingContext) -> None:
         destinations.check_destinations(self, parameters, context)

@@ -80,6 +80,13 @@ def staged(algorithm, parameters: Mapping, context: QgsProcessingContext, stagin
     return made
 
 
+def folders_of(algorithm, parameters: Mapping, context: QgsProcessingContext) -> list[str]:
+    """Folders of the inputs and outputs of a run that are files."""
+    inputs = [used for _, used, _ in _input_files(algorithm, parameters, context)]
+    outputs = [path for _, path, _ in _wanted(algorithm, parameters, context, temporary=True)]
+    return list(dict.fromkeys(str(path.parent) for path in (*inputs, *outputs)))
+
+
 def _elsewhere(definition: QgsProcessingOutputLayerDefinition, place: str) -> QgsProcessingOutputLayerDefinition:
     moved = QgsProcessingOutputLayerDefinition(definition)
     moved.sink = QgsProperty.fromValue(place)

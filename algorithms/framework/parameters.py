@@ -151,8 +151,12 @@ class Declarations:
 
     def add_workers(self):
         """How many workers share the work; read with `parameterAsInt`."""
-        return self.add_number("WORKERS", "Workers", "Number of buildings or tiles worked on at the same time. The "
-                               "result does not depend on it.", 1, 1, 256, integer=True, advanced=True)
+        self.add_number("WORKERS", "Workers", "Number of buildings or tiles worked on at the same time. The "
+                        "result does not depend on it.", 1, 1, 256, integer=True, advanced=True)
+        self.add_text("SCHEDULER", "Dask scheduler", "Address of a Dask cluster that shares the work instead of "
+                      "workers on this machine, such as tcp://host:8786. The result does not depend on it. "
+                      "Inputs, outputs and temporary files must be on storage that all its machines see.",
+                      advanced=True)
 
     def add_boolean(self, name: str, label: str, help: str, default: bool = False, advanced: bool = False):
         """Yes or no."""

@@ -11,16 +11,21 @@ from contextlib import contextmanager
 
 from ...urbanmap_qgis.errors import UrbanMapError
 from ...urbanmap_qgis.execution import start_worker
+from .cluster import cluster_executor, scheduler_address
 from .dependencies import profile_packages
 from .parameters import tr
 
 
 @contextmanager
 def workers(count: int) -> Iterator[Executor | None]:
-    """An executor of `count` workers, None for one. Results do not depend on it.
+    """An executor of `count` workers, None for one; that of a cluster in a run with one. Results do not depend on it.
 
     A second process started from QGIS's window would open a second window on some systems, therefore threads there.
     """
+    if scheduler_address():
+        with cluster_executor() as executor:
+            yield executor
+        return
     if count < 2:
         yield None
         return

@@ -38,7 +38,7 @@ class AerialMarkings(UrbanMapAlgorithm):
         self.add_from(SurfaceFromAls, "POINTS_CRS")
         self.add_from(OrthorectifyFrames, "ANGLE_ORDER", "ANGLE_UNIT")
         self.add_from(RoadMarkingsFromOrthophoto, "BLOCK_SIZE", "CONTRAST", "MIN_CONFIDENCE", advanced=True)
-        self.add_from(RoadMarkingsFromOrthophoto, "WORKERS", "OUTPUT")
+        self.add_from(RoadMarkingsFromOrthophoto, "WORKERS", "SCHEDULER", "OUTPUT")
         self.add_from(RoadMarkingsFromOrthophoto, "OUTPUT_POLYGONS", optional=True, by_default=True)
         self.add_from(OrthorectifyFrames, OUTPUT_ORTHOPHOTO="OUTPUT", optional=True, by_default=True)
         self.add_from(SurfaceFromAls, "OUTPUT_GROUND", optional=True, by_default=True)

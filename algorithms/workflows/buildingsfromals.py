@@ -36,7 +36,7 @@ class BuildingsFromAls(UrbanMapAlgorithm):
         self.add_from(RoofPolygons, "MIN_LINE_POINTS", advanced=True)
         self.add_from(RoofPolygons, "HEIGHT", advanced=True)
         self.add_from(BuildingModels, "BASE_FIELD", advanced=True)
-        self.add_from(BuildingModels, "WORKERS", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_MESH")
+        self.add_from(BuildingModels, "WORKERS", "SCHEDULER", "OUTPUT", "OUTPUT_SURFACES", "OUTPUT_MESH")
         self.add_from(BuildingModels, "OUTPUT_CITYJSON", "OUTPUT_REPORT", by_default=True)
         self.add_from(BuildingModels, "BUILDINGS", "MODELLED", "RMSE_Z95")
 

@@ -39,7 +39,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         self.add_from(ApplyTrajectory, "IMAGES")
         self.add_from(RegisterMms, "IMAGE")
         self.add_from(RegisterMms, "METHOD", "PATCH_LENGTH", "WINDOW_PATCHES", "MAX_WINDOW_PATCHES", "FEATURE_COUNT",
-                      "SEARCH", *ACCURACIES, *READING, "WORKERS", advanced=True)
+                      "SEARCH", *ACCURACIES, *READING, "WORKERS", "SCHEDULER", advanced=True)
         self.add_from(RegisterMms, "POINTS_CRS")
         self.add_from(ApplyTrajectory, "OUTPUT", label="Georeferenced survey")
         self.add_from(RegisterMms, OUTPUT_TRAJECTORY="OUTPUT")

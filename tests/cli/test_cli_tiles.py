@@ -20,7 +20,8 @@ TILE = 40
 def town(synthetic, make_cloud, tmp_path_factory):
     """Sixteen buildings, one a tile, in two files of half the area each."""
     folder = tmp_path_factory.mktemp("町")
-    plans = [synthetic.rectangle(TILE * column + 12, TILE * row + 12, 16, 14) for column in range(4) for row in range(4)]
+    plans = [synthetic.rectangle(TILE * column + 12, TILE * row + 12, 16, 14)
+             for column in range(4) for row in range(4)]
     blocks = [synthetic.flat(plan, 8.0 + number) for number, plan in enumerate(plans)]
     points, _ = synthetic.Scene(blocks, noise=0.02).points()
     clouds = [make_cloud(folder / f"{number}.laz", *part.T, return_number=1, number_of_returns=1)

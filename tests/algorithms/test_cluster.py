@@ -1,0 +1,134 @@
+"""Work sent to a real Dask cluster of two processes: the same bytes, and a sentence where it cannot be."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import subprocess
+import sys
+import zipfile
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="distributed is not installed")
+
+NO_OUTPUTS = {"OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_BUILDINGS": "TEMPORARY_OUTPUT"}
+
+SERVE = """
+import sys
+from distributed import LocalCluster
+if __name__ == "__main__":
+    with LocalCluster(n_workers=int(sys.argv[1]), threads_per_worker=1, processes=True, dashboard_address=None,
+                      host="127.0.0.1") as cluster:
+        print(cluster.scheduler_address, flush=True)
+        sys.stdin.read()
+"""
+
+
+@pytest.fixture(scope="module")
+def serve(tmp_path_factory):
+    """`serve(workers)`: address of a cluster that ends with the module."""
+    script = tmp_path_factory.mktemp("cluster") / "serve.py"
+    script.write_text(SERVE, encoding="utf-8")
+    started = []
+
+    def start(workers):
+        process = subprocess.Popen([sys.executable, str(script), str(workers)], stdin=subprocess.PIPE,
+                                   stdout=subprocess.PIPE, text=True, cwd=script.parent,
+                                   env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+        started.append(process)
+        return process.stdout.readline().strip()
+
+    yield start
+    for process in started:
+        process.communicate("", timeout=60)
+
+
+@pytest.fixture(scope="module")
+def town(synthetic, make_cloud, save_outlines, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("町")
+    blocks = [synthetic.flat(synthetic.rectangle(40 * number, 0, 15, 12), 8.0 + number) for number in range(6)]
+    points, _ = synthetic.Scene(blocks, noise=0.02).points()
+    cloud = make_cloud(folder / "点群.laz", *points.T, number_of_returns=1, return_number=1)
+    return {"POINTS": [str(cloud)],
+            "FOOTPRINTS": str(save_outlines(folder / "外周.gpkg", [block.outline for block in blocks]))}
+
+
+def test_a_cluster_gives_the_same_bytes(run, serve, town, tmp_path):
+    address = serve(2)
+    for name, scheduler in (("here", ""), ("there", address)):
+        run("urbanmap:buildingsfromals", {
+            **town, "OUTPUT": str(tmp_path / f"{name}.gpkg"), "SCHEDULER": scheduler, "OUTPUT_REPORT": None,
+            "OUTPUT_CITYJSON": str(tmp_path / f"{name}.city.json")})
+    here, there = ((tmp_path / f"{name}.city.json").read_text(encoding="utf-8") for name in ("here", "there"))
+    assert here == there
+    assert "building-6" in here
+    from distributed import Client
+
+    with Client(address, set_as_default=False) as client:
+        loaded = client.run(lambda: [name for name in __import__("sys").modules if name.endswith("model_stage")])
+    assert any(loaded.values())  # the pieces did run there
+    again = run("urbanmap:buildingsfromals", {**town, "OUTPUT": "TEMPORARY_OUTPUT", "SCHEDULER": address,
+                                              "OUTPUT_CITYJSON": None, "OUTPUT_REPORT": None})
+    assert again["BUILDINGS"] == 6
+
+
+def test_workers_with_other_sources_are_refused(plugin):
+    cluster = plugin("algorithms.framework.cluster")
+    errors = plugin("urbanmap_qgis.errors")
+
+    class Stale:
+        @staticmethod
+        def upload_file(path):
+            with zipfile.ZipFile(path) as archive:
+                assert any(name.endswith("urbanmap_qgis/sources_mark.txt") for name in archive.namelist())
+
+        @staticmethod
+        def run(_function):
+            return {"tcp://elsewhere:1": "an older mark"}
+
+    with pytest.raises(errors.InputError, match="restart the workers"):
+        cluster._send_core(Stale)
+
+
+def test_folders_that_workers_do_not_see_are_refused(plugin, serve, monkeypatch):
+    cluster = plugin("algorithms.framework.cluster")
+    errors = plugin("urbanmap_qgis.errors")
+
+    class Blind:
+        @staticmethod
+        def run(_function, *_arguments):
+            return {"tcp://elsewhere:1": False}
+
+    with pytest.raises(errors.InputError, match="does not see the folder"):
+        cluster._compare_storage(Blind, ["/"])
+
+
+def test_other_packages_are_refused(plugin):
+    cluster = plugin("algorithms.framework.cluster")
+    errors = plugin("urbanmap_qgis.errors")
+
+    class Older:
+        @staticmethod
+        def run(function, names):
+            return {"tcp://elsewhere:1": {**function(names), "numpy": "1.0"}}
+
+    with pytest.raises(errors.InputError, match=f"numpy 1.0 .{np.__version__}"):
+        cluster._compare_versions(Older)
+
+
+def test_nobody_at_the_address_is_one_sentence(run, plugin, town, monkeypatch):
+    from qgis.core import QgsProcessingException
+
+    monkeypatch.setattr(plugin("algorithms.framework.cluster"), "PATIENCE", 2)
+    for address in ("tcp://127.0.0.1:9", "nonsense"):
+        with pytest.raises(QgsProcessingException, match="No Dask scheduler"):
+            run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": address})
+
+
+def test_a_cluster_without_workers_is_refused(run, serve, town):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="no workers"):
+        run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": serve(0)})
