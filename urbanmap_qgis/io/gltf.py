@@ -6,10 +6,7 @@ stands in the file's `extras`, because they are stored in single precision.
 
 from __future__ import annotations
 
-import json
 import os
-import shutil
-import struct
 import tempfile
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -23,10 +20,15 @@ from ..geometry.triangulation import triangulate_face
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 from .cityjson import CityBuilding
+from .glb_file import GlbBuffer
 
-_COLOURS = {ROOF: (0.72, 0.28, 0.22), OUTER_WALL: (0.85, 0.82, 0.75), INNER_WALL: (0.75, 0.70, 0.62),
-            GROUND: (0.45, 0.45, 0.45), OVERHANG: (0.60, 0.56, 0.50)}
-_FLOATS, _ARRAY_BUFFER, _REPEAT_NOT, _LINEAR, _SMALLER = 5126, 34962, 33071, 9729, 9987
+SURFACE_COLOURS = {ROOF: (0.72, 0.28, 0.22), OUTER_WALL: (0.85, 0.82, 0.75), INNER_WALL: (0.75, 0.70, 0.62),
+                   GROUND: (0.45, 0.45, 0.45), OVERHANG: (0.60, 0.56, 0.50)}
+"""Red, green and blue, 0 to 1, of surfaces without an image."""
+
+_REPEAT_NOT, _LINEAR, _SMALLER = 33071, 9729, 9987
+SAMPLER = {"magFilter": _LINEAR, "minFilter": _SMALLER, "wrapS": _REPEAT_NOT, "wrapT": _REPEAT_NOT}
+"""How images are looked at."""
 
 
 def write_glb(path: str | os.PathLike, buildings: Iterable[CityBuilding], images: Mapping[str, Path] | None = None, *,
@@ -65,13 +67,11 @@ class _Glb:
 
     def __init__(self, images: Mapping[str, Path], data: IO[bytes]):
         self.given = images
-        self.data = data
+        self.buffer = GlbBuffer(data)
         self.nodes: list[dict] = []
         self.meshes: list[dict] = []
         self.materials: dict[str, int] = {}
         self.images: dict[str, int] = {}
-        self.accessors: list[dict] = []
-        self.views: list[dict] = []
         self.media: dict[str, str] = {}
 
     def add(self, building: CityBuilding, origin: np.ndarray) -> None:
@@ -81,16 +81,17 @@ class _Glb:
             textures = building.textures[number] if building.textures else [None] * len(solid.faces)
             for face, (rings, texture) in enumerate(zip(solid.faces, textures)):
                 key = texture.image if texture else solid.surface_type[face]
-                parts.setdefault(key, []).append(_triangles(solid.vertices - origin, rings, texture))
+                parts.setdefault(key, []).append(upright_triangles(solid.vertices - origin, rings, texture))
         primitives = [self._primitive(key, pieces) for key, pieces in parts.items()]
         self.nodes.append({"name": building.id, "mesh": len(self.meshes)})
         self.meshes.append({"name": building.id, "primitives": primitives})
 
     def _primitive(self, key: str, pieces: list) -> dict:
         places, normals, uv = zip(*pieces)
-        attributes = {"POSITION": self._accessor(np.vstack(places), True), "NORMAL": self._accessor(np.vstack(normals))}
+        attributes = {"POSITION": self.buffer.accessor(np.vstack(places), True),
+                      "NORMAL": self.buffer.accessor(np.vstack(normals))}
         if uv[0] is not None:
-            attributes["TEXCOORD_0"] = self._accessor(np.vstack(uv))
+            attributes["TEXCOORD_0"] = self.buffer.accessor(np.vstack(uv))
         return {"attributes": attributes, "material": self._material(key, uv[0] is not None), "mode": 4}
 
     def _material(self, key: str, image: bool) -> int:
@@ -98,53 +99,25 @@ class _Glb:
             if key not in self.given:
                 raise InputError(f"The image {key} of a texture was not given.")
             image = self.given[key].read_bytes()
-            self.images[key] = self._view(image)
+            self.images[key] = self.buffer.view(image)
             self.media[key] = "image/png" if image.startswith(b"\x89PNG") else "image/jpeg"
         return self.materials.setdefault(key, len(self.materials))
-
-    def _accessor(self, values: np.ndarray, limits: bool = False) -> int:
-        values = np.ascontiguousarray(values, "<f4")
-        entry = {"bufferView": self._view(values.tobytes(), _ARRAY_BUFFER), "componentType": _FLOATS,
-                 "count": len(values), "type": f"VEC{values.shape[1]}"}
-        if limits:
-            entry.update(min=values.min(axis=0).tolist(), max=values.max(axis=0).tolist())
-        self.accessors.append(entry)
-        return len(self.accessors) - 1
-
-    def _view(self, data: bytes, target: int | None = None) -> int:
-        start = self._aligned()
-        view = {"buffer": 0, "byteOffset": start, "byteLength": len(data)}
-        self.views.append({**view, "target": target} if target else view)
-        self.data.write(data)
-        return len(self.views) - 1
-
-    def _aligned(self) -> int:
-        """Fill up to a multiple of four bytes; the length so far."""
-        self.data.write(b"\0" * (-self.data.tell() % 4))
-        return self.data.tell()
 
     def write(self, target: IO[bytes], extras: dict) -> None:
         """Write the whole file."""
         document = {"asset": {"version": "2.0", "generator": "UrbanMap", "extras": extras}}
-        length = self._aligned()
+        length = self.buffer.length()
         if self.nodes:
             document.update(scene=0, scenes=[{"nodes": list(range(len(self.nodes)))}], nodes=self.nodes,
-                            meshes=self.meshes, accessors=self.accessors, bufferViews=self.views,
+                            meshes=self.meshes, accessors=self.buffer.accessors, bufferViews=self.buffer.views,
                             buffers=[{"byteLength": length}], materials=self._material_entries())
         if self.images:
             document.update(
                 images=[{"bufferView": view, "name": name, "mimeType": self.media[name]}
                         for name, view in self.images.items()],
                 textures=[{"source": number, "sampler": 0} for number in range(len(self.images))],
-                samplers=[{"magFilter": _LINEAR, "minFilter": _SMALLER, "wrapS": _REPEAT_NOT, "wrapT": _REPEAT_NOT}])
-        text = json.dumps(document, ensure_ascii=False, separators=(",", ":")).encode("utf-8")
-        text += b" " * (-len(text) % 4)
-        total = 12 + 8 + len(text) + (8 + length if length else 0)
-        target.write(struct.pack("<4sII", b"glTF", 2, total) + struct.pack("<II", len(text), 0x4E4F534A) + text)
-        if length:
-            target.write(struct.pack("<II", length, 0x004E4942))
-            self.data.seek(0)
-            shutil.copyfileobj(self.data, target)
+                samplers=[SAMPLER])
+        self.buffer.write(target, document)
 
     def _material_entries(self) -> list[dict]:
         numbers = {name: number for number, name in enumerate(self.images)}
@@ -154,12 +127,12 @@ class _Glb:
             if key in numbers:
                 look["baseColorTexture"] = {"index": numbers[key]}
             else:
-                look["baseColorFactor"] = [*_COLOURS[key], 1.0]
+                look["baseColorFactor"] = [*SURFACE_COLOURS[key], 1.0]
             entries.append({"name": key, "pbrMetallicRoughness": look})
         return entries
 
 
-def _triangles(vertices: np.ndarray, rings, texture) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+def upright_triangles(vertices: np.ndarray, rings, texture) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     """Corners (3 t, 3) of a face's triangles, y up, their normals, and their places in the image, from the top."""
     corners = [vertex for triangle in triangulate_face(vertices, rings) for vertex in triangle]
     places = vertices[corners]
