@@ -86,11 +86,11 @@ def test_party_walls_are_what_both_have():
 def test_objects_have_all_levels_and_parts_where_they_stand_alone():
     apart = [*blocks([shapely.box(0, 0, 5, 5)], [4.0]), *blocks([shapely.box(20, 0, 25, 5)], [6.0])]
     (one, _), (two, figures), (none, _) = city_objects([
-        BuildingSource("a", {"name": "x", "roof_70": "own"}, [gable()]), BuildingSource("b", {}, apart, "1.3"),
+        BuildingSource("a", {"name": "x", "roof_70": "old"}, [gable()]), BuildingSource("b", {}, apart, "1.3"),
         BuildingSource("c", {"status": "not modelled"})])
     assert [(shape.lod, shape.kind) for shape in one.shapes] == [
         ("0", FOOTPRINT), ("0", ROOF_EDGE), ("1.2", "solid"), ("1.3", "solid"), ("2.2", "solid")]
-    assert one.attributes["name"] == "x" and one.attributes["roof_70"] == "own" and one.attributes["roof_max"] == 7.0
+    assert one.attributes["name"] == "x" and one.attributes["roof_70"] == 6.1 and one.attributes["roof_max"] == 7.0
     assert [part.id for part in two.parts] == ["b-part-1", "b-part-2"]
     assert [shape.lod for shape in two.shapes] == ["0", "0"] and len(two.shapes[0].surfaces) == 2
     assert [shape.lod for shape in two.parts[0].shapes] == ["1.2", "1.3"]

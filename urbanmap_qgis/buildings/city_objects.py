@@ -73,7 +73,7 @@ class _Levels:
 def city_objects(buildings: Sequence[BuildingSource]) -> Iterator[tuple[CityObject, ModelFigures]]:
     """Objects with all levels of detail, and the figures, of buildings, one after another.
 
-    Attributes of an object are those of its source and, where the source does not have them, its figures. A solid
+    Attributes of an object are those of its source, then its figures, which replace those of the same name. A solid
     that is not closed or not valid is kept as loose surfaces, and the object's `problems` say so.
     """
     party = party_wall_areas([building.solids for building in buildings])
@@ -87,7 +87,7 @@ def _city_object(building: BuildingSource, party_area: float) -> tuple[CityObjec
     figures = model_figures(building.solids, [one for level in levels for one in level.block],
                             [one for level in levels for one in level.stepped], building.lod.startswith("2"),
                             party_area)
-    attributes = {**_figure_attributes(figures), **building.attributes}
+    attributes = {**building.attributes, **_figure_attributes(figures)}
     textures = building.textures or [()] * len(levels)
     parts = [_shapes(level, building.lod, problem, faces) for level, problem, faces in zip(levels, problems, textures)]
     found = tuple(dict.fromkeys(problem for problem in problems if problem))

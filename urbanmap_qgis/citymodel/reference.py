@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from ..errors import InputError
+from ..io.crs_text import horizontal_part, parse_wkt
+from ..io.height_systems import height_system, heights_of, same_heights
 from .model import CityReference
 
 JGD2011, JGD2024 = "JGD2011", "JGD2024"
@@ -14,6 +17,9 @@ _COMPOUND_2011 = range(10162, 10175)
 GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024 = 6668, 6697, 11318
 """Codes of latitude and longitude, and with heights in JGD2011 and JGD2024."""
 
+PLATEAU_SYSTEMS = frozenset({*PLANE_ZONES, GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024})
+"""Codes of systems whose models are written as PLATEAU has them."""
+
 
 def compound_epsg(reference: CityReference) -> int | None:
     """Code of plane and heights together where EPSG has one, else the plane's; None where that has none."""
@@ -23,3 +29,24 @@ def compound_epsg(reference: CityReference) -> int | None:
     if reference.heights == JGD2011 and code in PLANE_ZONES and code - PLANE_ZONES[0] < len(_COMPOUND_2011):
         return _COMPOUND_2011[code - PLANE_ZONES[0]]
     return code
+
+
+def city_reference(wkt: str, heights: str = "") -> CityReference:
+    """Reference of coordinates by its WKT, and of heights by a word where the WKT does not state them.
+
+    Parameters
+    ----------
+    heights : "JGD2011", "JGD2024", "ellipsoidal", "EPSG:<code>" ...; empty for what the WKT says.
+
+    Raises
+    ------
+    InputError : the word names no height system, or another one than the WKT.
+    """
+    stated, given = heights_of(wkt), height_system(heights)
+    if given.known and stated.known and not same_heights(given, stated):
+        raise InputError(f"The models state heights in {stated}, not in {given}: convert them first, or leave the "
+                         "height system out.")
+    plane = horizontal_part(parse_wkt(wkt)) if wkt else None
+    system = stated if stated.known else given
+    return CityReference(wkt, plane.epsg if plane is not None else None,
+                         plane is not None and plane.word.startswith("GEO"), system.word)

@@ -1,0 +1,64 @@
+"""One city model into all the files that are wanted."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Union
+
+from ..io.geoid import Geoid
+from ..io.height_systems import ELLIPSOIDAL, UNKNOWN
+from ..progress import SILENT, Progress
+from .citygml_writer import write_citygml
+from .cityjson_writer import write_model_cityjson, write_model_cityjsonseq
+from .images import images_beside
+from .model import CityModel, CityObject
+from .plateau import with_plateau_attributes
+from .reference import PLATEAU_SYSTEMS
+from .tiles_writer import write_tiles
+
+_Place = Union[str, os.PathLike, None]
+
+
+def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Place = None, citygml: _Place = None,
+                     tiles: _Place = None, geoid: Geoid | None = None, city_code: str = "",
+                     progress: Progress = SILENT) -> None:
+    """Write a model, whose buildings are a sequence, to each place that is not None; warn of heights that are not said.
+
+    Parameters
+    ----------
+    cityjson, cityjsonseq : files. citygml, tiles : folders.
+    geoid : added to heights in 3D Tiles, unless they are ellipsoidal.
+    city_code : five digits of the municipality, for PLATEAU's ids; empty for none.
+    """
+    _warn_of_heights(model, citygml is not None, tiles is not None and geoid is None, progress)
+    for number, (path, write) in enumerate(((cityjson, write_model_cityjson), (cityjsonseq, write_model_cityjsonseq))):
+        if path is not None:
+            write(path, images_beside(model, path), progress)
+        progress.step((number + 1) / 4)
+    if citygml is not None:
+        buildings: Sequence[CityObject] = tuple(model.buildings)
+        ready = (with_plateau_attributes(item, number, city_code, model.reference.epsg in PLATEAU_SYSTEMS)
+                 for number, item in enumerate(buildings, 1))
+        write_citygml(citygml, replace(model, buildings=ready), progress)
+        missing = sum(not any(part.shapes for part in item.objects()) for item in buildings)
+        if missing and model.reference.epsg in PLATEAU_SYSTEMS:
+            progress.warn(f"{missing} buildings have no model and no place in a mesh: CityGML leaves them out.")
+    progress.step(0.75)
+    if tiles is not None:
+        heights = geoid.at if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
+        write_tiles(tiles, model, heights, progress)
+    progress.step(1.0)
+
+
+def _warn_of_heights(model: CityModel, plateau: bool, bare: bool, progress: Progress) -> None:
+    """Say what a format claims or leaves open of the heights."""
+    heights = model.reference.heights
+    if plateau and model.reference.epsg in PLATEAU_SYSTEMS and heights not in ("JGD2011", "JGD2024"):
+        progress.warn(f"CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give "
+                      "the height system, or convert the heights, if they are others.")
+    if bare and heights != ELLIPSOIDAL.word:
+        known = "of no stated system" if heights == UNKNOWN.word else f"in {heights}"
+        progress.warn(f"3D Tiles want heights above the ellipsoid, but those of the models are {known} and are "
+                      "written as they are: give a geoid model, or buildings sink or float on a globe.")
