@@ -18,7 +18,8 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "loadgsidem", "segmentbuildings", "segmentroofs", "roofpolygons",
-            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "buildingsfromals", "tiledrun",
+            "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
+            "buildingsfromals", "tiledrun",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines")
 
 LIST_WITHOUT_PACKAGES = """
