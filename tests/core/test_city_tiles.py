@@ -10,7 +10,7 @@ import pytest
 
 from tests.city_models import PLACE, town
 from urbanmap_qgis.citymodel.model import CityReference
-from urbanmap_qgis.citymodel.tiles_writer import earth_fixed, tiles_folder_trouble, write_tiles
+from urbanmap_qgis.citymodel.tiles_writer import earth_centred, tiles_folder_trouble, write_tiles
 from urbanmap_qgis.errors import InputError, OutputError
 
 
@@ -124,7 +124,7 @@ def test_many_cells_make_a_tree(tmp_path):
         def moved(item, number=number, shift=shift):
             return replace(item, id=f"{item.id}-{number}", parts=tuple(map(moved, item.parts)), shapes=tuple(
                 replace(shape, shells=tuple(tuple(replace(surface, rings=tuple(
-                    (*ring, *shift, 0) for ring in surface.rings)) for surface in shell) for shell in shape.shells))
+                    np.add(ring, (*shift, 0)) for ring in surface.rings)) for surface in shell) for shell in shape.shells))
                 for shape in item.shapes))
         copies += map(moved, single.buildings)
     assert write_tiles(tmp_path, replace(single, buildings=copies)) == 12
@@ -150,10 +150,10 @@ def test_the_geoid_is_added(tmp_path):
     assert "geoid" in document["asset"]["extras"]["heights"]
 
 
-def test_earth_fixed_agrees_with_proj():
+def test_earth_centred_agrees_with_proj():
     places = np.array([(139.7, 35.7, 40.0), (4.3, 52.0, -3.0), (-70.0, -33.0, 2000.0)])
     expected = np.column_stack(pyproj.Transformer.from_crs(4979, 4978, always_xy=True).transform(*places.T))
-    assert earth_fixed(places) == pytest.approx(expected, abs=1e-6)
+    assert earth_centred(places) == pytest.approx(expected, abs=1e-6)
 
 
 def test_a_tileset_of_another_program_is_left_alone(tmp_path):

@@ -84,7 +84,7 @@ def write_tiles(folder: str | os.PathLike, model: CityModel, geoid: GeoidHeights
         for (column, row), cell in cells.items():
             progress.check()
             origin = (cell.low + cell.high) / 2.0
-            centre, axes = earth_fixed(origin[None])[0], local_axes(*origin[:2])
+            centre, axes = earth_centred(origin[None])[0], local_axes(*origin[:2])
             for level in ("blocks", "details"):
                 buildings = list(_sorted(Path(scratch) / f"{column}_{row}.{level}"))
                 with written_beside(target / "tiles" / _file(column, row, level)) as temporary:
@@ -127,7 +127,7 @@ def tileset(cells: Mapping[tuple[int, int], TileCell], asset: Mapping[str, Any])
             "root": {**root, "geometricError": max(root["geometricError"], error)}}
 
 
-def earth_fixed(places: np.ndarray) -> np.ndarray:
+def earth_centred(places: np.ndarray) -> np.ndarray:
     """Earth-centred coordinates (n, 3), m, of longitude, latitude (degrees) and ellipsoidal height (n, 3), WGS 84."""
     longitude, latitude = np.radians(places[:, 0]), np.radians(places[:, 1])
     normal = _A / np.sqrt(1.0 - _E2 * np.sin(latitude) ** 2)
@@ -226,7 +226,7 @@ def _triangles(shapes: list[CityShape], textured: bool, attributes: Mapping[str,
     if geoid is not None:
         degrees[:, 2] = degrees[:, 2] + geoid(degrees[:, 0], degrees[:, 1])
     ends = np.cumsum([3 * len(found) for found in looks.values()])[:-1]
-    fixed = np.split(earth_fixed(degrees), ends)
+    fixed = np.split(earth_centred(degrees), ends)
     return TileBuilding(attributes, {look: piece.reshape(-1, 3, 3) for look, piece in zip(looks, fixed)},
                         {look: np.concatenate(found) for look, found in places.items()}), degrees
 
@@ -250,7 +250,7 @@ def _cell_tile(column: int, row: int, cell: TileCell) -> dict[str, Any]:
     origin = (cell.low + cell.high) / 2.0
     matrix = np.eye(4)
     matrix[:3, :3] = local_axes(*origin[:2]).T
-    matrix[:3, 3] = earth_fixed(origin[None])[0]
+    matrix[:3, 3] = earth_centred(origin[None])[0]
     volume = {"region": cell.region()}
     return {"boundingVolume": volume, "geometricError": BLOCK_ERROR, "refine": "REPLACE",
             "transform": matrix.T.ravel().tolist(), "content": {"uri": f"tiles/{_file(column, row, 'blocks')}"},
