@@ -121,11 +121,14 @@ def test_many_cells_make_a_tree(tmp_path):
     single = town()
     copies = []
     for number, shift in enumerate([(0, 0), (900, 0), (0, 1300), (4000, 4000)]):
-        def moved(item, number=number, shift=shift):
-            return replace(item, id=f"{item.id}-{number}", parts=tuple(map(moved, item.parts)), shapes=tuple(
-                replace(shape, shells=tuple(tuple(replace(surface, rings=tuple(
-                    np.add(ring, (*shift, 0)) for ring in surface.rings)) for surface in shell) for shell in shape.shells))
-                for shape in item.shapes))
+        def surface_there(surface, shift=shift):
+            return replace(surface, rings=tuple(np.add(ring, (*shift, 0)) for ring in surface.rings))
+
+        def moved(item, number=number, there=surface_there):
+            shapes = tuple(replace(shape, shells=tuple(tuple(map(there, shell)) for shell in shape.shells))
+                           for shape in item.shapes)
+            return replace(item, id=f"{item.id}-{number}", parts=tuple(map(moved, item.parts)), shapes=shapes)
+
         copies += map(moved, single.buildings)
     assert write_tiles(tmp_path, replace(single, buildings=copies)) == 12
     root = json.loads((tmp_path / "tileset.json").read_text())["root"]
