@@ -12,7 +12,7 @@ from qgis.core import QgsWkbTypes
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import SILENT, Progress
 from ...urbanmap_qgis.tiling.journal import fingerprint
-from ...urbanmap_qgis.tiling.point_pieces import LARGE, PointFile, meeting, point_file, sorted_into_pieces
+from ...urbanmap_qgis.tiling.point_pieces import LARGE, FileIndex, PointFile, point_file, sorted_into_pieces
 from ...urbanmap_qgis.tiling.tile_grid import GridTile, TileGrid
 from . import layers
 from .crs import crs_from
@@ -76,8 +76,8 @@ class TiledInputs:
     crs: object
     settings: dict[str, object]
     shown: dict[str, str]
-    points: dict[str, list[PointFile]]
-    pieces: dict[str, list[PointFile]]
+    points: dict[str, FileIndex]
+    pieces: dict[str, FileIndex]
     rasters: dict[str, Path]
     layers: dict[str, Path]
     outputs: dict[str, str]
@@ -115,13 +115,14 @@ class TiledInputs:
         tiles = _occupied(grid, bounds, points, tables.get(owner))
         pieces = _pieces(points, grid, run_folder, progress)
         state = [stage.name(), rest, outputs, grid.size, grid.buffer, state]
-        return cls(stage, run_folder, grid, tiles, crs, rest, shown, points, pieces, rasters, copies, outputs, state)
+        indexed = {name: FileIndex(files) for name, files in points.items()}
+        return cls(stage, run_folder, grid, tiles, crs, rest, shown, indexed, pieces, rasters, copies, outputs, state)
 
     def job(self, tile: GridTile) -> TileJob:
         """What one tile needs."""
-        files = [file.path for given in self.points.values() for file in meeting(given, tile.outer)]
+        files = [file.path for given in self.points.values() for file in given.meeting(tile.outer)]
         state = fingerprint({"tile": tile.name, "state": self.state}, [*files, *self.rasters.values()])
-        near = {name: tuple(meeting(pieces, tile.outer)) for name, pieces in self.pieces.items()}
+        near = {name: tuple(pieces.meeting(tile.outer)) for name, pieces in self.pieces.items()}
         return TileJob(tile, self.run_folder, state, self.stage.name(), self.settings, near, self.rasters, self.layers,
                        CUTTABLE[self.stage.name()], self.outputs)
 
@@ -179,8 +180,8 @@ def _occupied(grid: TileGrid, bounds, points, owner) -> list[GridTile]:
         there = set(zip(column.tolist(), row.tolist()))
         return [tile for tile in tiles if (tile.column, tile.row) in there]
     if points:
-        files = [file for given in points.values() for file in given]
-        return [tile for tile in tiles if meeting(files, tile.core)]
+        files = FileIndex([file for given in points.values() for file in given])
+        return [tile for tile in tiles if files.meeting(tile.core)]
     return tiles
 
 
@@ -215,7 +216,7 @@ def _write_copy(path: Path, table, fields, columns, progress: Progress) -> str:
     return content.hexdigest()
 
 
-def _pieces(points, grid: TileGrid, run_folder: Path, progress: Progress) -> dict[str, list[PointFile]]:
+def _pieces(points, grid: TileGrid, run_folder: Path, progress: Progress) -> dict[str, FileIndex]:
     """The files as tiles read them; the pieces of a large one are made once and kept for later runs."""
     made: dict[str, list[PointFile]] = {}
     for name, files in points.items():
@@ -233,4 +234,4 @@ def _pieces(points, grid: TileGrid, run_folder: Path, progress: Progress) -> dic
                 sorted_into_pieces(file, grid, folder, progress)
                 whole.touch()
             made[name] += [point_file(path) for path in sorted(folder.glob(f"*{POINTS_SUFFIX}"))]
-    return made
+    return {name: FileIndex(files) for name, files in made.items()}

@@ -28,8 +28,8 @@ from urbanmap_qgis.tiling.journal import (
 )
 from urbanmap_qgis.tiling.mosaic_tiles import mosaic_tiles, write_tile_raster
 from urbanmap_qgis.tiling.point_pieces import (
+    FileIndex,
     keep_own_points,
-    meeting,
     point_file,
     sorted_into_pieces,
     write_tile_points,
@@ -91,7 +91,7 @@ def test_a_tile_gets_its_points_and_all_own_points_are_all_points(make_cloud, tm
     own = 0
     for tile in grid.covering(BOX):
         path = tmp_path / f"tile {tile.name}.laz"
-        count = write_tile_points(files, tile, path)
+        count = write_tile_points(FileIndex(files).meeting(tile.outer), tile, path)
         assert count == np.count_nonzero(tile.reads(x, y))
         if not count:
             assert not path.exists()
@@ -209,5 +209,5 @@ def test_two_runs_in_one_folder_are_refused(tmp_path):
 def test_files_are_met_by_their_boxes(make_cloud, tmp_path):
     near = point_file(make_cloud(tmp_path / "near.laz", np.array([1.0, 9.0]), np.array([1.0, 9.0]), np.zeros(2)))
     far = point_file(make_cloud(tmp_path / "far.laz", np.array([101.0, 109.0]), np.array([1.0, 9.0]), np.zeros(2)))
-    assert meeting([near, far], (0, 0, 50, 50)) == [near]
-    assert meeting([near, far], (20, 20, 50, 50)) == []
+    assert FileIndex([near, far]).meeting((0, 0, 50, 50)) == [near]
+    assert FileIndex([near, far]).meeting((20, 20, 50, 50)) == []

@@ -35,11 +35,25 @@ def point_file(path: str | os.PathLike) -> PointFile:
     return PointFile(Path(path), (*cloud.minimum[:2], *cloud.maximum[:2]), cloud.point_count)
 
 
-def meeting(files: Sequence[PointFile], bounds: Bounds) -> list[PointFile]:
-    """Files that hold points and whose boxes meet a box."""
-    x_min, y_min, x_max, y_max = bounds
-    return [file for file in files if file.points and file.bounds[0] < x_max and file.bounds[2] >= x_min
-            and file.bounds[1] < y_max and file.bounds[3] >= y_min]
+class FileIndex:
+    """Finds among many files those that a box meets.
+
+    Attributes
+    ----------
+    files : all files, in the order given.
+    """
+
+    def __init__(self, files: Sequence[PointFile]):
+        self.files = list(files)
+        self._bounds = np.array([file.bounds for file in files], float).reshape(-1, 4)
+        self._full = np.array([file.points > 0 for file in files], bool)
+
+    def meeting(self, bounds: Bounds) -> list[PointFile]:
+        """Files that hold points and whose boxes meet a box, in their order."""
+        x_min, y_min, x_max, y_max = bounds
+        left, bottom, right, top = self._bounds.T
+        meet = self._full & (left < x_max) & (right >= x_min) & (bottom < y_max) & (top >= y_min)
+        return [self.files[number] for number in np.flatnonzero(meet)]
 
 
 def sorted_into_pieces(file: PointFile, grid: TileGrid, folder: Path, progress: Progress = SILENT) -> list[PointFile]:
@@ -71,12 +85,11 @@ def sorted_into_pieces(file: PointFile, grid: TileGrid, folder: Path, progress: 
 def write_tile_points(files: Sequence[PointFile], tile: GridTile, path: str | os.PathLike) -> int:
     """Write the points of the tile and its buffer to one file; their number. Nothing is written where there are none.
 
-    All attributes are kept; the order is that of the files.
+    `files` are those that meet the tile. All attributes are kept; the order is that of the files.
     """
-    near = meeting(files, tile.outer)
-    if not near:
+    if not files:
         return 0
-    cloud = open_cloud([file.path for file in near])
+    cloud = open_cloud([file.path for file in files])
     layout = PointLayout(cloud)
     count = 0
     with cloud_writer(path, layout) as writer:
