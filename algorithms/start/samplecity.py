@@ -54,6 +54,11 @@ class SampleCity(UrbanMapAlgorithm):
         self.add_choice("SCENE", "Scene", "A high-rise street canyon; one with few road markings; one whose markings "
                         "were repainted between the flights and the drives; one under an elevated road.", SCENES,
                         "canyon")
+        self.add_text("FAULTS", "Faults", "Faults of real surveys to put in, with commas between them: steps (in the "
+                      "trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), "
+                      "ground (heights of the airborne points that are off), rails (and decks), paint (worn and "
+                      "patched), surface (wet and concrete stretches). Without any the city is as ever.", "",
+                      optional=True, advanced=True)
         self.add_number("WORKERS", "Workers", "Number of sensors that measure at the same time. The result does not "
                         "depend on it.", 2, 1, 16, integer=True, advanced=True)
         self.add_folder_output("OUTPUT", "Sample city", "A new or empty folder.")
@@ -71,6 +76,7 @@ class SampleCity(UrbanMapAlgorithm):
         from ...urbanmap_qgis.samplecity.place import check_place
         from ...urbanmap_qgis.samplecity.scene.world import check_size
 
+        self._faults(parameters, context)
         check_size(self.parameterAsDouble(parameters, "SIZE", context))
         check_place(self._folder(parameters, context))
 
@@ -81,11 +87,18 @@ class SampleCity(UrbanMapAlgorithm):
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             made = make_city(folder, self.parameterAsDouble(parameters, "SIZE", context),
                              self.parameterAsString(parameters, "SCENE", context),
-                             self.parameterAsInt(parameters, "SEED", context), self.progress(feedback), executor)
+                             self.parameterAsInt(parameters, "SEED", context), self.progress(feedback), executor,
+                             self._faults(parameters, context))
         places = {name: str(folder / place) for name, _, place in FILES + FOLDERS}
         return {"OUTPUT": str(folder), **places, "BUILDINGS": made["city"]["buildings"],
                 "ALS_POINTS": made["als"]["points"],
                 "MMS_POINTS": sum(survey["points"] for survey in made["mms"].values())}
+
+    def _faults(self, parameters, context) -> tuple[str, ...]:
+        from ...urbanmap_qgis.samplecity.faults import checked_faults
+
+        words = self.parameterAsString(parameters, "FAULTS", context).replace(";", ",").split(",")
+        return checked_faults(word.strip().lower() for word in words if word.strip())
 
     def _folder(self, parameters, context) -> Path:
         text = self.parameterAsFileOutput(parameters, "OUTPUT", context)

@@ -6,7 +6,7 @@ import json
 import os
 import shutil
 import uuid
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import FIRST_EXCEPTION, Executor, wait
 from dataclasses import dataclass
 from functools import lru_cache
@@ -19,6 +19,7 @@ from ..progress import SILENT, Progress
 from .aerial.stage import write_aerial
 from .drive.lines import write_lines
 from .drive.mms import write_mms
+from .faults import FAULTS, checked_faults
 from .gnss.stage import write_gnss
 from .laser.als import write_als
 from .place import check_place
@@ -68,7 +69,7 @@ truth/       what is true: trajectories, markings, ground, roofs, walls, masks, 
 
 
 def make_city(folder: Path, size: float = 200.0, scene: str = "canyon", seed: int = 1, progress: Progress = SILENT,
-              executor: Executor | None = None) -> dict:
+              executor: Executor | None = None, faults: Iterable[str] = ()) -> dict:
     """Make a sample city in a new folder.
 
     The folder is written beside its place and moved there when it is whole.
@@ -76,6 +77,7 @@ def make_city(folder: Path, size: float = 200.0, scene: str = "canyon", seed: in
     Parameters
     ----------
     folder : does not exist yet, or is empty.  size, scene, seed : see `scene.make_scene`.
+    faults : of real surveys, see `faults.FAULTS`.
     executor : threads or processes that make the sensors' data at the same time. The files do not depend on it.
 
     Returns
@@ -84,19 +86,20 @@ def make_city(folder: Path, size: float = 200.0, scene: str = "canyon", seed: in
 
     Raises
     ------
-    InputError : the size or the scene is not one of those.
+    InputError : the size, the scene or a fault is not one of those.
     OutputError : the folder is not empty or cannot be written.
     """
     folder = Path(folder)
     check_place(folder)
-    world = _scene(size, scene, seed)
+    city = (size, scene, seed, checked_faults(faults))
+    world = _scene(*city)
     work = folder.parent / f".{folder.name}-{uuid.uuid4().hex[:8]}"
     try:
         work.mkdir()
         summary = {"city": write_truth(world, work)}
         progress.step(0.03)
-        summary |= _measure(work, (size, scene, seed), progress.part(0.03, 0.99), executor)
-        _write_summary(work, summary, size, scene, seed)
+        summary |= _measure(work, city, progress.part(0.03, 0.99), executor)
+        _write_summary(work, summary, *city)
         _move(work, folder)
     except OSError as error:
         raise OutputError(f"The folder {folder} cannot be written ({error.strerror}): choose another.") from error
@@ -107,9 +110,9 @@ def make_city(folder: Path, size: float = 200.0, scene: str = "canyon", seed: in
 
 
 @lru_cache(maxsize=2)
-def _scene(size: float, scene: str, seed: int) -> Scene:
+def _scene(size: float, scene: str, seed: int, faults: tuple[str, ...] = ()) -> Scene:
     """The world; each process makes it once."""
-    return make_scene(size, scene, seed)
+    return make_scene(size, scene, seed, faults)
 
 
 def _measure(work: Path, world: tuple, progress: Progress, executor: Executor | None) -> dict:
@@ -162,8 +165,11 @@ def _measure_together(work: Path, world: tuple, progress: Progress, executor: Ex
     return {name: future.result() for name, future in futures.items()}
 
 
-def _write_summary(work: Path, summary: dict, size: float, scene: str, seed: int) -> None:
+def _write_summary(work: Path, summary: dict, size: float, scene: str, seed: int, faults: tuple[str, ...]) -> None:
     text = CONTENTS.format(scene=scene, seed=seed, size=size, crs=CRS)
+    if faults:
+        text += "\nFaults put in:\n" + "".join(f"{name}: {FAULTS[name]}\n" for name in faults)
+        summary = {"faults": list(faults), **summary}
     (work / "README.txt").write_bytes(text.encode("utf-8"))
     facts = {"size": float(size), "scene": scene, "seed": seed, "crs": CRS, **summary}
     (work / "truth" / "summary.json").write_bytes(json.dumps(facts, indent=1, ensure_ascii=False).encode("utf-8"))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import datetime
 import json
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
 import laspy
@@ -16,6 +16,7 @@ import numpy as np
 import pyproj
 
 from ...progress import Progress
+from ..faults import fault_rng, ghost_rows, laser_answers, laser_of, step_along
 from ..laser.raycast import RayCaster
 from ..scene.model import GROUND, Material
 from ..scene.world import CRS, SURVEY_TIMES, Scene
@@ -56,7 +57,8 @@ class Points:
     """Measured points, in arrays (n,).
 
     `place` (n, 3) lies on the reported trajectory, m; `time` in GPS seconds; `angle` in the scan, degrees; `label`
-    (`LABEL_NAMES`) and `ground` (0 or 1) are the truth.
+    (`LABEL_NAMES`; 0 of a ghost) and `ground` (0 or 1) are the truth. `laser` is the number of the laser, None where
+    all are alike.
     """
 
     place: np.ndarray
@@ -66,6 +68,7 @@ class Points:
     angle: np.ndarray
     ground: np.ndarray
     label: np.ndarray
+    laser: np.ndarray | None = None
 
 
 def write_mms(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress: Progress) -> dict:
@@ -88,10 +91,13 @@ def write_mms(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
             for use in range(3))
         true = survey_drive(scene, number, start, drive_rng)
         reported = reported_trajectory(true, error_rng)
+        if "steps" in scene.faults:
+            reported = _with_step(reported, fault_rng("steps", _survey_seed(seed, number)))
         true.write(folder / "truth" / f"{name}_trajectory.csv")
         reported.write(folder / "mms" / f"{name}_trajectory.csv")
         _write_images(folder / "mms" / f"{name}_images.csv", reported)
-        points = simulate_survey(scene, caster, true, reported, beam_rng, part)
+        points = with_faults(simulate_survey(scene, caster, true, reported, beam_rng, part), scene.faults,
+                             _survey_seed(seed, number))
         count = _write_points(folder / "mms" / f"{name}.laz", folder / "truth" / f"{name}_labels.npz", reported, points)
         sightings = visible_corners(caster, corners, true)
         control = write_control(folder / "truth" / f"control_{name}.csv", corners, sightings, true, reported)
@@ -99,6 +105,43 @@ def write_mms(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
         summary[name] = {"points": count, "control_points": control, "mean_error": float(error.mean()),
                          "greatest_error": float(error.max())}
     return summary
+
+
+def _survey_seed(seed: np.random.SeedSequence, number: int) -> np.random.SeedSequence:
+    """Seed of the faults of one survey."""
+    return np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, number))
+
+
+def _with_step(reported: SimulatedTrajectory, rng: np.random.Generator) -> SimulatedTrajectory:
+    """The trajectory with a step in plan."""
+    place = reported.place.copy()
+    place[:, :2] += step_along(reported.chainage(), rng)
+    return SimulatedTrajectory(reported.time, place, reported.angles).rounded()
+
+
+def with_faults(pieces: Iterator[Points], faults: tuple[str, ...], seed: np.random.SeedSequence) -> Iterator[Points]:
+    """The pieces of a survey with the faults of its points."""
+    ghosts, rings = fault_rng("ghosts", seed), laser_answers(fault_rng("rings", seed))
+    for points in pieces:
+        if "rings" in faults:
+            laser = laser_of(points.angle)
+            answer = np.clip(points.intensity * rings[laser], 0, 65535).astype(np.uint16)
+            points = replace(points, intensity=answer, laser=laser)
+        yield _with_ghosts(points, ghosts) if "ghosts" in faults else points
+
+
+def _with_ghosts(points: Points, rng: np.random.Generator) -> Points:
+    """The points and ghosts of some of them, each beside the point that it is of."""
+    rows, depth = ghost_rows(points.ground.astype(bool), points.place, rng)
+    row = np.concatenate([np.arange(len(points.time)), rows])
+    order = np.argsort(row, kind="stable")
+    columns = {item.name: getattr(points, item.name) for item in fields(Points)}
+    made = {name: None if column is None else column[row[order]] for name, column in columns.items()}
+    ghost = order >= len(points.time)
+    made["place"] = made["place"].copy()
+    made["place"][ghost, 2] -= depth[order[ghost] - len(points.time)]
+    made["ground"], made["label"] = (np.where(ghost, 0, made[name]).astype(np.uint8) for name in ("ground", "label"))
+    return Points(**made)
 
 
 def simulate_survey(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, reported: SimulatedTrajectory,
@@ -112,7 +155,7 @@ def simulate_survey(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, 
                  for scanner in SCANNERS]
         order = np.argsort(np.concatenate([part.time for part in parts]), kind="stable")
         yield Points(*(np.concatenate([getattr(part, item.name) for part in parts])[order]
-                       for item in fields(Points)))
+                       for item in fields(Points) if item.name != "laser"))
 
 
 def recorded_scans(true: SimulatedTrajectory, scanner: SimulatedScanner) -> np.ndarray:
@@ -185,6 +228,8 @@ def _write_points(path: Path, labels: Path, reported: SimulatedTrajectory, piece
             record.x, record.y, record.z = points.place.T
             record.gps_time, record.intensity, record.point_source_id = points.time, points.intensity, points.scanner
             record.scan_angle = np.round(points.angle / 0.006).astype(np.int16)
+            if points.laser is not None:
+                record.user_data[:] = points.laser
             record.return_number[:] = 1
             record.number_of_returns[:] = 1
             writer.write_points(record)

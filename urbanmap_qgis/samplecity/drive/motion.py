@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 from scipy.ndimage import gaussian_filter1d
 
+from ..faults import LONG_STOP
 from ..scene.model import Lane, Marking
 from ..scene.world import Scene
 from .trajectory import SimulatedTrajectory
@@ -165,6 +166,8 @@ def survey_drive(scene: Scene, number: int, start: float, rng: np.random.Generat
     queue = path.corner + 30.0 + rng.uniform(0.0, 15.0)
     if queue < path.s[-1] - 20.0:
         stops.append(Stop(queue, rng.uniform(3.0, 5.0)))
+    if "stops" in scene.faults:
+        stops.append(Stop(0.35 * path.corner, LONG_STOP))
     return drive(scene, path, chainage_over_time(path, rng.uniform(7.6, 8.6), stops), start, rng)
 
 

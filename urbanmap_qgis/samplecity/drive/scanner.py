@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from ..faults import surface_factor
 from ..laser.raycast import Hit, Hits, RayCaster
 from ..laser.surfaces import hit_material
 from ..scene.model import GROUND, REFLECTANCE, Material
@@ -181,5 +182,8 @@ def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, dire
         x, y = (point[:, :2] + (share * half_length)[:, None] * along).T
         here = paint.at(x, y)
         total += REFLECTANCE[np.where(here > 0, here, base)]
+    if "surface" in scene.faults:
+        road = scene.ground.kerb_distance(point[:, 0], point[:, 1]) <= 0
+        total[road] *= surface_factor(*scene.ground.to_local(point[road, 0], point[road, 1]))
     spots = value_noise(point[:, 0], point[:, 1], GRAIN_SIZE) - 0.5
     return total / 3 * (1.0 + GRAIN * spots)

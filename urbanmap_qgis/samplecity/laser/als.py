@@ -12,7 +12,9 @@ import pyproj
 import shapely
 
 from ...progress import SILENT, Progress
+from ..faults import GROUND_LENGTH, GROUND_MEAN, GROUND_WAVE
 from ..scene.model import AERIAL, REFLECTANCE, FaceKind, Material
+from ..scene.paint import value_noise
 from ..scene.world import ALS_TIME, CRS, SURVEYED, Scene
 from .raycast import Hit, Hits, RayCaster
 from .surfaces import hit_material
@@ -160,6 +162,9 @@ def _measure(scene: Scene, caster: RayCaster, pulses: Pulses, number: int, shift
         np.concatenate(column) for column in (pulse, true, source, material, cosine))
     echo = np.concatenate([np.full(len(column), k + 1, np.uint8) for k, column in enumerate(source)]) if n else pulse
     xyz = true + shift + rng.normal(size=true.shape) * (PLAN_JITTER, PLAN_JITTER, HEIGHT_JITTER)
+    if "ground" in scene.faults:
+        wave = 2.0 * value_noise(true[:, 0], true[:, 1], GROUND_LENGTH) - 1.0
+        xyz[:, 2] += GROUND_MEAN + GROUND_WAVE * wave
     wild = rng.random(len(xyz)) < OUTLIERS
     high, low = rng.uniform(25.0, 150.0, len(xyz)), rng.uniform(-9.0, -3.0, len(xyz))
     xyz[wild, 2] += np.where(rng.random(len(xyz)) < 0.6, high, low)[wild]

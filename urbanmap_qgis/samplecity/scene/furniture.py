@@ -178,6 +178,21 @@ def _signals(ground: Ground) -> list[Furniture]:
     return things
 
 
+def rails_and_decks(ground: Ground, size: float) -> tuple[Furniture, ...]:
+    """Unbroken rails on the kerbs of the main streets, and decks for walkers above one of their pavements."""
+    things = []
+    for street in (s for s in ground.streets if s.name in ("A", "B")):
+        for start in np.arange(-size / 2, size / 2 - 10.0, 10.0):
+            if not (_clear(ground, street, start, 10.0) and _clear(ground, street, start + 10.0, 10.0)):
+                continue
+            things += [_rail(ground, street, start, start + 10.0, side) for side in (1, -1)]
+            across = street.at + street.half_width
+            plan = _plan(ground, street, (start, start + 10.0), (across + 0.2, across + 2.4))
+            z = float(ground.height(plan.centroid.x, plan.centroid.y))
+            things.append(Furniture(plan, z + 4.8, z + 5.2, Material.BRIDGE, FaceKind.BRIDGE))
+    return tuple(things)
+
+
 def _elevated_road(ground: Ground, size: float) -> list[Furniture]:
     """A motorway on piers above the avenue: a deck 13 m wide, its barriers, and a pier on the kerb every 24 m."""
     avenue = ground.streets[0]

@@ -193,6 +193,28 @@ def _repainted(markings: list[Marking], rng: np.random.Generator) -> list[Markin
     return changed
 
 
+def worn_and_patched(markings: tuple[Marking, ...], rng: np.random.Generator) -> tuple[Marking, ...]:
+    """Two markings of five worn to a rest; patches of new asphalt took parts of every sixth away before the drives."""
+    changed = []
+    for marking in markings:
+        worn, patched = rng.random() < 0.4, rng.random() < 1 / 6
+        wear, side = rng.uniform(0.55, 0.9), rng.uniform(1.0, 3.0)
+        corners = shapely.get_coordinates(marking.plan)
+        at = corners[int(rng.integers(len(corners)))] + rng.uniform(-0.5, 0.5, 2)
+        if marking.kind == "tactile" or marking.private:
+            changed.append(marking)
+            continue
+        marking = replace(marking, wear=max(marking.wear, wear)) if worn else marking
+        rest = marking.plan.difference(shapely.box(*(at - side), *(at + side))) if patched else marking.plan
+        if rest.equals(marking.plan):
+            changed.append(marking)
+            continue
+        changed.append(replace(marking, ground=False))
+        changed += [replace(marking, plan=part, aerial=False) for part in shapely.get_parts(rest)
+                    if marking.ground and part.geom_type == "Polygon" and part.area > 0.01]
+    return tuple(changed)
+
+
 def _bays(ground: Ground, lot: shapely.Polygon) -> list[Marking]:
     """Lines between the bays of a parking lot: comb along its longer side."""
     u, v = ground.to_local(*shapely.get_coordinates(lot).T)

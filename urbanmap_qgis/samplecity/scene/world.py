@@ -6,6 +6,7 @@ GPS seconds. An epoch is `AERIAL` (flights: frames and ALS) or `GROUND` (drives:
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from datetime import date
 from functools import cached_property
@@ -14,11 +15,12 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ..faults import checked_faults, fault_rng
 from .buildings import make_buildings
 from .faces import Boxes, building_faces, furniture_faces, join, vehicle_boxes
-from .furniture import make_furniture, make_parked, make_traffic, make_trees
+from .furniture import make_furniture, make_parked, make_traffic, make_trees, rails_and_decks
 from .ground import Ground, Surface
-from .markings import make_markings
+from .markings import make_markings, worn_and_patched
 from .model import AERIAL, GROUND, Building, Crowns, Faces, Furniture, Lane, Marking, Material, Tree, Vehicle
 from .paint import Paint
 from .streets import make_ground, make_lanes
@@ -42,6 +44,7 @@ class Scene:
     name : one of `SCENES`.  size : side of the square of the city, m (the square is rotated by `ground.angle`).
     ground : `Ground` (height, kerbs, axes u and v of the streets: `to_local`, `to_world`, `streets`).
     buildings, markings, trees, furniture, lanes, vehicles : the things in it.
+    faults : of `faults.FAULTS`, that its surveys have.
     """
 
     name: str
@@ -53,6 +56,7 @@ class Scene:
     furniture: tuple[Furniture, ...]
     lanes: tuple[Lane, ...]
     vehicles: tuple[Vehicle, ...]
+    faults: tuple[str, ...] = ()
 
     @cached_property
     def extent(self) -> shapely.Polygon:
@@ -126,7 +130,8 @@ _SURFACE_MATERIAL[[Surface.CARRIAGEWAY, Surface.PAVEMENT, Surface.PLOT, Surface.
     Material.ASPHALT, Material.PAVEMENT, Material.PLOT, Material.ASPHALT]
 
 
-def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random.SeedSequence = 1) -> Scene:
+def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random.SeedSequence = 1,
+               faults: Iterable[str] = ()) -> Scene:
     """Make the true world of a sample city.
 
     Parameters
@@ -135,10 +140,11 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     scene : one of `SCENES`: high-rise street canyon, a street with few markings, markings repainted between the
         flights and the drives, or an elevated road above the avenue.
     seed : the same seed gives the same city.
+    faults : see `faults.FAULTS`.
 
     Raises
     ------
-    InputError : the size or the scene is not one of those.
+    InputError : the size, the scene or a fault is not one of those.
     """
     check_size(size)
     if scene not in SCENES:
@@ -151,10 +157,15 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     ground = replace(ground, parking=parking)
     lanes = make_lanes(ground, size)
     trees = make_trees(ground, size, planted)
-    return Scene(
-        scene, float(size), ground, buildings, make_markings(ground, size, scene, painted), trees,
-        make_furniture(ground, size, scene, trees, furnished), lanes,
-        (*make_parked(ground, size, parked), *make_traffic(lanes, driven)))
+    faults = checked_faults(faults)
+    markings = make_markings(ground, size, scene, painted)
+    furniture = make_furniture(ground, size, scene, trees, furnished)
+    if "paint" in faults:
+        markings = worn_and_patched(markings, fault_rng("paint", sequence))
+    if "rails" in faults:
+        furniture = (*furniture, *rails_and_decks(ground, size))
+    return Scene(scene, float(size), ground, buildings, markings, trees, furniture, lanes,
+                 (*make_parked(ground, size, parked), *make_traffic(lanes, driven)), faults)
 
 
 def check_size(size: float) -> None:
