@@ -61,8 +61,9 @@ class RegisterMms(UrbanMapAlgorithm):
                         advanced=True)
         self.add_distance("SUBSAMPLING", "Subsampling", "One point is used in each cell of this side. By default 0.1 "
                           "m; 0.3 m with the paper's method.", None, 0.01, 2.0, optional=True, advanced=True)
-        self.add_distance("SEARCH", "Maximum error", "How far off the survey may be in plan. Wider than half the "
-                          "distance between dashes invites a slip by one dash.", 4.0, 0.5, 20.0, advanced=True)
+        self.add_distance("SEARCH", "Maximum error", "How far off the survey may be in plan. Where the best place "
+                          "lies at the edge of it, or hardly beats others, twice as far is looked at. Wider than half "
+                          "the distance between dashes invites a slip by one dash.", 4.0, 0.5, 20.0, advanced=True)
         self.add_choice("METHOD", "Method", "Full, or as in the paper to the letter: windows as rigid bodies, each "
                         "started from the one before, and each patch moved by the matrix of its own window; no "
                         "model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in "

@@ -193,6 +193,22 @@ def test_three_metres_of_error_are_found(street, direction):
     assert np.abs(errors(result, true)[1]).max() < 0.08
 
 
+@pytest.mark.parametrize(("far", "found"), [(6.0, True), (12.0, False)])
+def test_farther_off_than_the_search_is_looked_for_farther_or_told(street, far, found):
+    """With a search of 4 m: 6 m of error are found in the wider one, 12 m lie beyond it and are never right."""
+    true, _, _, _ = street
+    h, error = np.radians(HEADING), slow_error(true, 0.0, 0.0)
+    error[:, :2] += far * np.array([np.sin(h), np.cos(h)]) - error[:, :2].mean(axis=0)
+    reported = reported_trajectory(true, error)
+    paint = [*lines(120), *dashes(120, 5.0), bar(40.0, 3.5, 0.45, 6.5), bar(72.0, 3.5, 2.0, 2.0)]
+    result = register_windows(seen(paint, true, reported), reported, Reference.from_polygons(paint))
+    if found:
+        assert result.search == 8.0 and not result.beyond
+        assert np.abs(errors(result, true)[1]).max() < 0.15
+    else:
+        assert result.beyond or (result.status != REGISTERED).all()
+
+
 def test_lane_lines_alone_tell_nothing_along_the_road(street):
     true, reported, _, _ = street
     paint = lines(120)

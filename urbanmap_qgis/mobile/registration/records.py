@@ -46,7 +46,7 @@ class RegistrationSettings:
         cell; "closest", the one with the closest mean (J eq. 11).
     start : find the start by correlation along the whole path, within `search` m. Without it windows start from
         the one before (J).
-    search : m, largest error looked for.
+    search : m, largest error looked for. Where the best place lies at its edge or hardly beats others, twice as far.
     refinement : sub-pixel adjustment to the reference's coverage after NDT.
     blurs : m, standard deviations of the Gaussians that the coverage is blurred by, one after another.
     height_sigma, height_robust : m, of a point's height over the reference's ground: its standard deviation, and the
@@ -155,6 +155,8 @@ class WindowResults:
     mode_scores : (n, MODES) log-likelihood of each (independent evidence of this window), own first.
     linearised : (n, 6), information : (n, 6, 6), gradient : (n, 6), see above; zeros where the patch has no points.
     three_d : whether height, roll and pitch were estimated.
+    search : m, largest error east or north that was looked for. beyond : whether the best path of the start runs along
+        the edge of it, so that the survey may lie farther off.
     """
 
     time: np.ndarray
@@ -179,6 +181,8 @@ class WindowResults:
     information: np.ndarray
     gradient: np.ndarray
     three_d: bool
+    search: float = np.inf
+    beyond: bool = False
 
     def __len__(self) -> int:
         return len(self.time)

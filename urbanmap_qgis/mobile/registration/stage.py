@@ -134,7 +134,7 @@ def _smooth_correction(windows: WindowResults, markings: MarkingPoints, trajecto
     if run.windows.refinement:
         points = PointObservations.of(markings, trajectory, path_parameter, run.correction.node_length, reference,
                                       run.windows).about
-    settings = replace(run.correction, search=run.windows.search) if run.windows.start else run.correction
+    settings = replace(run.correction, search=windows.search) if run.windows.start else run.correction
     return adjust_correction(windows, trajectory, settings, points, progress)
 
 

@@ -143,7 +143,7 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     quiet = chain.solve(model, fit.weight / max(fit.found_noise, least))[1]
     made = _result(windows, chain, replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet)), at_patches,
                    doubtful, settings)
-    return _distrusted(made, trajectory, settings)
+    return _distrusted(made, trajectory, windows.beyond, settings)
 
 
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
@@ -239,7 +239,7 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
                       normals.active, settings.time_weight)
 
 
-def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSettings) -> Correction:
+def _distrusted(made: Correction, trajectory: Trajectory, beyond: bool, settings: CorrectionSettings) -> Correction:
     """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
     status, reason = made.status.copy(), made.reason.copy()
     for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, "the trajectory has a gap here"),
@@ -249,6 +249,6 @@ def _distrusted(made: Correction, trajectory: Trajectory, settings: CorrectionSe
             broken = (made.chainage >= ends[0]) & (made.chainage <= ends[1])
             status[broken], reason[broken] = DISTRUSTED, why
     reached = (np.abs(made.value[:, :2]) > settings.search - _SEARCH_MARGIN).any(axis=1)
-    if reached.mean() > _SEARCH_SHARE:
+    if beyond or reached.mean() > _SEARCH_SHARE:
         status[:], reason[:] = DISTRUSTED, "the correction reaches the largest error looked for"
     return replace(made, status=status, reason=reason)

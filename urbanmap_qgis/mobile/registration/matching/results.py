@@ -41,7 +41,7 @@ class InitialShifts:
     ----------
     block : patches of a block. shift : (b, 2) m, east and north, where each block starts from.
     scores : (b, s, s) of all shifts about the best path's shift. deficit : (b, s, s) see `BestPath`.
-    best : (b, 2) cells, shift of the best path.
+    best : (b, 2) cells, shift of the best path. score : of the whole of it, log-likelihood.
     """
 
     block: int
@@ -49,6 +49,7 @@ class InitialShifts:
     scores: np.ndarray
     deficit: np.ndarray
     best: np.ndarray
+    score: float
 
     def shift_at(self, patch: np.ndarray) -> np.ndarray:
         """(k, 2) m, linear between the blocks' middles."""
@@ -89,11 +90,11 @@ def alternative_positions(start: InitialShifts, windows: Windows, patches: int) 
         offsets[patch, :len(alternatives)], scores[patch, :len(alternatives)] = alternatives * CELL, heights
         if len(heights) and own[patch] > 0:
             ratio[patch] = heights[0] / own[patch]
-    margin = _margins(start)[np.arange(patches) // start.block]
+    margin = path_margins(start)[np.arange(patches) // start.block]
     return AlternativePositions(ratio, margin, offsets, scores, own)
 
 
-def _margins(start: InitialShifts) -> np.ndarray:
+def path_margins(start: InitialShifts) -> np.ndarray:
     """(b,) by how much the best path beats the best one through another position at the block."""
     size = start.deficit.shape[1]
     offset = np.arange(size) - size // 2
@@ -140,7 +141,7 @@ def assemble(patches: Patches, windows: Windows, start: InitialShifts, parts: Se
         patches.time, patches.chainage, patches.place, patches.angles, correction, covariance, column("score"), overlap,
         windows.first, windows.last, (windows.last - windows.first + 1) * patches.length, windows.features, points,
         alternatives.alias_ratio, alternatives.margin, status, *_modes(correction, alternatives, status), linearised,
-        information, gradient, settings.three_d)
+        information, gradient, settings.three_d, settings.search)
 
 
 def _chance_variance(overlap: np.ndarray) -> np.ndarray:
