@@ -62,17 +62,26 @@ def test_roofs_of_a_gable_become_one_and_a_step_stays():
 
 def test_figures_of_a_gable():
     house = gable()
-    figures = model_figures([house], block_solid(house), stepped_solids(house))
+    figures = model_figures([house])
     roof = 2 * 10 * np.hypot(4, 3)
     walls = 2 * 10 * 4 + 2 * (8 * 4 + 8 * 3 / 2)
     assert figures.ground_height == 1.0
     assert (figures.roof_min, figures.roof_50, figures.roof_70, figures.roof_max) == pytest.approx((4, 5.5, 6.1, 7))
     assert (figures.area_ground, figures.area_roof_flat, figures.area_roof_sloped) == pytest.approx((80, 0, roof))
     assert (figures.area_outer_walls, figures.area_party_walls) == pytest.approx((walls, 0))
-    assert figures.volume_lod22 == pytest.approx(440) and figures.storeys_estimated == 2
+    assert (figures.volume_lod12, figures.volume_lod13, figures.volume_lod22) == pytest.approx((440, 440, 440))
+    assert figures.storeys_estimated == 2
     assert np.isnan(model_figures([]).roof_max) and model_figures([]).storeys_estimated is None
     assert np.isnan(model_figures([house], sloped=False).volume_lod22)
     assert figure_columns([figures])["storeys_estimated"] == [2]
+
+
+def test_volumes_are_those_of_the_levels_solids():
+    two = blocks([shapely.box(0, 0, 6, 10), shapely.box(6, 0, 10, 10)], [5.0, 9.0])[0]
+    for solid in (two, gable()):
+        figures = model_figures([solid])
+        assert figures.volume_lod12 == pytest.approx(sum(map(volume, block_solid(solid))))
+        assert figures.volume_lod13 == pytest.approx(sum(map(volume, stepped_solids(solid))))
 
 
 def test_party_walls_are_what_both_have():

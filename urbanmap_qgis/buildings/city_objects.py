@@ -25,9 +25,9 @@ from ..citymodel.model import (
     CitySurface,
 )
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid, surfaces
-from ..geometry.solid_faces import face_normal, solids_of
+from ..geometry.solid_faces import area_vector, solids_of
 from .levels_of_detail import block_solid, stepped_solids
-from .model_figures import ModelFigures, model_figures, roof_outline, surface_area
+from .model_figures import ModelFigures, model_figures, roof_outline
 from .party_walls import party_wall_areas
 from .solids.validity import check_solid
 
@@ -84,9 +84,7 @@ def city_objects(buildings: Sequence[BuildingSource]) -> Iterator[tuple[CityObje
 def _city_object(building: BuildingSource, party_area: float) -> tuple[CityObject, ModelFigures]:
     problems = tuple(building.problems) or ("",) * len(building.solids)
     levels = [_levels(solid, problem) for solid, problem in zip(building.solids, problems)]
-    figures = model_figures(building.solids, [one for level in levels for one in level.block],
-                            [one for level in levels for one in level.stepped], building.lod.startswith("2"),
-                            party_area)
+    figures = model_figures(building.solids, building.lod.startswith("2"), party_area)
     attributes = {**building.attributes, **_figure_attributes(figures)}
     textures = building.textures or [()] * len(levels)
     parts = [_shapes(level, building.lod, problem, faces) for level, problem, faces in zip(levels, problems, textures)]
@@ -126,8 +124,8 @@ def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) ->
     made = []
     for number, (face, kind, roof_id) in enumerate(zip(solid.faces, solid.surface_type, solid.roof_id)):
         rings = tuple(solid.vertices[list(ring)] for ring in face)
-        attributes: dict[str, Any] = {"area": round(surface_area(solid.vertices, face), 2)}
-        normal = face_normal(solid.vertices, face)
+        normal = area_vector(solid.vertices, face)
+        attributes: dict[str, Any] = {"area": round(float(np.linalg.norm(normal)), 2)}
         if kind == ROOF:
             attributes |= _inclination(normal)
         elif kind in (OUTER_WALL, INNER_WALL):

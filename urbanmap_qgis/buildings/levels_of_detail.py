@@ -6,7 +6,9 @@ block, 1.3 has a height for each part between steps.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -20,7 +22,7 @@ from .solids.validity import check_solid
 BLOCK_SHARE = 0.5
 """Share of the roof's plan area that lies below the height of a block: the median, as Japan's LOD1 has it."""
 
-_HALVINGS = 50
+_TINY = 1e-12
 _NODE = 1e-3
 """Corners of roofs nearer than this (m) are one."""
 
@@ -44,31 +46,72 @@ def height_quantiles(triangles: np.ndarray, shares: Sequence[float]) -> np.ndarr
     if not len(area):
         return np.full(len(shares), np.nan)
     z = np.sort(triangles[:, :, 2], axis=1)
-    found = []
-    for share in shares:
-        low, high = float(z.min()), float(z.max())
-        for _ in range(_HALVINGS if 0.0 < share < 1.0 else 0):
-            middle = (low + high) / 2.0
-            if (_share_below(z, middle) * area).sum() < share * area.sum():
-                low = middle
-            else:
-                high = middle
-        found.append(low if share <= 0.0 else high)
-    return np.array(found)
+    z, levels = np.sort(triangles[:, :, 2], axis=1), np.unique(triangles[:, :, 2])
+    return np.array([_quantile(z, area / area.sum(), levels, float(share)) for share in shares])
 
 
-def _share_below(z: np.ndarray, height: float) -> np.ndarray:
-    """Share (t,) of each triangle's area below a height; `z` (t, 3) are its heights in order."""
+def _quantile(z: np.ndarray, weight: np.ndarray, levels: np.ndarray, share: float) -> float:
+    """Height below which a share lies: between two corners' heights the share is a quadratic function of the height."""
+    def below(height: float) -> float:
+        return float(_share_below(z, np.array([height]))[0] @ weight)
+
+    low, high = 0, len(levels) - 1
+    if share <= 0.0 or not high:
+        return float(levels[0])
+    while low < high:  # the first corner's height up to which the share lies
+        middle = (low + high) // 2
+        low, high = (low, middle) if below(levels[middle]) >= min(share, 1.0) - _TINY else (middle + 1, high)
+    if low == 0:
+        return float(levels[0])
+    start, length = float(levels[low - 1]), float(levels[low] - levels[low - 1])
+    at0, at1, at2 = (below(start + part * length) for part in (0.0, 1 / 3, 2 / 3))
+    square, linear = 4.5 * (at0 - 2.0 * at1 + at2), 1.5 * (4.0 * at1 - 3.0 * at0 - at2)
+    root = math.sqrt(max(linear * linear + 4.0 * square * (share - at0), 0.0))
+    place = 2.0 * (share - at0) / (linear + root) if linear + root > 0 else 1.0
+    return start + min(max(place, 0.0), 1.0) * length
+
+
+def _share_below(z: np.ndarray, heights: np.ndarray) -> np.ndarray:
+    """Share (k, t) of each triangle's area below heights (k,); `z` (t, 3) are its heights in order."""
     low, middle, high = z.T
+    height = heights[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
         rising = (height - low) ** 2 / ((high - low) * (middle - low))
         falling = 1.0 - (high - height) ** 2 / ((high - low) * (high - middle))
     return np.where(height >= high, 1.0, np.where(height <= low, 0.0, np.where(height < middle, rising, falling)))
 
 
+@dataclass(frozen=True, eq=False)
+class RoofStep:
+    """Roofs that meet along edges in space: their plan, and the median of their height over it, m."""
+
+    plan: shapely.Geometry
+    height: float
+
+
+def block_height(solid: Solid) -> float:
+    """Median height of the roofs of a solid over their plan, m."""
+    return float(height_quantiles(roof_triangles([solid]), [BLOCK_SHARE])[0])
+
+
+def roof_steps(solid: Solid) -> list[RoofStep]:
+    """The roofs of a solid between its steps."""
+    faces = [face for face, kind in enumerate(solid.surface_type) if kind == ROOF]
+    plans = shapely.force_2d(surfaces(solid)[faces])
+    group = _joined_roofs(solid, faces)
+    steps = []
+    for number in range(max(group, default=-1) + 1):
+        rows = [row for row, its in enumerate(group) if its == number]
+        triangles = np.array([solid.vertices[list(triangle)] for row in rows
+                              for triangle in triangulate_face(solid.vertices, solid.faces[faces[row]])])
+        height = float(height_quantiles(triangles, [BLOCK_SHARE])[0])
+        steps.append(RoofStep(plans[rows[0]] if len(rows) == 1 else shapely.union_all(plans[rows]), height))
+    return steps
+
+
 def block_solid(solid: Solid) -> tuple[Solid, ...]:
     """Level of detail 1.2 of a solid: its plan raised to the median height of its roofs; empty where not valid."""
-    height = float(height_quantiles(roof_triangles([solid]), [BLOCK_SHARE])[0])
+    height = block_height(solid)
     return _raised(solid, [(plan, 0, height) for plan in _ground_plans(solid)])
 
 
@@ -77,19 +120,10 @@ def stepped_solids(solid: Solid) -> tuple[Solid, ...]:
 
     A solid of level roofs is its own level 1.3. Empty where no valid solid comes of it.
     """
-    faces = [face for face, kind in enumerate(solid.surface_type) if kind == ROOF]
-    if all(np.ptp(solid.vertices[list(solid.faces[face][0]), 2]) < _NODE for face in faces):
+    if all(np.ptp(solid.vertices[list(face[0]), 2]) < _NODE for face, kind in zip(solid.faces, solid.surface_type)
+           if kind == ROOF):
         return (solid,)
-    plans = shapely.force_2d(surfaces(solid)[faces])
-    group = _joined_roofs(solid, faces)
-    cells = []
-    for number in range(max(group) + 1):
-        rows = [row for row, its in enumerate(group) if its == number]
-        triangles = np.array([solid.vertices[list(triangle)] for row in rows
-                              for triangle in triangulate_face(solid.vertices, solid.faces[faces[row]])])
-        height = float(height_quantiles(triangles, [BLOCK_SHARE])[0])
-        cells.append((shapely.union_all(plans[rows]), number, height))
-    return _raised(solid, cells)
+    return _raised(solid, [(step.plan, number, step.height) for number, step in enumerate(roof_steps(solid))])
 
 
 def _raised(solid: Solid, cells: list[tuple[shapely.Geometry, int, float]]) -> tuple[Solid, ...]:

@@ -9,14 +9,16 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Solid, surfaces, volume
-from ..geometry.solid_faces import face_normal
-from .levels_of_detail import height_quantiles, roof_triangles
+from ..geometry.solid_faces import area_vector
+from .levels_of_detail import block_height, height_quantiles, roof_steps, roof_triangles
 
 STOREY_HEIGHT = 3.0
 """Height (m) of a storey for the estimate of their number."""
 
 FLAT_SLOPE = 5.0
 """Degrees up to which a roof is flat."""
+
+_FLAT_COSINE = float(np.cos(np.radians(FLAT_SLOPE)))
 
 
 @dataclass(frozen=True)
@@ -28,7 +30,8 @@ class ModelFigures:
     ground_height : height of the ground face, m.
     roof_min, roof_50, roof_70, roof_max : height of the roofs above the ground, m: lowest, below which 50 and 70 % of
         their plan area lie, highest.
-    volume_lod12, volume_lod13, volume_lod22 : volume at each level of detail, m3.
+    volume_lod12, volume_lod13, volume_lod22 : volume at each level of detail, m3; the first two are those of the plan
+        under the median height of all roofs, and of the roofs between steps.
     area_ground : plan area of the ground, m2. area_roof_flat, area_roof_sloped : area of the roofs up to 5 degrees and
         steeper, m2, measured on the slope.
     area_outer_walls : area of all walls that see the open air, steps between roofs too, without party walls, m2.
@@ -57,23 +60,24 @@ FIGURES: tuple[tuple[str, str], ...] = tuple(
 """Names and kinds of the figures, in order."""
 
 
-def model_figures(solids: Sequence[Solid], blocks: Sequence[Solid] = (), stepped: Sequence[Solid] = (),
-                  sloped: bool = True, party_area: float = 0.0) -> ModelFigures:
+def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: float = 0.0) -> ModelFigures:
     """Figures of one building.
 
     Parameters
     ----------
-    solids : its most detailed solids. blocks, stepped : its levels of detail 1.2 and 1.3, empty where there is none.
-    sloped : whether `solids` are of level of detail 2.2.
+    solids : its most detailed solids. sloped : whether they are of level of detail 2.2.
     party_area : area of its walls that stand against other buildings, m2 (`party_wall_areas`).
     """
-    if not solids:
+    triangles = roof_triangles(solids)
+    if not len(triangles):
         return ModelFigures()
     base = min(float(solid.vertices[:, 2].min()) for solid in solids)
-    low, middle, upper, high = (height_quantiles(roof_triangles(solids), (0.0, 0.5, 0.7, 1.0)) - base).tolist()
+    low, middle, upper, high = (height_quantiles(triangles, (0.0, 0.5, 0.7, 1.0)) - base).tolist()
     areas = _areas(solids)
+    blocks = sum(_ground_area(solid) * (block_height(solid) - _base(solid)) for solid in solids)
+    steps = sum(step.plan.area * (step.height - _base(solid)) for solid in solids for step in roof_steps(solid))
     return ModelFigures(
-        base, low, middle, upper, high, _volume(blocks), _volume(stepped), _volume(solids) if sloped else np.nan,
+        base, low, middle, upper, high, blocks, steps, sum(map(volume, solids)) if sloped else np.nan,
         areas[GROUND], areas["flat"], areas["sloped"],
         max(areas[OUTER_WALL] + areas[INNER_WALL] - party_area, 0.0), party_area,
         max(1, round(upper / STOREY_HEIGHT)))
@@ -85,8 +89,13 @@ def figure_columns(figures: Sequence[ModelFigures]) -> dict[str, list]:
     return {name: [row[name] for row in rows] for name, _ in FIGURES}
 
 
-def _volume(solids: Sequence[Solid]) -> float:
-    return sum(volume(solid) for solid in solids) if solids else np.nan
+def _base(solid: Solid) -> float:
+    return float(solid.vertices[:, 2].min())
+
+
+def _ground_area(solid: Solid) -> float:
+    return sum(surface_area(solid.vertices, face) for face, kind in zip(solid.faces, solid.surface_type)
+               if kind == GROUND)
 
 
 def _areas(solids: Sequence[Solid]) -> dict[str, float]:
@@ -94,21 +103,17 @@ def _areas(solids: Sequence[Solid]) -> dict[str, float]:
     areas = dict.fromkeys((GROUND, ROOF, OUTER_WALL, INNER_WALL, OVERHANG, "flat", "sloped"), 0.0)
     for solid in solids:
         for face, kind in zip(solid.faces, solid.surface_type):
-            area = surface_area(solid.vertices, face)
+            vector = area_vector(solid.vertices, face)
+            area = float(np.linalg.norm(vector))
             areas[kind] += area
             if kind == ROOF:
-                flat = np.degrees(np.arccos(np.clip(face_normal(solid.vertices, face)[2], -1.0, 1.0))) <= FLAT_SLOPE
-                areas["flat" if flat else "sloped"] += area
+                areas["flat" if vector[2] >= area * _FLAT_COSINE else "sloped"] += area
     return areas
 
 
 def surface_area(vertices: np.ndarray, face: Sequence[Sequence[int]]) -> float:
     """Area in space of a plane face with holes, m2."""
-    total = np.zeros(3)
-    for ring in face:
-        corners = vertices[list(ring)] - vertices[face[0][0]]
-        total += np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0) / 2.0
-    return float(np.linalg.norm(total))
+    return float(np.linalg.norm(area_vector(vertices, face)))
 
 
 def roof_outline(solids: Sequence[Solid]) -> shapely.Geometry:

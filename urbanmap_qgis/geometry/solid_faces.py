@@ -44,6 +44,16 @@ def face_normal(vertices: np.ndarray, face: Face) -> np.ndarray:
     return normal / length if length > 0 else normal
 
 
+def area_vector(vertices: np.ndarray, face: Face) -> np.ndarray:
+    """Vector (3,) along the normal of a plane face with holes, as long as the face's area (Newell)."""
+    total = np.zeros(3)
+    for ring in face:
+        x, y, z = (vertices[list(ring)] - vertices[face[0][0]]).T
+        x_next, y_next, z_next = (np.append(values[1:], values[0]) for values in (x, y, z))
+        total += (y @ z_next - z @ y_next, z @ x_next - x @ z_next, x @ y_next - y @ x_next)
+    return total / 2.0
+
+
 def _indexed(polygons: np.ndarray) -> tuple[np.ndarray, list[Face]]:
     """Shared vertices (V, 3) and the faces as rings of their numbers."""
     rings, owner = shapely.get_rings(polygons, return_index=True)
