@@ -323,6 +323,28 @@ def building_meshes(layer) -> None:
         "[% round(100 * \"within\", 1) %] % of them within the error, RMSE [% round(\"rmse\", 2) %] m")
 
 
+LOADED = {"": ("sound", "#9fb4c7"), "noted": ("with a note", "#d98c5f")}
+"""Label and colour of loaded buildings without and with a note."""
+
+
+def loaded_buildings(layer) -> None:
+    """Outlines of a city model; those in which something is wrong stand out."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("if(coalesce(\"note\", '') = '', '', 'noted')", [
+        QgsRendererCategory(value, fill(colour), label) for value, (label, colour) in LOADED.items()]))
+    layer.setMapTipTemplate("<b>[% \"building_id\" %]</b><br>levels [% \"lod\" %], "
+                            "height [% round(\"height\", 1) %] m<br>[% \"note\" %]")
+
+
+def loaded_models(layer) -> None:
+    """Solids of a city model, likewise."""
+    loaded_buildings(layer)
+    rule = engine.QgsRuleBased3DRenderer.Rule
+    root = rule(None)
+    for condition, key in (("coalesce(\"note\", '') = ''", ""), ("coalesce(\"note\", '') <> ''", "noted")):
+        root.appendChild(rule(solid_symbol(LOADED[key][1]), condition, LOADED[key][0]))
+    layer.setRenderer3D(engine.QgsRuleBased3DRenderer(root))
+
+
 def road_markings(layer) -> None:
     """Markings in the colour of their paint, dark at the edge so that they show on light paving too."""
     colours = {"white": "#ffffff", "yellow": "#ffb000"}
@@ -561,6 +583,8 @@ FIELDS = {
     rectification_epochs: ("PointZ", "time:double status:string east:double north:double sigma:double"),
     marking_lines: ("LineStringZ", "class:string colour:string length:double width:double sigma:double bridged:double"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
+    loaded_buildings: ("MultiPolygon", "building_id:string lod:string height:double note:string"),
+    loaded_models: ("MultiPolygonZ", "building_id:string lod:string height:double note:string"),
     tiles: ("Polygon", "tile:string status:string reason:string seconds:double memory:double"),
     road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import posixpath
 import re
 import tempfile
 import zipfile
@@ -29,11 +30,16 @@ _SPOOL_BYTES = 32 * 2**20
 
 @dataclass(frozen=True)
 class XmlSource:
-    """One XML file, on disk or in a zip: its name for messages, its size in bytes and how to open it."""
+    """One XML file, on disk or in a zip: its name for messages, its size in bytes and how to open it.
+
+    `beside` gives the source that a relative path in the file names, None where there is none; a path that is absolute
+    or an address, or that leaves the zip, names none.
+    """
 
     name: str
     size: int
     open: Callable[[], IO[bytes]]
+    beside: Callable[[str], XmlSource | None] = lambda _relative: None
 
     @property
     def short_name(self) -> str:
@@ -97,7 +103,7 @@ def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted:
                 if zipfile.is_zipfile(file) or file.suffix.lower() == ".zip":
                     _list_zip(stack.enter_context(zipfile.ZipFile(file)), str(file), listing, stack, wanted, 1)
                 else:
-                    chosen = XmlSource(str(file), file.stat().st_size, lambda file=file: file.open("rb"))
+                    chosen = _on_disk(file)
                     _add(chosen, listing, wanted, by_name=Path(path).is_dir())
         if len(listing.sources) + len(listing.others) == found:
             raise InputError(f"{path} holds no {wanted.suffixes[0]} file: give {wanted.what} as they were downloaded.")
@@ -138,7 +144,7 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
             raise InputError(f"{label} would unpack to {info.file_size >> 30} GB from {info.compress_size >> 20} MB, "
                              "which no map data does: get the file again from where it comes from.")
         if suffix != ".zip":
-            source = XmlSource(label, info.file_size, lambda info=info: archive.open(info))
+            source = _in_zip(archive, info, label)
             _add(source, listing, wanted, by_name=True)
             continue
         # A compressed stream can be read forwards only, a zip starts at its end: so unpack the inner one.
@@ -149,6 +155,32 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
             spool.seek(0)
             inner = stack.enter_context(zipfile.ZipFile(_seekable(spool)))
         _list_zip(inner, label, listing, stack, wanted, depth + 1)
+
+
+def _on_disk(file: Path) -> XmlSource:
+    def beside(relative: str) -> XmlSource | None:
+        # No address, no absolute path, no drive: only files in folders beside, as CityGML names lists and images.
+        if ":" in relative or relative.startswith(("/", "\\")):
+            return None
+        found = file.parent / relative.replace("\\", "/")
+        return _on_disk(found) if found.is_file() else None
+
+    return XmlSource(str(file), file.stat().st_size, lambda: file.open("rb"), beside)
+
+
+def _in_zip(archive: zipfile.ZipFile, info: zipfile.ZipInfo, label: str) -> XmlSource:
+    def beside(relative: str) -> XmlSource | None:
+        folder = posixpath.dirname(info.filename)
+        place = posixpath.normpath(posixpath.join(folder, relative.replace("\\", "/")))
+        if ":" in relative or place.startswith(("/", "..")):
+            return None
+        try:
+            found = archive.getinfo(place)
+        except KeyError:
+            return None
+        return _in_zip(archive, found, f"{label}: {place}")
+
+    return XmlSource(label, info.file_size, lambda: archive.open(info), beside)
 
 
 def _copy(packed: IO[bytes], spool: IO[bytes], label: str) -> None:

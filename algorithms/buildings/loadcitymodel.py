@@ -1,0 +1,134 @@
+"""City models of others as outlines, solids and surfaces that every step takes."""
+
+from __future__ import annotations
+
+from contextlib import ExitStack
+from pathlib import Path
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.crs import crs_name, wkt_of
+from ..framework.layers import make_fields
+from ..framework.parameters import tr
+
+COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
+           ("parts", "int"), ("note", "text"), ("attributes", "text"))
+SURFACES = (("building_id", "text"), ("roof_id", "int"), ("surface_type", "text"))
+
+
+class LoadCityModel(UrbanMapAlgorithm):
+    """CityGML (PLATEAU) and CityJSON to layers."""
+
+    ID = "loadcitymodel"
+    NAME = "Load city model"
+    HELP = (
+        "Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, "
+        "for the other steps.\n"
+        "CityGML as PLATEAU has it (.gml, .zip or its folder; files of roads and the like are passed over), CityJSON "
+        "and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the "
+        "files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its "
+        "row; the field “note” says why. Nothing is read from the network."
+    )
+    SOURCE = "OGC 12-019 (CityGML 2.0), CityJSON 2.0.1"
+    KEYWORDS = ("CityGML", "CityJSON", "CityJSONSeq", "PLATEAU", "LOD", "3D", "footprints", "建築物", "都市モデル")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
+
+    def declare(self):
+        self.add_file(
+            "INPUT", "City model",
+            "CityGML (.gml, or a .zip of them), CityJSON (.json) or CityJSONSeq (.jsonl). The path of a folder, such "
+            "as that of a PLATEAU data set, can be typed here as well.",
+            filter="City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)", optional=True)
+        self.add_file(
+            "INPUT_FOLDER", "Folder of city models",
+            "All city models in this folder and its subfolders; instead of the file or beside it.", folder=True,
+            optional=True)
+        self.add_crs(
+            "CRS", "Coordinate reference system",
+            "Projected system of the result. If none is chosen, that of the model, or for degrees in Japan the zone of "
+            "the Japan Plane Rectangular CS in which the first building lies.", optional=True)
+        self.add_crs("SOURCE_CRS", "CRS of the city model", "Of files that name none.", optional=True, advanced=True)
+        self.add_layer_output(
+            "OUTPUT", "Buildings",
+            "MultiPolygon outlines (footprint, else roof edge, else the plan of the solid) with building_id (the "
+            "model's own id), lod (levels there are), ground and top (heights in m), height (m, measuredHeight where "
+            "it is given), parts, note (what is wrong), attributes (all, as JSON), and simple attributes as fields.")
+        self.add_layer_output(
+            "OUTPUT_MODELS", "Building models",
+            "MultiPolygonZ, one feature a building with all faces of its most detailed solid, as “Building models” "
+            "writes them.", optional=True)
+        self.add_layer_output(
+            "OUTPUT_SURFACES", "Surfaces", "PolygonZ, one feature a face, with building_id, roof_id and surface_type: "
+            "roof, outer wall, inner wall, ground, overhang.", optional=True)
+        self.add_number_output("BUILDINGS", "Number of buildings", "Number of buildings written.")
+        self.add_number_output("PROBLEMS", "Buildings with a note", "Buildings in which something is wrong.")
+        self.add_text_output("HEIGHTS", "Height system", "As the model says it: unknown, JGD2011, JGD2024, ...")
+
+    def check(self, parameters, context):
+        if not self._paths(parameters, context):
+            raise InputError(tr("No file was given: choose a city model (.gml, .json, .jsonl, .zip) or a folder."))
+        for name in ("CRS", "SOURCE_CRS"):
+            if parameters.get(name) and not self.parameterAsCrs(parameters, name, context).isValid():
+                raise InputError(tr("{0}: {1} is not known; choose another.").format(
+                    self.label_of(name), parameters[name]))
+        if parameters.get("CRS"):
+            self.require_projected("CRS", self.parameterAsCrs(parameters, "CRS", context))
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.citymodel.building_table import TableNotes, building_rows
+        from ...urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
+        from ...urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
+        from ...urbanmap_qgis.citymodel.table_store import TableStore
+
+        progress = self.progress(feedback)
+        reading, counts, sentences = ReadingNotes(), TableNotes(), []
+        wanted = self.parameterAsCrs(parameters, "CRS", context)
+        with ExitStack() as stack:
+            model = open_city_model(self._paths(parameters, context), stack, reading,
+                                    self._given(parameters, context), progress.part(0.0, 0.6))
+            wkt, buildings, places = placed_model(model, wkt_of(wanted) or None, sentences)
+            self.require_projected("CRS", wkt)
+            store = stack.enter_context(TableStore(bool(parameters.get("OUTPUT_MODELS")),
+                                                   bool(parameters.get("OUTPUT_SURFACES"))))
+            for row in building_rows(buildings, places, counts):
+                store.add(row)
+            for sentence in sentences + reading.sentences():
+                progress.warn(sentence)
+            if counts.with_problems:
+                progress.warn(tr("{0} of {1} buildings have something wrong; the field “note” says what.").format(
+                    counts.with_problems, counts.buildings))
+            progress.message(tr("{0} buildings in {1}, heights: {2}").format(
+                counts.buildings, crs_name(wkt), model.reference.heights))
+            results = self._write(parameters, context, store, wkt, progress)
+        return {**results, "BUILDINGS": counts.buildings, "PROBLEMS": counts.with_problems,
+                "HEIGHTS": model.reference.heights}
+
+    def _write(self, parameters, context, store, wkt, progress):
+        """The layers that are wanted."""
+        results = {}
+        if parameters.get("OUTPUT_SURFACES"):
+            results["OUTPUT_SURFACES"] = self.write_layer(
+                parameters, "OUTPUT_SURFACES", context, make_fields(*SURFACES), store.surface_columns, wkt,
+                store.surfaces, "PolygonZ", "building_surfaces", progress.part(0.6, 0.8))
+        fields = make_fields(*COLUMNS, *store.more_fields(name for name, _ in COLUMNS))
+        if parameters.get("OUTPUT_MODELS"):
+            columns = {name: [store.columns[name][row] for row in store.modelled] for name in store.columns}
+            results["OUTPUT_MODELS"] = self.write_layer(
+                parameters, "OUTPUT_MODELS", context, fields, columns, wkt, store.models, "MultiPolygonZ",
+                "loaded_models", progress.part(0.8, 0.9))
+        results["OUTPUT"] = self.write_layer(
+            parameters, "OUTPUT", context, fields, store.columns, wkt, store.outlines, "MultiPolygon",
+            "loaded_buildings", progress.part(0.9, 1.0))
+        return results
+
+    def _given(self, parameters, context):
+        """The reference of files that name none, for the core; None where it was not given."""
+        from ...urbanmap_qgis.citymodel.named_reference import given_reference
+
+        crs = self.parameterAsCrs(parameters, "SOURCE_CRS", context)
+        return given_reference(wkt_of(crs)) if crs.isValid() else None
+
+    def _paths(self, parameters, context) -> list[Path]:
+        """The file and the folder, as far as they were given."""
+        paths = (self.input_path(parameters, name, context) for name in ("INPUT", "INPUT_FOLDER"))
+        return [path for path in paths if path is not None]

@@ -1,0 +1,111 @@
+"""City models from files, whatever their format: CityGML and CityJSON, one or many, in the reference that is wanted."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from ..errors import InputError, InsufficientDataError
+from ..io.gsi_sources import PathLike
+from ..io.height_systems import height_system, stating_heights
+from ..io.plane_rectangular import zone_epsg, zone_numbers
+from ..io.reprojection import epsg_wkt, plane_transform
+from ..progress import SILENT, Progress
+from .citygml_reader import ReadingNotes, open_citygml
+from .cityjson_reader import open_cityjson
+from .model import CityModel, CityObject, CityReference
+
+_JSON = (".json", ".jsonl", ".ndjson", ".cityjson")
+_JAPAN = (122.0, 20.0, 154.0, 46.0)
+
+
+def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
+                    given: CityReference | None = None, progress: Progress = SILENT) -> CityModel:
+    """Open city models: CityGML (.gml, .zip), CityJSON (.json), CityJSONSeq (.jsonl), or folders of them.
+
+    The buildings are read while they are walked through, once; `stack` must stay open until then.
+
+    Raises
+    ------
+    InputError : nothing is there, a file is damaged, or files are in different reference systems.
+    """
+    given_paths = [Path(item) for item in ([path] if isinstance(path, (str, Path)) else path)]
+    texts = [file for item in given_paths for file in _json_files(item)]
+    others = [item for item in given_paths if not (item.is_file() and item.suffix.lower() in _JSON)
+              and not (item.is_dir() and _json_files(item) and not _gml_there(item))]
+    models = [open_cityjson(file, notes, given, progress) for file in texts]
+    if others:
+        models.insert(0, open_citygml(others, stack, notes, given, progress))
+    if any(model.reference != models[0].reference for model in models):
+        raise InputError("The city models are in different reference systems: load them in separate runs.")
+    images = models[0].images if len(models) == 1 else {}
+    return replace(models[0], images=images, buildings=itertools.chain.from_iterable(
+        model.buildings for model in models))
+
+
+def _json_files(path: Path) -> list[Path]:
+    if path.is_dir():
+        return sorted(file for file in path.rglob("*") if file.suffix.lower() in _JSON and file.is_file())
+    return [path] if path.suffix.lower() in _JSON and path.is_file() else []
+
+
+def _gml_there(folder: Path) -> bool:
+    return any(file.suffix.lower() in (".gml", ".zip", ".citygml") for file in folder.rglob("*"))
+
+
+def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
+                 ) -> tuple[str, Iterator[CityObject], Callable[[np.ndarray], np.ndarray]]:
+    """Where a model is to lie: WKT of the reference with its heights, the buildings, the function that moves corners.
+
+    Parameters
+    ----------
+    target_wkt : wanted reference; None for the model's own, or in Japan's degrees the plane rectangular zone of the
+        first building. notes : gets a sentence on a change of datum.
+
+    Raises
+    ------
+    InputError : degrees outside of Japan without a wanted reference, or no transformation between the two is known.
+    InsufficientDataError : there is no building.
+    """
+    buildings = iter(model.buildings)
+    head = list(itertools.islice(buildings, 1))
+    if not head:
+        raise InsufficientDataError("The city model holds no building: give one that has buildings.")
+    heading = head
+    place = next((ring[0] for item in head[0].objects() for shape in item.shapes for surface in shape.surfaces
+                  for ring in surface.rings), None)
+    while place is None:
+        more = list(itertools.islice(buildings, 1))
+        if not more:
+            raise InsufficientDataError("No building of the city model has a geometry: give one with outlines or "
+                                        "solids.")
+        heading += more
+        place = next((ring[0] for item in more[0].objects() for shape in item.shapes for surface in shape.surfaces
+                      for ring in surface.rings), None)
+    source = model.reference.wkt
+    target = target_wkt or (_own_zone(place) if model.reference.geographic else source)
+    x, y = float(place[0]), float(place[1])
+    transform = plane_transform(source, target, (x, y, x, y))
+    if transform is not None and transform.told:
+        notes.append(f"The city model was taken into another datum by {transform.told}.")
+
+    def places(corners: np.ndarray) -> np.ndarray:
+        if transform is None:
+            return corners
+        return np.column_stack([transform.coordinates(corners[:, :2]), corners[:, 2]])
+
+    return (stating_heights(target, height_system(model.reference.heights)), itertools.chain(heading, buildings),
+            places)
+
+
+def _own_zone(place: np.ndarray) -> str:
+    longitude, latitude = float(place[0]), float(place[1])
+    if not (_JAPAN[0] <= longitude <= _JAPAN[2] and _JAPAN[1] <= latitude <= _JAPAN[3]):
+        raise InputError("The city model is in degrees outside of Japan: choose a projected coordinate reference "
+                         "system in metres for the result.")
+    return epsg_wkt(zone_epsg(int(zone_numbers(longitude, latitude)[0])))

@@ -1,0 +1,256 @@
+"""CityGML 2.0 (also 1.0 and 3.0's building geometry) read building by building: PLATEAU files, folders, zips.
+
+Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU).
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from ..errors import InputError
+from ..io.gsi_sources import PathLike, Wanted, XmlSource, list_sources
+from ..io.xml_stream import root_children
+from ..progress import SILENT, Progress
+from .gml_shapes import GmlTextures, ShapeReader
+from .gml_values import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
+from .model import BUILDING, BUILDING_PART, CityModel, CityObject, CityReference
+from .named_reference import NamedReference, named_reference
+
+MAKER = "a city model"
+LARGEST_BUILDING = 2**28
+_OTHER_THEME = re.compile(r"^[0-9]{6,10}_(?!bldg_)[a-z]{3,5}_", re.IGNORECASE)
+CITYGML = Wanted("city models (CityGML)", "give the files of the buildings (udx/bldg of PLATEAU)",
+                 lambda name: bool(_OTHER_THEME.match(name)), (".gml", ".citygml"))
+_OBJECTS = {"Building": BUILDING, "BuildingPart": BUILDING_PART}
+_LARGEST_LIST = 100_000
+
+
+@dataclass
+class ReadingNotes:
+    """What was met besides plain buildings, filled while they are walked through.
+
+    Attributes
+    ----------
+    unread : elements that the record has no place for, by name. others : other kinds of city objects, by name.
+    missing_lists, missing_images : names of code lists and images that are not there. repeated : ids met before.
+    files : files read.
+    """
+
+    unread: Counter = field(default_factory=Counter)
+    others: Counter = field(default_factory=Counter)
+    missing_lists: set[str] = field(default_factory=set)
+    missing_images: set[str] = field(default_factory=set)
+    repeated: list[str] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
+
+    def sentences(self) -> list[str]:
+        """One sentence for each."""
+        made = []
+        if self.others:
+            made.append(f"City objects that are no buildings were passed over ({_counts(self.others)}).")
+        if self.unread:
+            made.append(f"Parts of buildings that have no place in the result were left out ({_counts(self.unread)}).")
+        if self.missing_lists:
+            made.append(f"{len(self.missing_lists)} lists of codes are not there or damaged, so that codes stay as "
+                        f"they are ({', '.join(sorted(self.missing_lists)[:3])}).")
+        if self.missing_images:
+            made.append(f"{len(self.missing_images)} images of textures are not there "
+                        f"({', '.join(sorted(self.missing_images)[:3])}).")
+        if self.repeated:
+            made.append(f"{len(self.repeated)} ids are there more than once and got a number behind "
+                        f"({', '.join(self.repeated[:3])}).")
+        return made
+
+
+@dataclass
+class _File:
+    """What holds for one file."""
+
+    source: XmlSource
+    reference: NamedReference
+    notes: ReadingNotes
+    textures: GmlTextures = field(default_factory=GmlTextures)
+    lists: dict[str, dict[str, str]] = field(default_factory=dict)
+
+    def meaning(self, space: str, code: str) -> str:
+        """What a list of codes beside the file says of a code."""
+        if space not in self.lists:
+            found = self.source.beside(space) if space.lower().endswith(".xml") else None
+            if found is None:
+                self.notes.missing_lists.add(space)
+            try:
+                self.lists[space] = _code_list(found) if found is not None else {}
+            except InputError:
+                # A damaged list costs meanings only; the codes stay, and the list is named among those missing.
+                self.notes.missing_lists.add(space)
+                self.lists[space] = {}
+        return self.lists[space].get(code, "")
+
+
+def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: ReadingNotes,
+                 given: CityReference | None = None, progress: Progress = SILENT) -> CityModel:
+    """Open CityGML files: a .gml, a .zip or a folder of them.
+
+    The buildings are read while they are walked through, once; `stack` must stay open until then.
+
+    Parameters
+    ----------
+    notes : filled while the buildings are walked through. given : reference of files that name none.
+
+    Raises
+    ------
+    InputError : nothing is there to read, or the first file names no known reference system. While the buildings are
+        walked through, too: a file is damaged, or in another reference system than the first.
+    """
+    listing = list_sources(path, stack, CITYGML)
+    sources = listing.sources
+    reference = _reference_of(sources[0], given)
+    images: dict[str, Path] = {}
+
+    def buildings() -> Iterator[CityObject]:
+        seen: Counter = Counter()
+        total = max(sum(source.size for source in sources), 1)
+        done = 0
+        for source in sources:
+            own = _reference_of(source, given)
+            if own.reference != reference.reference:
+                raise InputError(f"{source.name} is in another reference system than {sources[0].name}: load them in "
+                                 "separate runs.")
+            part = progress.part(done / total, (done + source.size) / total)
+            for building in _buildings_of(source, own, notes, images, part):
+                yield _once(building, seen, notes)
+            done += source.size
+            notes.files.append(source.name)
+
+    return CityModel(reference.reference, buildings(), images, title=Path(sources[0].name).stem)
+
+
+def _once(building: CityObject, seen: Counter, notes: ReadingNotes) -> CityObject:
+    """A building under an id that no other has."""
+    identifier = building.id or "building"
+    seen[identifier] += 1
+    if seen[identifier] == 1 and building.id:
+        return building
+    if building.id:
+        notes.repeated.append(identifier)
+        why = "its id is there more than once"
+    else:
+        why = "it has no id"
+    return replace(building, id=f"{identifier}-{seen[identifier]}", problems=(*building.problems, why))
+
+
+def _reference_of(source: XmlSource, given: CityReference | None) -> NamedReference:
+    """The reference system that a file names, at its head or on its first geometry."""
+    for root, element in root_children(source, MAKER, LARGEST_BUILDING):
+        if split_tag(root.tag)[1] != "CityModel":
+            raise InputError(f"{source.name} is no CityGML (its root is {split_tag(root.tag)[1]}): give a city model.")
+        for item in (root, *element.iter()):
+            if item.get("srsName"):
+                return named_reference(item.get("srsName"), source.name)
+        if split_tag(element.tag)[1] == "boundedBy":
+            continue
+        break
+    if given is None:
+        raise InputError(f"{source.name} names no coordinate reference system: give the one that it is in.")
+    return NamedReference(given, False)
+
+
+def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: dict[str, Path],
+                  progress: Progress) -> Iterator[CityObject]:
+    file = _File(source, reference, notes, _textures(source))
+    for image in set(file.textures.images.values()):
+        found = source.beside(image)
+        if found is None:
+            notes.missing_images.add(image)
+        elif Path(found.name).is_file():
+            images[image] = Path(found.name)
+    for _, member in root_children(source, MAKER, LARGEST_BUILDING, progress):
+        if split_tag(member.tag)[1] not in ("cityObjectMember", "featureMember", "featureMembers"):
+            continue
+        for element in member:
+            prefix, name = split_tag(element.tag)
+            if prefix == "bldg" and name in _OBJECTS:
+                yield _object(element, file)
+            else:
+                notes.others[name] += 1
+
+
+def _object(element: Element, file: _File) -> CityObject:
+    """A building or a part with its attributes, shapes and parts."""
+    reader = ShapeReader(file.reference.swapped, file.textures, file.meaning,
+                         9 if file.reference.reference.geographic else 3)
+    attributes: dict = {}
+    parts = []
+    for child in element:
+        prefix, name = split_tag(child.tag)
+        if prefix == "gen":
+            add_value(attributes, f"gen:{child.get('name') or ''}", generic_value(child, file.meaning))
+        elif prefix in ("uro", "urf"):
+            add_value(attributes, f"{prefix}:{name}", extension_value(child, file.meaning))
+        elif name == "consistsOfBuildingPart":
+            parts += [_object(part, file) for part in child]
+        elif name == "boundedBy" or (prefix == "bldg" and name.startswith("lod")):
+            continue
+        elif prefix in ("gml", "core", "bldg") and not len(child):
+            add_value(attributes, name, leaf_value(child, file.meaning))
+        elif prefix != "app":
+            reader.unread[name] += 1
+    shapes = reader.shapes(element)
+    file.notes.unread.update(reader.unread)
+    return CityObject(id_of(element), attributes, tuple(shapes), _OBJECTS[split_tag(element.tag)[1]], tuple(parts),
+                      tuple(dict.fromkeys(reader.problems)))
+
+
+def _textures(source: XmlSource) -> GmlTextures:
+    """What the appearances of a file say of its polygons; they may stand behind the buildings."""
+    if not _mentions(source, b"ParameterizedTexture"):
+        return GmlTextures()
+    images: dict[str, str] = {}
+    places: dict[tuple[str, str], np.ndarray] = {}
+    for _, member in root_children(source, MAKER, LARGEST_BUILDING):
+        for texture in member.iter():
+            if split_tag(texture.tag)[1] != "ParameterizedTexture":
+                continue
+            image = next((item.text or "" for item in texture if split_tag(item.tag)[1] == "imageURI"), "").strip()
+            for target in (item for item in texture if split_tag(item.tag)[1] == "target"):
+                polygon = (target.get("uri") or "").lstrip("#")
+                images[polygon] = image
+                for item in target.iter():
+                    if split_tag(item.tag)[1] == "textureCoordinates":
+                        numbers = np.array((item.text or "").split(), dtype=float)
+                        if len(numbers) % 2 == 0:
+                            places[polygon, (item.get("ring") or "").lstrip("#")] = numbers.reshape(-1, 2)
+    return GmlTextures(images, places)
+
+
+def _mentions(source: XmlSource, word: bytes) -> bool:
+    """Whether a word is anywhere in a file, read in pieces."""
+    with source.open() as stream:
+        kept = b""
+        while piece := stream.read(2**20):
+            if word in kept + piece:
+                return True
+            kept = piece[-len(word):]
+    return False
+
+
+def _code_list(source: XmlSource) -> dict[str, str]:
+    """What a list of codes (gml:Dictionary) says: description by code."""
+    found = {}
+    for _, entry in root_children(source, "a list of codes", LARGEST_BUILDING):
+        texts = {split_tag(item.tag)[1]: (item.text or "").strip() for item in entry.iter() if not len(item)}
+        if "name" in texts and "description" in texts and len(found) < _LARGEST_LIST:
+            found[texts["name"]] = texts["description"]
+    return found
+
+
+def _counts(counts: Counter) -> str:
+    return ", ".join(f"{number} {name}" for name, number in counts.most_common(5))

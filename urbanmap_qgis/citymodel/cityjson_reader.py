@@ -1,0 +1,274 @@
+"""CityJSON (1.0 to 2.0) and CityJSONSeq as the neutral record, all levels of detail, semantics and attributes.
+
+Source: CityJSON specifications 2.0.1, https://www.cityjson.org/specs/2.0.1/; a sequence is one object a line.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..geometry.solid import FaceTexture
+from ..io.guard import first_not_finite, read_json, reads
+from ..io.height_systems import JAPANESE
+from ..progress import SILENT, Progress
+from .citygml_reader import ReadingNotes
+from .gml_shapes import unmatched_edges
+from .model import (
+    BUILDING,
+    BUILDING_PART,
+    FOOTPRINT,
+    MULTI_SURFACE,
+    ROOF_EDGE,
+    SOLID,
+    SURFACE_KINDS,
+    UNKNOWN_HEIGHTS,
+    AttributeGroup,
+    CityModel,
+    CityObject,
+    CityReference,
+    CityShape,
+    CitySurface,
+)
+from .named_reference import named_reference
+
+_TITLE_HEIGHTS = re.compile(r"heights: (\w+)$")
+_SOLIDS = {"Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
+_STRUCTURE = ("type", "id", "children", "parent")
+_LONGEST_LINE = 2**28
+
+
+@reads("CityJSON")
+def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityReference | None = None,
+                  progress: Progress = SILENT) -> CityModel:
+    """Open a CityJSON file or a sequence (.jsonl); the buildings are read while they are walked through, once.
+
+    Parameters
+    ----------
+    notes : filled while the buildings are walked through. given : reference of files that name none.
+
+    Raises
+    ------
+    InputError : it is no CityJSON, is damaged, or names no reference system and none was given.
+    """
+    path = Path(path)
+    head = _first_line(path)
+    if head is not None:
+        pieces: Iterator[Mapping] = _features(path, head, progress)
+    else:
+        head = read_json(path, "CityJSON")
+        pieces = iter((head,))
+    if not isinstance(head, Mapping) or head.get("type") != "CityJSON":
+        raise InputError(f"{path.name} is not a CityJSON file: its type is not 'CityJSON'.")
+    metadata = head.get("metadata") or {}
+    reference = _reference(metadata, path, given)
+    images: dict[str, Path] = {}
+
+    def buildings() -> Iterator[CityObject]:
+        seen: set[str] = set()
+        for piece in pieces:
+            yield from _Piece(piece, head, path, notes, images, reference).buildings(seen)
+        notes.files.append(path.name)
+
+    return CityModel(reference, buildings(), images, str(metadata.get("title") or ""),
+                     str(metadata.get("referenceDate") or ""))
+
+
+def _first_line(path: Path) -> dict | None:
+    """The head of a sequence; None where the file is one CityJSON object."""
+    if path.suffix.lower() not in (".jsonl", ".ndjson"):
+        return None
+    with open(path, encoding="utf-8-sig") as file:
+        return _line(file.readline(_LONGEST_LINE), path, 1)
+
+
+def _line(text: str, path: Path, number: int) -> dict:
+    try:
+        found = json.loads(text, parse_constant=lambda name: float("nan"))
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{path.name} is damaged: its line {number} is no JSON; export it again.") from error
+    if not isinstance(found, dict):
+        raise InputError(f"{path.name} is damaged: its line {number} is no object; export it again.")
+    return found
+
+
+def _features(path: Path, head: Mapping, progress: Progress) -> Iterator[Mapping]:
+    """Pieces of a sequence, one a line."""
+    size, done = max(path.stat().st_size, 1), 0
+    if head.get("CityObjects"):
+        yield head
+    with open(path, encoding="utf-8-sig") as file:
+        for number, text in enumerate(iter(lambda: file.readline(_LONGEST_LINE), ""), 1):
+            done += len(text)
+            if number > 1 and text.strip():
+                yield _line(text, path, number)
+                progress.step(min(done / size, 1.0))
+
+
+def _reference(metadata: Mapping, path: Path, given: CityReference | None) -> CityReference:
+    name = metadata.get("referenceSystem")
+    if not name:
+        if given is None:
+            raise InputError(f"{path.name} names no coordinate reference system: give the one that it is in.")
+        return given
+    found = named_reference(str(name), path.name).reference
+    stated = _TITLE_HEIGHTS.search(str(metadata.get("title") or ""))
+    if found.heights == UNKNOWN_HEIGHTS and stated and stated.group(1) in JAPANESE:
+        return CityReference(found.wkt, found.epsg, found.geographic, stated.group(1))
+    return found
+
+
+class _Piece:
+    """One CityJSON object or feature: its vertices, appearance and city objects."""
+
+    def __init__(self, content: Mapping, head: Mapping, path: Path, notes: ReadingNotes, images: dict[str, Path],
+                 reference: CityReference):
+        self.path, self.notes, self.digits = path, notes, 9 if reference.geographic else 3
+        self.objects = content.get("CityObjects")
+        if not isinstance(self.objects, Mapping):
+            raise InputError(f"{path.name} is damaged: it has no city objects; export it again.")
+        transform = head.get("transform") or content.get("transform")
+        vertices = np.asarray(content.get("vertices") or [], dtype=np.float64).reshape(-1, 3)
+        if transform:
+            vertices = vertices * np.asarray(transform["scale"], float) + np.asarray(transform["translate"], float)
+        bad = first_not_finite(vertices)
+        if bad is not None:
+            raise InputError(f"{path.name} is damaged: its vertex {bad} has no finite coordinates.")
+        # Latitude first, as the codes of geographic systems have it, or longitude first: Japan and most of Asia lie
+        # east of 90 degrees, where only one of the two can be a latitude.
+        if reference.geographic and len(vertices) and np.abs(vertices[:, 0]).max() <= 90 < np.abs(vertices[:, 1]).max():
+            vertices = vertices[:, [1, 0, 2]]
+        self.vertices = vertices
+        appearance = content.get("appearance") or head.get("appearance") or {}
+        self.images = [str(item.get("image") or "") for item in appearance.get("textures") or ()]
+        self.places = np.asarray(appearance.get("vertices-texture") or [], dtype=float).reshape(-1, 2)
+        for image in self.images:
+            found = path.parent / image
+            if ":" not in image and not image.startswith("/") and found.is_file():
+                images[image] = found
+            else:
+                notes.missing_images.add(image)
+
+    def buildings(self, seen: set[str]) -> Iterator[CityObject]:
+        """Buildings with their parts; parts whose building is not there stand as buildings."""
+        for key, item in self.objects.items():
+            kind = item.get("type")
+            parents = [name for name in item.get("parents") or () if name in self.objects]
+            if kind not in (BUILDING, BUILDING_PART):
+                self.notes.others[str(kind)] += 1
+            elif not parents:
+                yield self._object(key, item, seen)
+
+    def _object(self, key: str, item: Mapping, seen: set[str]) -> CityObject:
+        problems: list[str] = []
+        shapes = [shape for geometry in item.get("geometry") or () for shape in self._shapes(geometry, problems)]
+        parts = []
+        for child in item.get("children") or ():
+            found = self.objects.get(child)
+            if found is None:
+                problems.append(f"its part {child} is not there")
+            elif found.get("type") == BUILDING_PART and child != key and not found.get("children"):
+                parts.append(self._object(child, found, seen))
+            elif found.get("type") == BUILDING_PART:
+                problems.append(f"its part {child} has parts of its own, which were left out")
+        if key in seen:
+            self.notes.repeated.append(key)
+            problems.append("its id is there more than once")
+            key = next(f"{key}-{number}" for number in range(2, 10**9) if f"{key}-{number}" not in seen)
+        seen.add(key)
+        attributes = {name: _value(value) for name, value in (item.get("attributes") or {}).items()}
+        kind = BUILDING_PART if item.get("type") == BUILDING_PART and item.get("parents") else BUILDING
+        return CityObject(key, attributes, tuple(_two_outlines(shapes)), kind, tuple(parts),
+                          tuple(dict.fromkeys(problems)))
+
+    def _shapes(self, geometry: Mapping, problems: list[str]) -> list[CityShape]:
+        kind, lod = geometry.get("type"), str(geometry.get("lod", ""))
+        boundaries = geometry.get("boundaries") or []
+        semantics = geometry.get("semantics") or {}
+        values = semantics.get("values")
+        theme = next(iter((geometry.get("texture") or {}).values()), None) or {}
+        textures = theme.get("values")
+        if kind in ("MultiSurface", "CompositeSurface"):
+            surfaces = self._shell(boundaries, values, semantics, textures, problems)
+            outline = FOOTPRINT if lod.startswith("0") else MULTI_SURFACE
+            return [CityShape("0" if outline == FOOTPRINT else lod, outline, (surfaces,))] if surfaces else []
+        if kind not in _SOLIDS:
+            self.notes.unread[str(kind)] += 1
+            return []
+        solids = [(boundaries, values, textures)] if _SOLIDS[kind] == 1 else [
+            (solid, _at(values, place), _at(textures, place)) for place, solid in enumerate(boundaries)]
+        shapes = []
+        for shells, codes, covers in solids:
+            made = tuple(self._shell(shell, _at(codes, place), semantics, _at(covers, place), problems)
+                         for place, shell in enumerate(shells))
+            if made and made[0]:
+                shapes.append(CityShape(lod, SOLID, made))
+                gaps = sum(unmatched_edges(shell, self.digits) for shell in made)
+                if gaps:
+                    problems.append(f"its solid of level {lod} is not closed ({gaps} edges without a neighbour)")
+        return shapes
+
+    def _shell(self, faces: list, values: list | None, semantics: Mapping, textures: list | None,
+               problems: list[str]) -> tuple[CitySurface, ...]:
+        surfaces = []
+        entries = semantics.get("surfaces") or []
+        for place, face in enumerate(faces):
+            rings = [self._ring(ring) for ring in face]
+            if not rings or rings[0] is None:
+                problems.append("a face has fewer than three corners")
+                continue
+            number = _at(values, place)
+            entry = entries[number] if isinstance(number, int) and 0 <= number < len(entries) else {}
+            kind = str(entry.get("type") or "")
+            attributes = {name: _value(value) for name, value in entry.items() if name not in _STRUCTURE}
+            surfaces.append(CitySurface(
+                tuple(ring for ring in rings if ring is not None), kind if kind in SURFACE_KINDS else "", attributes,
+                "", str(entry.get("id") or ""), self._texture(_at(textures, place), len(rings))))
+        return tuple(surfaces)
+
+    def _ring(self, ring: list) -> np.ndarray | None:
+        numbers = np.asarray(ring)
+        if numbers.dtype.kind not in "iu" or numbers.ndim != 1:
+            raise InputError(f"{self.path.name} is damaged: a ring is no list of vertices; export it again.")
+        if len(numbers) and (numbers.min() < 0 or numbers.max() >= len(self.vertices)):
+            raise InputError(f"{self.path.name} is damaged: it names a vertex that it does not have; export it again.")
+        return self.vertices[numbers] if len(numbers) >= 3 else None
+
+    def _texture(self, rings: list | None, count: int) -> FaceTexture | None:
+        if not rings or len(rings) != count or any(not ring or ring[0] is None for ring in rings):
+            return None
+        image = rings[0][0]
+        if not 0 <= image < len(self.images) or any(max(ring[1:], default=0) >= len(self.places) for ring in rings):
+            return None
+        return FaceTexture(self.images[image], tuple(self.places[ring[1:]] for ring in rings))
+
+
+def _two_outlines(shapes: list[CityShape]) -> list[CityShape]:
+    """Of two outlines at level 0 the upper one is that of the roof."""
+    flat = [place for place, shape in enumerate(shapes) if shape.kind == FOOTPRINT]
+    if len(flat) == 2:
+        upper = max(flat, key=lambda place: max(float(ring[:, 2].max()) for surface in shapes[place].surfaces
+                                                for ring in surface.rings))
+        shapes[upper] = CityShape("0", ROOF_EDGE, shapes[upper].shells)
+    return shapes
+
+
+def _value(value: Any) -> Any:
+    """A value of JSON as the record has it."""
+    if isinstance(value, Mapping):
+        return AttributeGroup(str(value.get("type") or ""),
+                              {name: _value(item) for name, item in value.items() if name != "type"})
+    if isinstance(value, list):
+        return [_value(item) for item in value]
+    return value
+
+
+def _at(values: list | None, place: int) -> Any:
+    return values[place] if values is not None and place < len(values) else None

@@ -1,0 +1,222 @@
+"""Geometry of CityGML objects: polygons, solids with references between them, semantic surfaces.
+
+Source: OGC 03-105r1 (GML 3.1.1), OGC 12-019 (CityGML 2.0).
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from ..geometry.solid import FaceTexture
+from .gml_values import XLINK_HREF, Meaning, generic_value, id_of, leaf_value, split_tag
+from .model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, SURFACE_KINDS, CityShape, CitySurface
+
+_DEEPEST = 24
+_OUTLINES = {"lod0FootPrint": FOOTPRINT, "lod0RoofEdge": ROOF_EDGE}
+
+
+@dataclass(frozen=True)
+class GmlTextures:
+    """What covers polygons: image by polygon id, and places in the image by (polygon id, ring id or "")."""
+
+    images: Mapping[str, str] = field(default_factory=dict)
+    places: Mapping[tuple[str, str], np.ndarray] = field(default_factory=dict)
+
+
+@dataclass
+class ShapeReader:
+    """Reads the shapes of one building or part.
+
+    Attributes
+    ----------
+    swapped : whether the file's first coordinate is the northern one. textures : of the whole file.
+    digits : of plane coordinates that tell corners apart, 3 of metres and 9 of degrees.
+    problems : what was found wrong. unread : elements that the record has no place for, by name.
+    """
+
+    swapped: bool
+    textures: GmlTextures
+    meaning: Meaning
+    digits: int = 9
+    problems: list[str] = field(default_factory=list)
+    unread: Counter = field(default_factory=Counter)
+
+    def shapes(self, element: Element) -> list[CityShape]:
+        """All shapes of an object, semantic surfaces where a boundary says what they are."""
+        known: dict[str, CitySurface] = {}
+        boundaries: dict[str, list[CitySurface]] = {}
+        for bounded in _children(element, "bldg", "boundedBy"):
+            for surface in bounded:
+                self._boundary(surface, known, boundaries)
+        shapes: list[CityShape] = []
+        used: set[int] = set()
+        for child in element:
+            prefix, name = split_tag(child.tag)
+            if prefix != "bldg" or not name.startswith("lod"):
+                continue
+            if name in _OUTLINES:
+                shapes += self._loose(child, "0", _OUTLINES[name], known)
+            elif name.endswith("Solid"):
+                shapes += self._solids(child, name[3], known, used)
+            elif name.endswith("MultiSurface"):
+                shapes += self._loose(child, name[3], MULTI_SURFACE, known)
+            else:
+                self.unread[name] += 1
+        for level, surfaces in boundaries.items():
+            rest = tuple(surface for surface in surfaces if id(surface) not in used)
+            if rest:
+                shapes.append(CityShape(level, MULTI_SURFACE, (rest,)))
+        return sorted(shapes, key=lambda shape: shape.lod)
+
+    def _boundary(self, element: Element, known: dict[str, CitySurface],
+                  boundaries: dict[str, list[CitySurface]]) -> None:
+        """One roof, wall or ground surface with its polygons."""
+        prefix, kind = split_tag(element.tag)
+        if prefix != "bldg" or kind not in SURFACE_KINDS:
+            self.unread[kind] += 1
+            return
+        group, attributes = id_of(element), {}
+        for child in element:
+            prefix, name = split_tag(child.tag)
+            if prefix == "gen":
+                attributes[child.get("name") or ""] = generic_value(child, self.meaning)
+            elif prefix == "gml" and name in ("name", "description"):
+                attributes[name] = leaf_value(child, self.meaning)
+            elif prefix == "bldg" and name.endswith("MultiSurface"):
+                for surface in self._surfaces(child, known):
+                    made = replace(surface, kind=kind, attributes=attributes, group=group)
+                    boundaries.setdefault(name[3], []).append(made)
+                    if made.id:
+                        known[made.id] = made
+            else:
+                self.unread[name] += 1
+
+    def _loose(self, element: Element, lod: str, kind: str, known: dict[str, CitySurface]) -> list[CityShape]:
+        surfaces = tuple(self._surfaces(element, known))
+        first = next(iter(element), None)
+        return [CityShape(lod, kind, (surfaces,), id_of(first) if first is not None else "")] if surfaces else []
+
+    def _solids(self, element: Element, lod: str, known: dict[str, CitySurface], used: set[int]) -> list[CityShape]:
+        """Solids of one property; their faces are the polygons that boundaries gave, where they refer to them."""
+        shapes = []
+        for solid in (found for found in element.iter() if split_tag(found.tag) == ("gml", "Solid")):
+            shells = []
+            for side in solid:
+                if split_tag(side.tag)[1] in ("exterior", "interior"):
+                    faces = tuple(self._surfaces(side, known))
+                    used.update(map(id, faces))
+                    shells.append(faces)
+            if shells and shells[0]:
+                shapes.append(CityShape(lod, SOLID, tuple(shell for shell in shells if shell), id_of(solid)))
+                gaps = sum(unmatched_edges(shell, self.digits) for shell in shells)
+                if gaps:
+                    self.problems.append(f"its solid of level {lod} is not closed ({gaps} edges without a neighbour)")
+            else:
+                self.problems.append(f"its solid of level {lod} has no usable face")
+        return shapes
+
+    def _surfaces(self, element: Element, known: Mapping[str, CitySurface], turned: bool = False,
+                  depth: int = 0) -> Iterator[CitySurface]:
+        """Polygons below an element, also those that it refers to by their ids."""
+        if depth > _DEEPEST:
+            self.problems.append("its surfaces are nested too deep")
+            return
+        for child in element:
+            name = split_tag(child.tag)[1]
+            reference = child.get(XLINK_HREF) or ""
+            if reference:
+                found = known.get(reference.rpartition("#")[2]) if reference.startswith("#") else None
+                if found is None:
+                    self.problems.append(f"it refers to the surface {reference[:60]}, which it does not have")
+                else:
+                    yield _turned(found) if turned else found
+            elif name in ("Polygon", "Triangle", "Rectangle", "PolygonPatch"):
+                surface = self._polygon(child)
+                if surface is not None:
+                    yield _turned(surface) if turned else surface
+            else:
+                against = name == "OrientableSurface" and child.get("orientation") == "-"
+                yield from self._surfaces(child, known, turned ^ against, depth + 1)
+
+    def _polygon(self, element: Element) -> CitySurface | None:
+        identifier = id_of(element)
+        rings, names = [], []
+        for side in element:
+            if split_tag(side.tag)[1] not in ("exterior", "interior", "outerBoundaryIs", "innerBoundaryIs"):
+                continue
+            ring = next(iter(side), None)
+            corners = self._ring(ring) if ring is not None else None
+            if corners is None and not rings:
+                self.problems.append("a polygon has no usable outer ring")
+                return None
+            if corners is not None:
+                rings.append(corners)
+                names.append(id_of(ring))
+        if not rings:
+            self.problems.append("a polygon has no usable outer ring")
+            return None
+        return CitySurface(tuple(rings), id=identifier, texture=self._texture(identifier, names, rings))
+
+    def _ring(self, element: Element) -> np.ndarray | None:
+        """Corners (n, 3) of a ring: x east, y north, not closed; None where there are fewer than three."""
+        numbers, dimension = [], 3
+        for child in element.iter():
+            name = split_tag(child.tag)[1]
+            if name in ("posList", "pos", "coordinates"):
+                dimension = int(child.get("srsDimension") or element.get("srsDimension") or dimension)
+                numbers += (child.text or "").replace(",", " ").split()
+        try:
+            values = np.array(numbers, dtype=float)
+        except ValueError:
+            return None
+        if len(values) % dimension:
+            dimension = 2 if dimension == 3 else 3
+        if dimension not in (2, 3) or len(values) % dimension or not np.isfinite(values).all():
+            return None
+        corners = values.reshape(-1, dimension)
+        if dimension == 2:
+            corners = np.column_stack([corners, np.zeros(len(corners))])
+        if len(corners) > 1 and (corners[0] == corners[-1]).all():
+            corners = corners[:-1]
+        if len(corners) < 3:
+            return None
+        return corners[:, [1, 0, 2]] if self.swapped else corners
+
+    def _texture(self, identifier: str, names: list[str], rings: list[np.ndarray]) -> FaceTexture | None:
+        image = self.textures.images.get(identifier)
+        if image is None:
+            return None
+        found = [self.textures.places.get((identifier, name)) for name in names]
+        if any(uv is None or len(uv) < len(ring) for uv, ring in zip(found, rings)):
+            self.problems.append(f"the texture of polygon {identifier} does not fit its corners and was left out")
+            return None
+        return FaceTexture(image, tuple(uv[:len(ring)] for uv, ring in zip(found, rings)))
+
+
+def unmatched_edges(shell: tuple[CitySurface, ...], digits: int) -> int:
+    """Edges of a shell that no other face has in the opposite sense; corners are equal within `digits` (height: mm)."""
+    count: Counter = Counter()
+    places = np.array([digits, digits, 3])
+    for surface in shell:
+        for ring in surface.rings:
+            corners = list(map(tuple, np.rint(ring * 10.0**places).astype(np.int64).tolist()))
+            for start, end in zip(corners, corners[1:] + corners[:1]):
+                if start != end:
+                    count[start, end] += 1
+    return sum(number for (start, end), number in count.items() if count.get((end, start), 0) != number)
+
+
+def _turned(surface: CitySurface) -> CitySurface:
+    texture = surface.texture
+    if texture is not None:
+        texture = replace(texture, uv=tuple(places[::-1] for places in texture.uv))
+    return replace(surface, rings=tuple(ring[::-1] for ring in surface.rings), texture=texture)
+
+
+def _children(element: Element, prefix: str, name: str) -> Iterator[Element]:
+    return (child for child in element if split_tag(child.tag) == (prefix, name))

@@ -1,0 +1,78 @@
+"""Reference systems as city models name them: codes in addresses and URNs, with the order of their axes.
+
+Source: OGC 07-092r1 (URNs of reference systems), OGC 11-135r2 (addresses of them).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from pyproj import CRS
+from pyproj.exceptions import CRSError
+
+from ..errors import InputError
+from ..io.crs_text import horizontal_part, parse_wkt, wkt_text
+from ..io.height_systems import height_system, heights_of
+from .model import CityReference
+from .reference import GEOGRAPHIC, GEOGRAPHIC_2024, JGD2024
+
+_CODES = re.compile(r"EPSG(?:/|:)+(?:[\d.]*(?:/|:))?(\d{4,6})", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class NamedReference:
+    """A reference, and whether the first coordinate in the file is the northern one."""
+
+    reference: CityReference
+    swapped: bool
+
+
+def named_reference(name: str, where: str) -> NamedReference:
+    """The reference that a name means: "http://www.opengis.net/def/crs/EPSG/0/6697", "urn:ogc:def:crs,crs:EPSG::25832,
+    crs:EPSG::5783", "EPSG:6677".
+
+    Addresses and URNs have the axes in the order of EPSG; the short form counts east first.
+
+    Raises
+    ------
+    InputError : the name or its code is not known here.
+    """
+    codes = [int(code) for code in _CODES.findall(name)]
+    if not codes:
+        raise InputError(f"{where}: the coordinate reference system {name} is not known; give the one that it is in.")
+    ordered = not re.match(r"\s*EPSG:", name, re.IGNORECASE)
+    if codes[0] == GEOGRAPHIC_2024:
+        made = CityReference(_wkt(GEOGRAPHIC, where).to_wkt(), GEOGRAPHIC, True, JGD2024)
+        return NamedReference(made, ordered)
+    crs = _wkt(codes[0], where)
+    heights = heights_of(crs.to_wkt())
+    if len(codes) > 1:
+        heights = height_system(f"EPSG:{codes[1]}")
+    plane = CRS.from_wkt(wkt_text(horizontal_part(parse_wkt(crs.to_wkt()))))
+    epsg = plane.to_epsg() or codes[0]
+    first = plane.axis_info[0].direction.lower() if plane.axis_info else "east"
+    return NamedReference(CityReference(plane.to_wkt(), epsg, plane.is_geographic, heights.word),
+                          ordered and first == "north")
+
+
+def _wkt(code: int, where: str) -> CRS:
+    try:
+        return CRS.from_epsg(code)
+    except CRSError as error:
+        raise InputError(f"{where}: the coordinate reference system EPSG:{code} is not known here; give the one that "
+                         "it is in.") from error
+
+
+def given_reference(wkt: str) -> CityReference:
+    """The reference that a user gives for files that name none; x is taken to be east.
+
+    Raises
+    ------
+    InputError : it is no horizontal system.
+    """
+    part = horizontal_part(parse_wkt(wkt))
+    if part is None:
+        raise InputError("The coordinate reference system has no horizontal part: choose another.")
+    plane = CRS.from_wkt(wkt_text(part))
+    return CityReference(plane.to_wkt(), plane.to_epsg(), plane.is_geographic, heights_of(wkt).word)
