@@ -66,7 +66,10 @@ def staged(algorithm, parameters: Mapping, context: QgsProcessingContext, stagin
     """
     made = dict(parameters)
     for name, path, table in _wanted(algorithm, parameters, context, temporary=True):
-        if table or name in algorithm.KEPT_FOLDERS:
+        if table:
+            continue
+        if name in algorithm.KEPT_FOLDERS:
+            made[name] = str(path)
             continue
         definition, place = definition_of(parameters, name), str(staging.place(path))
         made[name] = place

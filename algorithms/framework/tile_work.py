@@ -81,7 +81,7 @@ class TileFeedback(QgsProcessingFeedback):
 
 def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) -> TileRecord:
     """Make a tile's results in its folder and write its record; what goes wrong in the tile is said in the record."""
-    start = time.perf_counter()
+    start, start_cpu = time.perf_counter(), time.process_time()
     with new_tile_folder(job.run_folder, job.tile) as folder:
         record = TileRecord(job.tile.name, DONE, fingerprint=job.fingerprint)
         try:
@@ -96,7 +96,8 @@ def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) ->
                 raise Cancelled() from None
             record = replace(record, status=FAILED, reason=str(error).strip() or type(error).__name__)
         shutil.rmtree(folder / INPUTS, ignore_errors=True)
-        record = replace(record, seconds=round(time.perf_counter() - start, 2), memory=round(_peak_memory(), 1))
+        record = replace(record, seconds=round(time.perf_counter() - start, 2),
+                         cpu=round(time.process_time() - start_cpu, 2), memory=round(_peak_memory(), 1))
         publish(job.run_folder, job.tile, record, folder)
     return record
 

@@ -218,6 +218,9 @@ def test_packed_files_and_several_at_once(gnss, tmp_path, signals):
     assert np.abs(found.residual[:len(signals)] - signals.residual).max() < 1e-6
 
 
+NO_CLOCK = 999999.999999  # as SP3 writes it
+
+
 def write_sp3(path: Path, navigation: Navigation, first: float, epochs: int, step: float = 900.0) -> None:
     """Precise orbits that say what the broadcast ones say, without the relativity of the clock, as SP3 has it."""
     names = navigation.satellites()
@@ -230,7 +233,7 @@ def write_sp3(path: Path, navigation: Navigation, first: float, epochs: int, ste
         clock = states.clock + 2 * np.einsum("ij,ij->i", states.place, speed) / 299792458.0 ** 2
         moment = datetime(1980, 1, 6) + timedelta(seconds=float(time[0]))
         lines.append(f"*  {moment:%Y} {moment.month} {moment.day} {moment.hour} {moment.minute} {moment.second}.0")
-        lines += [f"P{name}" + "".join(f"{value:14.6f}" for value in (*place / 1e3, tick * 1e6))
+        lines += [f"P{name}" + "".join(f"{value:14.6f}" for value in (*place / 1e3, tick * 1e6 if np.isfinite(tick) else NO_CLOCK))
                   for name, place, tick in zip(names, states.place, clock) if np.isfinite(place).all()]
     path.write_text("\n".join([*lines, "EOF"]) + "\n")
 

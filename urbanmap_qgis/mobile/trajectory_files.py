@@ -189,11 +189,11 @@ def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> T
     records = np.fromfile(path, _SBET)
     if not (np.abs(records["latitude"]) < 1.6).all() or not (np.abs(records["longitude"]) < 6.3).all():
         raise InputError(f"{path.name} is no SBET file: its latitudes are no angles in radians.")
-    if any(np.abs(records[name]).max() > _TURN for name in ("roll", "pitch", "heading")):
-        raise InputError(f"{path.name}: its angles are no radians, as those of an SBET are: export it again.")
     bad = first_not_finite(records.view("<f8").reshape(len(records), -1))
     if bad is not None:
         raise InputError(f"{path.name} has no number in record {bad + 1}: export it again, or remove the record.")
+    if any(np.abs(records[name]).max() > _TURN for name in ("roll", "pitch", "heading")):
+        raise InputError(f"{path.name}: its angles are no radians, as those of an SBET are: export it again.")
     x, y, convergence = _projected(records, crs_wkt)
     height, applied = _heights(records, reading, path.name)
     table = np.column_stack([records["time"], x, y, height, *np.degrees([records["roll"],

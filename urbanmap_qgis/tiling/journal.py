@@ -30,7 +30,8 @@ class TileRecord:
     name : of the tile. status : done, empty (there is nothing in it to work on) or failed.
     reason : why it is empty or failed, one sentence.
     fingerprint : of settings and inputs, see `fingerprint`.
-    seconds, memory : time of the work, s, and greatest memory of its process, MB (0 where not known).
+    seconds, cpu, memory : time of the work and its time on processors, s; greatest memory of its process, MB (0 where
+        not known).
     outputs : size in bytes of each result by its file name in the tile's folder.
     figures : numbers that the algorithm gave.
     """
@@ -40,6 +41,7 @@ class TileRecord:
     reason: str = ""
     fingerprint: str = ""
     seconds: float = 0.0
+    cpu: float = 0.0
     memory: float = 0.0
     outputs: Mapping[str, int] = field(default_factory=dict)
     figures: Mapping[str, float] = field(default_factory=dict)

@@ -40,6 +40,7 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],
                   "Kept from an earlier run": kept, "Side of a tile (m)": grid.size, "Buffer (m)": grid.buffer,
                   "Time of all tiles (s)": float(seconds.sum()) if len(seconds) else None,
+                  "Processor time of all tiles (s)": float(sum(record.cpu for record in records)),
                   "Slowest tile (s)": float(seconds.max()) if len(seconds) else None,
                   "Greatest memory of a process (MB)": max((record.memory for record in records), default=None),
                   "Disk of the results (MB)": sum(sum(record.outputs.values()) for record in records) / 1e6})
