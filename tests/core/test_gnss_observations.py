@@ -233,8 +233,9 @@ def write_sp3(path: Path, navigation: Navigation, first: float, epochs: int, ste
         clock = states.clock + 2 * np.einsum("ij,ij->i", states.place, speed) / 299792458.0 ** 2
         moment = datetime(1980, 1, 6) + timedelta(seconds=float(time[0]))
         lines.append(f"*  {moment:%Y} {moment.month} {moment.day} {moment.hour} {moment.minute} {moment.second}.0")
-        lines += [f"P{name}" + "".join(f"{value:14.6f}" for value in (*place / 1e3, tick * 1e6 if np.isfinite(tick) else NO_CLOCK))
-                  for name, place, tick in zip(names, states.place, clock) if np.isfinite(place).all()]
+        ticks = np.where(np.isfinite(clock), 1e6 * clock, NO_CLOCK)
+        lines += [f"P{name}" + "".join(f"{value:14.6f}" for value in (*place / 1e3, tick))
+                  for name, place, tick in zip(names, states.place, ticks) if np.isfinite(place).all()]
     path.write_text("\n".join([*lines, "EOF"]) + "\n")
 
 
