@@ -6,6 +6,7 @@ from contextlib import ExitStack
 from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.crs import stated_wkt
 from ..framework.layers import make_fields
 from ..framework.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
@@ -47,11 +48,14 @@ class BuildingModels(UrbanMapAlgorithm):
                               "its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, "
                               "density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, "
                               "unseen (shares), lod, roof_type, not_explained (share of the points that can be roof "
-                              "and lie far from the model), quality (0 to 1).")
+                              "and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m "
+                              "above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, "
+                              "area_roof_sloped (m2), storeys_estimated.")
         self.add_layer_output("OUTPUT_SURFACES", "Surfaces", "MultiPolygonZ, one feature a surface, with building_id, "
                               "roof_id and surface_type: roof, outer wall, inner wall, ground.", optional=True)
-        self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with solids, surface types and the "
-                             "figures of each building.", CITYJSON_FILTER, optional=True)
+        self.add_file_output("OUTPUT_CITYJSON", "CityJSON", "CityJSON 2.0 file with outlines and solids at the levels "
+                             "of detail 0, 1.2, 1.3 and 2.2, surface types, the fields of the outlines and the figures "
+                             "of each building.", CITYJSON_FILTER, optional=True)
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: counts, quality, the worst buildings with "
@@ -179,9 +183,12 @@ class BuildingModels(UrbanMapAlgorithm):
 
         Returns the paths of all files that are wanted, by output name.
         """
+        from ...urbanmap_qgis.buildings.city_export import objects_of_models
         from ...urbanmap_qgis.buildings.model_table import write_model_report
+        from ...urbanmap_qgis.citymodel.cityjson_writer import write_model_cityjson
+        from ...urbanmap_qgis.citymodel.model import CityModel
+        from ...urbanmap_qgis.citymodel.reference import city_reference
         from ...urbanmap_qgis.io.atomic import written_beside
-        from ...urbanmap_qgis.io.cityjson import write_cityjson
 
         results = {name: self.output_path(parameters, name, context)
                    for name in ("OUTPUT_CITYJSON", "OUTPUT_MESH", "OUTPUT_REPORT")}
@@ -189,10 +196,9 @@ class BuildingModels(UrbanMapAlgorithm):
                  for name, path in results.items() if path and name != "OUTPUT_MESH"}
         names = building_names(table)
         if "OUTPUT_CITYJSON" in paths:
-            code = table.crs.authid().removeprefix("EPSG:")
-            write_cityjson(paths["OUTPUT_CITYJSON"], city_buildings(models, columns, names),
-                           title="UrbanMap building models", epsg=int(code) if code.isdigit() else None,
-                           progress=progress)
+            reference = city_reference(stated_wkt(table.crs))
+            write_model_cityjson(paths["OUTPUT_CITYJSON"], CityModel(reference, objects_of_models(
+                models, {**table.columns, **columns}, names.of), title="UrbanMap building models"), progress)
         if "OUTPUT_REPORT" in paths:
             write_model_report(paths["OUTPUT_REPORT"], names.columns(columns), self.settings_of(parameters),
                                table.geometries)

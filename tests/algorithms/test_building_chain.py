@@ -251,7 +251,7 @@ def test_order_and_cut_of_the_input_change_no_model(town, save_outlines, make_cl
     """Outlines from last to first, points in another order and cut into other files of other kinds."""
     numbers = list(range(1, len(town.blocks) + 1))
     outlines = [block.outline for block in town.blocks.values()]
-    save_outlines(tmp_path / "o.gpkg", outlines[::-1], {"building_id": numbers[::-1]})
+    save_outlines(tmp_path / "o.gpkg", outlines[::-1], {"building_id": numbers[::-1], "名称": list(town.blocks)[::-1]})
     points = town.points[np.random.default_rng(5).permutation(len(town.points))]
     cuts = np.split(points, [len(points) // 5, len(points) // 2])
     clouds = [make_cloud(tmp_path / f"{place}.{suffix}", *part.T, point_format=kind, return_number=1,

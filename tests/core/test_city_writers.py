@@ -192,7 +192,7 @@ def test_folders_of_others_are_known(tmp_path):
     assert "another program" in gml_folder_trouble(tmp_path)
 
 
-def test_the_old_reader_takes_one_level_of_detail(tmp_path):
+def test_the_reader_of_solids_takes_one_level_of_detail_and_puts_parts_together(tmp_path):
     write_model_cityjson(tmp_path / "town.city.json", town())
     solids = {item.id: len(item.solids) for item in read_cityjson(tmp_path / "town.city.json")}
-    assert solids == {"家 1": 1, "b2": 0, "b2-part-1": 1, "b2-part-2": 1, "b3": 0, "b4": 1}
+    assert solids == {"家 1": 1, "b2": 2, "b3": 0, "b4": 1}

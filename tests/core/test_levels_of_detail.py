@@ -62,7 +62,7 @@ def test_roofs_of_a_gable_become_one_and_a_step_stays():
 
 def test_figures_of_a_gable():
     house = gable()
-    figures = model_figures([house])
+    figures = model_figures([house], party_area=0.0)
     roof = 2 * 10 * np.hypot(4, 3)
     walls = 2 * 10 * 4 + 2 * (8 * 4 + 8 * 3 / 2)
     assert figures.ground_height == 1.0
@@ -73,6 +73,7 @@ def test_figures_of_a_gable():
     assert figures.storeys_estimated == 2
     assert np.isnan(model_figures([]).roof_max) and model_figures([]).storeys_estimated is None
     assert np.isnan(model_figures([house], sloped=False).volume_lod22)
+    assert np.isnan(model_figures([house]).area_outer_walls)
     assert figure_columns([figures])["storeys_estimated"] == [2]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,6 +17,7 @@ from ..geometry.solid import Solid
 from ..progress import SILENT, Progress
 from .city_objects import BuildingSource, building_source, city_objects
 from .model_figures import ModelFigures
+from .model_stage import BuildingModel
 
 SAME = 0.01
 """Distance (m) up to which the middles of two faces are one."""
@@ -95,6 +96,20 @@ def export_buildings(ids: Sequence[Any], faces: Sequence[shapely.Geometry | None
         figures.append(its)
         progress.part(0.5, 1.0).step((row + 1) / len(names))
     return ExportedBuildings(objects, figures, renamed, textured)
+
+
+def objects_of_models(models: Sequence[BuildingModel], columns: Mapping[str, Sequence],
+                      name_of: Callable[[int], str]) -> Iterator[CityObject]:
+    """Models as objects with all levels of detail, one after another, without figures that need the neighbours.
+
+    Parameters
+    ----------
+    columns : attributes, one entry a model; `building_id` is left out. name_of : id of a building by its number.
+    """
+    sources = [BuildingSource(name_of(model.building_id), {name: values[row] for name, values in columns.items()
+                                                           if name != "building_id"}, model.solids, model.lod)
+               for row, model in enumerate(models)]
+    return (item for item, _ in city_objects(sources, walls=False))
 
 
 def _middles(polygons: np.ndarray) -> tuple[cKDTree, np.ndarray]:

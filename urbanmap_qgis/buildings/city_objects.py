@@ -70,13 +70,15 @@ class _Levels:
     stepped: tuple[Solid, ...]
 
 
-def city_objects(buildings: Sequence[BuildingSource]) -> Iterator[tuple[CityObject, ModelFigures]]:
+def city_objects(buildings: Sequence[BuildingSource], walls: bool = True) -> Iterator[tuple[CityObject, ModelFigures]]:
     """Objects with all levels of detail, and the figures, of buildings, one after another.
 
     Attributes of an object are those of its source, then its figures, which replace those of the same name. A solid
     that is not closed or not valid is kept as loose surfaces, and the object's `problems` say so.
+
+    `walls` : whether walls are told apart by the neighbours; not where neighbours may be missing, as in a tile.
     """
-    party = party_wall_areas([building.solids for building in buildings])
+    party = party_wall_areas([building.solids for building in buildings]) if walls else np.full(len(buildings), np.nan)
     for building, area in zip(buildings, party.tolist()):
         yield _city_object(building, area)
 

@@ -59,14 +59,19 @@ FIGURES: tuple[tuple[str, str], ...] = tuple(
     (name, "int" if name == "storeys_estimated" else "real") for name in ModelFigures.__dataclass_fields__)
 """Names and kinds of the figures, in order."""
 
+OWN_FIGURES: tuple[tuple[str, str], ...] = tuple(
+    entry for entry in FIGURES if entry[0].startswith(("roof", "volume", "area_roof", "storeys")))
+"""Those that a building has by itself, whatever stands beside it, and that its model's columns do not have."""
 
-def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: float = 0.0) -> ModelFigures:
+
+def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: float = np.nan) -> ModelFigures:
     """Figures of one building.
 
     Parameters
     ----------
     solids : its most detailed solids. sloped : whether they are of level of detail 2.2.
-    party_area : area of its walls that stand against other buildings, m2 (`party_wall_areas`).
+    party_area : area of its walls that stand against other buildings, m2 (`party_wall_areas`); NaN where they were
+        not looked for, so that nothing is said of walls.
     """
     triangles = roof_triangles(solids)
     if not len(triangles):
@@ -79,14 +84,14 @@ def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: floa
     return ModelFigures(
         base, low, middle, upper, high, blocks, steps, sum(map(volume, solids)) if sloped else np.nan,
         areas[GROUND], areas["flat"], areas["sloped"],
-        max(areas[OUTER_WALL] + areas[INNER_WALL] - party_area, 0.0), party_area,
+        float(np.maximum(areas[OUTER_WALL] + areas[INNER_WALL] - party_area, 0.0)), party_area,
         max(1, round(upper / STOREY_HEIGHT)))
 
 
-def figure_columns(figures: Sequence[ModelFigures]) -> dict[str, list]:
-    """Columns of `FIGURES`, one entry a building."""
+def figure_columns(figures: Sequence[ModelFigures], names: Sequence[tuple[str, str]] = FIGURES) -> dict[str, list]:
+    """Columns of `FIGURES`, or of some of them, one entry a building."""
     rows = [asdict(one) for one in figures]
-    return {name: [row[name] for row in rows] for name, _ in FIGURES}
+    return {name: [row[name] for row in rows] for name, _ in names}
 
 
 def _base(solid: Solid) -> float:

@@ -11,6 +11,7 @@ import shapely
 from ..geometry.solid import volume
 from ..io.report import Report
 from ..io.svg import plan_map
+from .model_figures import OWN_FIGURES, figure_columns, model_figures
 from .model_stage import BuildingModel, ground_area
 from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
 
@@ -19,7 +20,7 @@ COLUMNS: tuple[tuple[str, str], ...] = (
     ("height", "real"), ("area", "real"), ("volume", "real"), ("points", "int"), ("density", "real"),
     ("rmse_z", "real"), ("rmse_z95", "real"), ("median_dz", "real"), ("rmse_3d", "real"), ("p95", "real"),
     ("coverage", "real"), ("unseen", "real"), ("lod", "text"), ("roof_type", "text"),
-    ("not_explained", "real"), ("quality", "real"),
+    ("not_explained", "real"), ("quality", "real"), *OWN_FIGURES,
 )
 """Names and kinds of the columns, in order."""
 
@@ -31,10 +32,12 @@ def model_columns(models: Sequence[BuildingModel]) -> dict[str, list]:
     """Columns of `COLUMNS`, one entry a model; NaN where a figure is not known.
 
     base: height of the ground face; height: highest roof above it; area and volume of the solids; the rest is
-    `quality.ModelFit`, density (points a m2), unseen (share of the plan without points) and `model_status.quality`.
+    `quality.ModelFit`, density (points a m2), unseen (share of the plan without points), `model_status.quality` and
+    `model_figures.OWN_FIGURES`.
     """
     rows = [_row(model) for model in models]
-    return {name: [row[name] for row in rows] for name, _ in COLUMNS}
+    figures = figure_columns([model_figures(model.solids, model.lod.startswith("2")) for model in models], OWN_FIGURES)
+    return {name: figures[name] if name in figures else [row[name] for row in rows] for name, _ in COLUMNS}
 
 
 def _row(model: BuildingModel) -> dict:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import IO, Any
 
 import numpy as np
@@ -182,7 +182,7 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
     """Read the city objects of a CityJSON file (1.0, 1.1, 2.0) and the outer shells of their solids.
 
     Solid, MultiSolid and CompositeSolid are read, of each object those of its highest level of detail; inner shells
-    and other geometries are left out.
+    and other geometries are left out. A building without solids has those of its parts.
 
     Raises
     ------
@@ -203,13 +203,25 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
             values = item.get("attributes", {}).values()
             if any(isinstance(value, float) and not math.isfinite(value) for value in values):
                 raise InputError(f"{path} is damaged: an attribute of {key} is no finite number.")
-        return tuple(
-            ReadObject(key, item["type"], item.get("attributes", {}),
-                       tuple(solid for geometry in _most_detailed(item.get("geometry", []))
-                             for solid in _solids(geometry, vertices)))
-            for key, item in content["CityObjects"].items())
+        return _with_parts(content["CityObjects"], {
+            key: ReadObject(key, item["type"], item.get("attributes", {}),
+                            tuple(solid for geometry in _most_detailed(item.get("geometry", []))
+                                  for solid in _solids(geometry, vertices)))
+            for key, item in content["CityObjects"].items()})
     except (KeyError, TypeError, ValueError, IndexError) as error:
         raise InputError(f"{path} is damaged: a city object or its vertices cannot be understood.") from error
+
+
+def _with_parts(items: Mapping[str, Mapping], objects: Mapping[str, ReadObject]) -> tuple[ReadObject, ...]:
+    """Objects in which a building without solids has those of its parts, which are then left out."""
+    owner = {key: str(item["parents"][0]) for key, item in items.items()
+             if item["type"] == "BuildingPart" and item.get("parents")}
+    taken: dict[str, list[ReadSolid]] = {}
+    for key, parent in owner.items():
+        if parent in objects and not objects[parent].solids:
+            taken.setdefault(parent, []).extend(objects[key].solids)
+    return tuple(replace(item, solids=tuple(taken[key])) if key in taken else item for key, item in objects.items()
+                 if owner.get(key) not in taken)
 
 
 def _most_detailed(geometries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
