@@ -36,6 +36,7 @@ from qgis.core import (
     QgsRendererRange,
     QgsRuleBasedRenderer,
     QgsSingleBandPseudoColorRenderer,
+    QgsSingleSymbolRenderer,
     QgsUnitTypes,
     QgsVectorLayer,
 )
@@ -383,6 +384,40 @@ def marking_areas(layer) -> None:
                      **{f"arrow {kind}": fill("#3f8f63") for kind in arrows}})
 
 
+def lanes(layer) -> None:
+    """Lanes of lines and those that only drives show through junctions."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory("lane", fill("#f5e9b8"), "lane"),
+        QgsRendererCategory("virtual", fill("#f2c9c0", pen="dash"), "virtual, through a junction")]))
+    layer.setMapTipTemplate(
+        "lane [% \"lane_id\" %], [% round(\"length\", 1) %] m, width [% round(\"width\", 2) %] m<br>"
+        "direction by [% \"evidence\" %]<br>leads to [% coalesce(\"successors\", 'nothing known') %]")
+
+
+def lane_centres(layer) -> None:
+    """Arrows in the direction of traffic."""
+    symbol = QgsLineSymbol()
+    symbol.changeSymbolLayer(0, arrow_along("$geometry", "#d7263d"))
+    layer.setRenderer(QgsSingleSymbolRenderer(symbol))
+
+
+def lane_bounds(layer) -> None:
+    """Bounds by kind."""
+    by_class(layer, {"solid": line_symbol("#2b4c7e", 0.6), "dashed": line_symbol("#2b4c7e", 0.6, "dash"),
+                     "road border": line_symbol("#5a4a42", 0.6), "virtual": line_symbol("#8fa9c9", 0.4, "dot")})
+
+
+def map_findings(layer) -> None:
+    """Points by what was found."""
+    kinds = {"no lane made": "#e09a2b", "open end": "#4a8fe7", "bound not seen": "#b8b03a",
+             "direction contradicts": "#d7263d", "driven without lane": "#d7263d", "no drive": "#8a6bb0",
+             "stop line without lane": "#9a9a9a"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory(kind, marker(colour, 2.4), kind) for kind, colour in kinds.items()]
+        + [QgsRendererCategory("", marker("#d7263d", 2.4), "others")]))
+    layer.setMapTipTemplate("[% \"kind\" %]<br>[% \"text\" %]")
+
+
 def marking_mask(layer) -> None:
     """Markings in one strong colour, the rest transparent, to be laid over the orthophoto."""
     entry = QgsPalettedRasterRenderer.Class
@@ -582,6 +617,10 @@ FIELDS = {
     rectification_sets: ("PointZ", "set:string status:string before:double after:double east:double north:double"),
     rectification_epochs: ("PointZ", "time:double status:string east:double north:double sigma:double"),
     marking_lines: ("LineStringZ", "class:string colour:string length:double width:double sigma:double bridged:double"),
+    lanes: ("Polygon", "lane_id:integer kind:string evidence:string length:double width:double successors:string"),
+    lane_centres: ("LineStringZ", "lane_id:integer kind:string width:double"),
+    lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
+    map_findings: ("Point", "kind:string text:string"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
     loaded_buildings: ("MultiPolygon", "building_id:string lod:string height:double note:string"),
     loaded_models: ("MultiPolygonZ", "building_id:string lod:string height:double note:string"),

@@ -45,9 +45,10 @@ class MarkingLines(UrbanMapAlgorithm):
         self.add_distance("MAX_WIDTH", "Maximum line width", "Wider strokes are no part of a line.", 0.5, 0.1, 5.0,
                           advanced=True)
         self.add_layer_output("OUTPUT", "Marking lines", "Lines, with heights where a ground is given: class (solid, "
-                              "dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint "
-                              "that should be there), period and dash (m), dashes (begins and ends along the line, "
-                              "m), chain (sections of one line), partner (chain that makes it a double line).",
+                              "dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length "
+                              "(m), bridged (m without paint that should be there), period and dash (m), dashes "
+                              "(begins and ends along the line, m), chain (sections of one line), partner (chain that "
+                              "makes it a double line).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk, arrow straight, ..., "
                               "diamond, unknown), colour, heading (degrees from grid north in which it is read), "

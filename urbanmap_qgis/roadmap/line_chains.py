@@ -31,7 +31,7 @@ WIDTH_RATIO = 1.8
 
 
 @dataclass
-class Chain:
+class StrokeChain:
     """Strokes in a row.
 
     Attributes
@@ -54,7 +54,7 @@ class Chain:
 
 
 def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Sequence[shapely.Geometry] = (),
-                 colours: Sequence[str] | None = None) -> list[Chain]:
+                 colours: Sequence[str] | None = None) -> list[StrokeChain]:
     """Chains of the strokes with these numbers.
 
     Parameters
@@ -62,7 +62,7 @@ def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Se
     barriers : areas that no gap may cross, such as crosswalks.
     colours : by stroke; strokes of two known colours are not linked.
     """
-    chains = [Chain(strokes[n].axis, [n], strokes[n].length, strokes[n].width) for n in numbers]
+    chains = [StrokeChain(strokes[n].axis, [n], strokes[n].length, strokes[n].width) for n in numbers]
     tree = shapely.STRtree(list(barriers)) if len(barriers) else None
     for longest, shortest in SHORTEST_FOR_GAP:
         while True:
@@ -73,7 +73,7 @@ def link_strokes(strokes: Sequence[Stroke], numbers: Sequence[int], barriers: Se
     return chains
 
 
-def _ends(chains: Sequence[Chain]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _ends(chains: Sequence[StrokeChain]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Place (2n, 2), outward direction (2n, 2) and uncertainty of the direction (2n,), tips of chain k at 2k, 2k+1."""
     place, outward, doubt = [], [], []
     for chain in chains:
@@ -89,7 +89,7 @@ def _ends(chains: Sequence[Chain]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return np.array(place), np.array(outward), np.array(doubt)
 
 
-def _best_links(chains: list[Chain], longest: float, shortest: float, barriers, colours) -> list[tuple[int, int]]:
+def _best_links(chains: list[StrokeChain], longest: float, shortest: float, barriers, colours) -> list[tuple[int, int]]:
     """Pairs of tips to join, the best first, each tip once."""
     able = [k for k, chain in enumerate(chains) if chain.length >= shortest]
     if len(able) < 2:
@@ -135,7 +135,7 @@ def _link_cost(place: np.ndarray, outward: np.ndarray, doubt: np.ndarray, pairs:
     return cost
 
 
-def _same_colour(one: Chain, other: Chain, colours) -> bool:
+def _same_colour(one: StrokeChain, other: StrokeChain, colours) -> bool:
     """Whether the colours of two chains, those of their longest strokes, do not contradict each other."""
     if colours is None:
         return True
@@ -143,7 +143,7 @@ def _same_colour(one: Chain, other: Chain, colours) -> bool:
     return not first or not second or first == second
 
 
-def _joined(chains: list[Chain], links: list[tuple[int, int]]) -> list[Chain]:
+def _joined(chains: list[StrokeChain], links: list[tuple[int, int]]) -> list[StrokeChain]:
     """The chains after joining the tips."""
     gone: set[int] = set()
     made = []
@@ -155,6 +155,6 @@ def _joined(chains: list[Chain], links: list[tuple[int, int]]) -> list[Chain]:
         after_numbers = second.strokes[::-1] if other % 2 else second.strokes
         painted = first.painted + second.painted
         width = (first.painted * first.width + second.painted * second.width) / max(painted, 1e-9)
-        made.append(Chain(np.vstack([axis, after]), [*numbers, *after_numbers], painted, width))
+        made.append(StrokeChain(np.vstack([axis, after]), [*numbers, *after_numbers], painted, width))
         gone |= {one // 2, other // 2}
     return [chain for k, chain in enumerate(chains) if k not in gone] + made

@@ -11,7 +11,7 @@ import shapely
 from ..progress import SILENT, Progress
 from .crosswalks import Crosswalk, find_crosswalks
 from .dash_pattern import Section, line_sections
-from .line_chains import Chain, link_strokes
+from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
 from .strokes import Stroke, all_strokes
 from .symbols import Symbol, find_symbols
@@ -43,7 +43,7 @@ class LineSettings:
     min_painted: float = 4.0
     min_length: float = 6.0
     source_sigma: float = 0.02
-    guide_width: float = 0.27
+    guide_width: float = 0.33
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ class LineWork:
 class _Line:
     """A chain that was fitted, with its sections."""
 
-    chain: Chain
+    chain: StrokeChain
     fit: FittedLine
     sections: list[Section]
 
@@ -195,7 +195,7 @@ def _in_crosswalks(strokes: Sequence[Stroke], crosswalks: Sequence[Crosswalk]) -
     return used | {int(n) for n in inside if strokes[n].length < 6.0}
 
 
-def _is_line(chain: Chain, strokes: Sequence[Stroke], settings: LineSettings) -> bool:
+def _is_line(chain: StrokeChain, strokes: Sequence[Stroke], settings: LineSettings) -> bool:
     """Whether a chain has the length and the paint of a line, and is no row of flakes."""
     if chain.length < settings.min_length or chain.painted < settings.min_painted:
         return False
@@ -205,7 +205,7 @@ def _is_line(chain: Chain, strokes: Sequence[Stroke], settings: LineSettings) ->
     return chain.painted >= 0.25 * chain.length or max(pieces) >= 2.5
 
 
-def _fitted(chain: Chain, paint: shapely.STRtree) -> _Line | None:
+def _fitted(chain: StrokeChain, paint: shapely.STRtree) -> _Line | None:
     fit = fit_centre_line(chain.axis, chain.width, paint)
     if fit is None:
         return None
@@ -213,7 +213,7 @@ def _fitted(chain: Chain, paint: shapely.STRtree) -> _Line | None:
     return _Line(chain, fit, sections) if sections else None
 
 
-def _is_stop_line(chain: Chain, lines: Sequence[_Line]) -> bool:
+def _is_stop_line(chain: StrokeChain, lines: Sequence[_Line]) -> bool:
     """Whether a bar lies across the end of a line, and no line goes through it."""
     bar = shapely.LineString(chain.axis)
     along = (chain.axis[-1] - chain.axis[0]) / max(np.linalg.norm(chain.axis[-1] - chain.axis[0]), 1e-9)
@@ -300,7 +300,7 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
     return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number)
 
 
-def _colour(chain: Chain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:
+def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:
     """The colour of most of a chain's length."""
     length: dict[str, float] = {}
     for n in chain.strokes:

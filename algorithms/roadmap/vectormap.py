@@ -1,0 +1,217 @@
+"""urbanmap:vectormap."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import tr
+from ..framework.trajectories import trajectory_exists, trajectory_of
+
+TRAFFIC = ("auto", "left", "right")
+PROJECTORS = ("TransverseMercator", "MGRS")
+DATUMS = ("not stated", "WGS84", "EGM2008")
+OSM_FILTER = "Lanelet2 (*.osm)"
+
+
+class VectorMap(UrbanMapAlgorithm):
+    ID = "vectormap"
+    NAME = "Lane map"
+    SOURCE = "Javanmardi 2018, 6.2"
+    KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "Autoware", "lanelet", "automated driving", "road")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
+    HELP = (
+        "Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, "
+        "successors, neighbours, stop lines and crosswalks; as layers and as Lanelet2 file with the tags that Autoware "
+        "expects.\n"
+        "Lines side by side are a road section. A lane is made between two lines at a lane's width, where a drive, an "
+        "arrow or a stop line shows its direction, or a lane across a dashed line or across a yellow or double centre "
+        "line does. Nothing else becomes a lane: strips without evidence, open ends, bounds that were not seen and "
+        "ways that were driven outside all lanes are findings with a place.\n"
+        "Through junctions a virtual lane is made where a drive shows it. Traffic keeps to the side that the drives "
+        "show, unless it is given. Trajectories must be corrected ones: an error of a metre puts a drive into the "
+        "wrong lane."
+    )
+
+    def declare(self):
+        self.add_vector("LINES", "Marking lines", "Lines of “Lines from road markings” (fields class, colour, width, "
+                        "sigma, chain, partner; class alone is enough), in a projected CRS in metres.",
+                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.add_polygons("AREAS", "Marking areas", "Crosswalks and arrows of “Lines from road markings” (fields "
+                          "class, heading).", optional=True)
+        self.add_vector("EDGES", "Road edges", "Lines of kerbs, road borders or rails, in the CRS of the lines: they "
+                        "are bounds of lanes too.", optional=True,
+                        source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, True),
+            "Corrected trajectories of drives in the CRS of the lines: they show directions and ways through "
+            "junctions.")
+        self.add_choice("TRAFFIC", "Side of the traffic", "Auto: the side that drives in both directions show, left "
+                        "where they do not.", TRAFFIC, "auto")
+        self.add_distance("MIN_WIDTH", "Minimum lane width", "Narrower strips are no lanes.", 2.2, 1.0, 5.0,
+                          advanced=True)
+        self.add_distance("MAX_WIDTH", "Maximum lane width", "Wider strips are no lanes.", 5.0, 2.0, 12.0,
+                          advanced=True)
+        self.add_distance("BRIDGE", "Longest unseen bound", "A bound is drawn through gaps of its line up to this "
+                          "length, which are told.", 30.0, 0.0, 500.0, advanced=True)
+        self.add_number("SPEED_LIMIT", "Speed limit", "Written to every lane; left empty, none is.", None, 1.0, 200.0,
+                        unit="km/h", optional=True)
+        self.add_choice("PROJECTOR", "Projector", "Of the local coordinates in the Lanelet2 file, for Autoware.",
+                        PROJECTORS, "TransverseMercator", advanced=True)
+        self.add_choice("VERTICAL_DATUM", "Vertical datum", "Of the lines' heights, for Autoware's projector file.",
+                        DATUMS, "not stated", advanced=True)
+        line, area = QgsProcessing.SourceType.TypeVectorLine, QgsProcessing.SourceType.TypeVectorPolygon
+        self.add_layer_output("OUTPUT_LANES", "Lanes", "Polygons: lane_id, kind (lane, virtual), direction's evidence, "
+                              "width and narrowest (m), turn, arrows, successors, left, right and opposite (ids of "
+                              "neighbours), stop_lines and crosswalks (numbers).", source_type=area)
+        self.add_layer_output("OUTPUT_CENTRES", "Centre lines of lanes", "Lines in the direction of traffic: lane_id, "
+                              "width (m).", optional=True, by_default=True, source_type=line)
+        self.add_layer_output("OUTPUT_BOUNDS", "Bounds of lanes", "Lines: bound_id, class, colour, width, sigma (m), "
+                              "double, unseen (m without a line), lanes (number of lanes that have it).",
+                              source_type=line)
+        self.add_file_output("OUTPUT_LANELET2", "Lanelet2 file", "Lanes, stop lines and crosswalks with Autoware's "
+                             "tags.", OSM_FILTER, optional=True)
+        self.add_file_output("OUTPUT_PROJECTOR", "Projector file", "Autoware's map_projector_info.yaml of the Lanelet2 "
+                             "file.", "YAML (*.yaml)", optional=True)
+        self.add_layer_output("OUTPUT_FINDINGS", "Findings", "Points: kind and a sentence on what is missing or "
+                              "contradicts.", optional=True, by_default=True,
+                              source_type=QgsProcessing.SourceType.TypeVectorPoint)
+        self.add_number_output("LANES", "Lanes", "Number of lanes, virtual ones included.")
+        self.add_number_output("LENGTH", "Length of lanes", "Of their centre lines, virtual ones not counted.", "m")
+        self.add_number_output("FINDINGS", "Findings", "Number of findings.")
+
+    def check(self, parameters, context):
+        source = self.parameterAsSource(parameters, "LINES", context)
+        if source is not None:
+            self.require_projected("LINES", source.sourceCrs())
+        for text in self._drive_files(parameters, context):
+            if not trajectory_exists(text, context):
+                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
+                    self.label_of("TRAJECTORY"), text))
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.roadmap.map_records import MapSettings
+        from ...urbanmap_qgis.roadmap.vector_map import build_vector_map
+
+        progress = self.progress(feedback)
+        table = self.read_vector(parameters, "LINES", context, progress.part(0.0, 0.05))
+        lines = self._lines(table, "class")
+        edges = self.read_vector(parameters, "EDGES", context)
+        if edges is not None:
+            self.same_crs("LINES", table.crs, "EDGES", edges.crs)
+            lines += self._lines(edges, None)
+        drives = self._drives(parameters, context, table.crs_wkt, progress)
+        settings = MapSettings(self.parameterAsDouble(parameters, "MIN_WIDTH", context),
+                               self.parameterAsDouble(parameters, "MAX_WIDTH", context),
+                               traffic=self.parameterAsString(parameters, "TRAFFIC", context),
+                               bridge=self.parameterAsDouble(parameters, "BRIDGE", context))
+        built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
+                                 progress.part(0.1, 0.8))
+        self._tell(built, drives, progress)
+        results = self._write(parameters, context, built, table)
+        return {**results, "LANES": len(built.lanes), "FINDINGS": len(built.findings), "LENGTH": built.driven_length()}
+
+    def _lines(self, table, kind_field):
+        """The core's lines of a table; without a field for the kind they are road borders."""
+        from ...urbanmap_qgis.roadmap.map_records import lines_of
+
+        if kind_field is not None and kind_field not in table.columns:
+            raise InputError(tr("{0} has no field class; give the lines of “Lines from road markings”.").format(
+                table.label))
+        return lines_of(table.geometries, table.columns, kind_field)
+
+    def _areas(self, parameters, context, lines):
+        from ...urbanmap_qgis.roadmap.map_records import areas_of
+
+        table = self.read_polygons(parameters, "AREAS", context)
+        if table is None:
+            return []
+        self.same_crs("LINES", lines.crs, "AREAS", table.crs)
+        if not {"class", "heading"} <= set(table.columns):
+            raise InputError(tr("{0} has no fields class and heading; give the areas of “Lines from road "
+                                "markings”.").format(table.label))
+        return areas_of(table.geometries, table.columns)
+
+    def _drive_files(self, parameters, context):
+        return [text for text in self.parameterAsFileList(parameters, "TRAJECTORY", context) if text]
+
+    def _drives(self, parameters, context, crs_wkt, progress):
+        from ...urbanmap_qgis.roadmap.map_records import DrivenPath
+
+        drives = []
+        for text in self._drive_files(parameters, context):
+            read = trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt)
+            if read.crs_wkt:
+                self.same_crs("LINES", crs_wkt, "TRAJECTORY", read.crs_wkt)
+            for note in read.notes:
+                progress.warn(note)
+            drives.append(DrivenPath(read.trajectory.place))
+        return drives
+
+    def _tell(self, built, drives, progress):
+        for kind, count in sorted(Counter(finding.kind for finding in built.findings).items()):
+            progress.message(f"{kind}: {count}")
+        if not drives:
+            progress.warn(tr("Without trajectories only arrows and stop lines tell directions: most strips stay "
+                             "findings, and nothing connects lanes through junctions."))
+        if drives and not any(lane.kind == "lane" for lane in built.lanes):
+            progress.warn(tr("No lane was made: the drives run beside all lines; check that both are of one place, in "
+                             "one CRS, and that the trajectories are corrected."))
+
+    def _write(self, parameters, context, built, table):
+        """Write all outputs that are wanted; their places."""
+        import shapely
+
+        from ...urbanmap_qgis.roadmap.map_tables import bound_columns, lane_columns
+
+        high = built.has_heights()
+        suffix = "Z" if high else ""
+        shown = [shapely.linestrings(lane.centre if high else lane.centre[:, :2]) for lane in built.lanes]
+        columns = lane_columns(built)
+        fields = make_fields(("lane_id", "int"), ("kind", "text"), ("evidence", "text"), ("width", "real"),
+                             ("narrowest", "real"), ("length", "real"), ("turn", "text"), ("arrows", "text"),
+                             ("successors", "text"), ("left", "int"), ("right", "int"), ("opposite", "int"),
+                             ("stop_lines", "text"), ("crosswalks", "text"))
+        results = {"OUTPUT_LANES": self.write_layer(
+            parameters, "OUTPUT_LANES", context, fields, columns, table.crs,
+            [built.area(number) for number in range(len(built.lanes))], "Polygon", style="lanes")}
+        results["OUTPUT_CENTRES"] = self.write_layer(
+            parameters, "OUTPUT_CENTRES", context, make_fields(("lane_id", "int"), ("kind", "text"), ("width", "real")),
+            {name: columns[name] for name in ("lane_id", "kind", "width")}, table.crs, shown, f"LineString{suffix}",
+            style="lane_centres")
+        results["OUTPUT_BOUNDS"] = self.write_layer(
+            parameters, "OUTPUT_BOUNDS", context, make_fields(
+                ("bound_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
+                ("double", "bool"), ("unseen", "real"), ("lanes", "int")), bound_columns(built), table.crs,
+            [shapely.linestrings(built.bound_points(bound)[:, :3 if high else 2]) for bound in built.bounds],
+            f"LineString{suffix}", style="lane_bounds")
+        results["OUTPUT_FINDINGS"] = self.write_layer(
+            parameters, "OUTPUT_FINDINGS", context, make_fields(("kind", "text"), ("text", "text")),
+            {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, table.crs,
+            [shapely.points(one.x, one.y) for one in built.findings], "Point", style="map_findings")
+        results |= self._write_lanelet2(parameters, context, built, table)
+        return {name: place for name, place in results.items() if place}
+
+    def _write_lanelet2(self, parameters, context, built, table):
+        from ...urbanmap_qgis.io.osm import write_osm
+        from ...urbanmap_qgis.roadmap.lanelet_map import META, lanelet_elements
+        from ...urbanmap_qgis.roadmap.map_projection import write_projector
+
+        path = self.output_path(parameters, "OUTPUT_LANELET2", context)
+        projector = self.output_path(parameters, "OUTPUT_PROJECTOR", context)
+        if (path is None and projector is None) or not built.lanes:
+            return {}
+        limit = parameters.get("SPEED_LIMIT")
+        limit = self.parameterAsDouble(parameters, "SPEED_LIMIT", context) if limit not in (None, "") else None
+        elements, coordinates = lanelet_elements(built, table.crs_wkt,
+                                                 self.parameterAsString(parameters, "PROJECTOR", context), limit)
+        datum = self.parameterAsString(parameters, "VERTICAL_DATUM", context)
+        if path is not None:
+            write_osm(path, elements, META)
+        if projector is not None:
+            write_projector(projector, coordinates, "" if datum == DATUMS[0] else datum)
+        return {"OUTPUT_LANELET2": path and str(path), "OUTPUT_PROJECTOR": projector and str(projector)}

@@ -1,0 +1,70 @@
+"""urbanmap:vectormap through Processing."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+ALGORITHM = "urbanmap:vectormap"
+EAST, NORTH = -7000.0, -34000.0
+
+
+@pytest.fixture
+def lines(polygon_layer):
+    wkts = [shapely.LineString([(EAST, NORTH + y, 12.0), (EAST + 60, NORTH + y, 12.0)]).wkt for y in (0.0, 3.25, 6.5)]
+    return polygon_layer(wkts, "EPSG:6677", {"class": ["solid", "dashed", "solid"]}, kind="LineStringZ")
+
+
+@pytest.fixture
+def drive(tmp_path):
+    rows = [f"{t},{EAST + 5 * t},{NORTH + 4.9},13.5,0,0,90" for t in np.arange(0, 12.1, 0.5)]
+    path = tmp_path / "drive.csv"
+    path.write_text("time,x,y,z,roll,pitch,heading\n" + "\n".join(rows) + "\n", encoding="utf-8")
+    return str(path)
+
+
+def outputs(tmp_path, **more):
+    return {"OUTPUT_LANES": str(tmp_path / "lanes.gpkg"), "OUTPUT_BOUNDS": str(tmp_path / "bounds.gpkg"), **more}
+
+
+def test_lanes_bounds_findings_and_files(run, read_layer, lines, drive, tmp_path):
+    results = run(ALGORITHM, {"LINES": lines, "TRAJECTORY": [drive], **outputs(
+        tmp_path, OUTPUT_CENTRES=str(tmp_path / "centres.gpkg"), OUTPUT_FINDINGS=str(tmp_path / "findings.gpkg"),
+        OUTPUT_LANELET2=str(tmp_path / "map.osm"), OUTPUT_PROJECTOR=str(tmp_path / "map_projector_info.yaml"))})
+    lanes = [row.attributes for row in read_layer(results["OUTPUT_LANES"])]
+    assert results["LANES"] == 2 and results["LENGTH"] == pytest.approx(120.0, abs=0.1)
+    assert sorted(lane["evidence"] for lane in lanes) == ["beside a dashed line", "drive, arrow or stop line"]
+    driven = next(lane for lane in lanes if lane["evidence"].startswith("drive"))
+    assert driven["width"] == pytest.approx(3.25) and driven["right"] == 1 - driven["lane_id"]
+    assert len(read_layer(results["OUTPUT_BOUNDS"])) == 3
+    centres = read_layer(results["OUTPUT_CENTRES"])
+    assert all("Z" in row.wkt.split("(")[0] for row in centres)
+    assert results["FINDINGS"] == len(read_layer(results["OUTPUT_FINDINGS"])) == 4
+    text = (tmp_path / "map.osm").read_text(encoding="utf-8")
+    assert text.count('v="lanelet"') == 2 and 'k="ele" v="12.0000"' in text
+    assert "projector_type: TransverseMercator" in (tmp_path / "map_projector_info.yaml").read_text(encoding="utf-8")
+
+
+def test_without_trajectory_it_says_that_directions_are_unknown(run, lines, feedback, tmp_path):
+    results = run(ALGORITHM, {"LINES": lines, **outputs(tmp_path)})
+    assert results["LANES"] == 0 and results["FINDINGS"] == 3
+    assert any("Without trajectories" in text for text in feedback.warnings)
+
+
+def test_drive_of_another_place_is_told(run, lines, feedback, tmp_path):
+    path = tmp_path / "far.csv"
+    path.write_text("time,x,y,z,roll,pitch,heading\n0,0,0,0,0,0,90\n9,50,0,0,0,0,90\n", encoding="utf-8")
+    run(ALGORITHM, {"LINES": lines, "TRAJECTORY": [str(path)], **outputs(tmp_path)})
+    assert any("No lane was made" in text for text in feedback.warnings)
+
+
+def test_lines_without_class_are_refused(run, polygon_layer, tmp_path):
+    layer = polygon_layer(["LineString (0 0, 9 0)"], "EPSG:6677", {}, kind="LineString")
+    with pytest.raises(Exception, match="no field class"):
+        run(ALGORITHM, {"LINES": layer, **outputs(tmp_path)})
+
+
+def test_missing_trajectory_is_refused_before_the_run(run, lines, tmp_path):
+    with pytest.raises(Exception, match="does not exist"):
+        run(ALGORITHM, {"LINES": lines, "TRAJECTORY": [str(tmp_path / "none.csv")], **outputs(tmp_path)})

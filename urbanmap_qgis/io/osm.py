@@ -1,0 +1,117 @@
+"""OSM files (XML) as lane maps use them: nodes, ways and relations with tags."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.sax.saxutils import quoteattr
+
+from ..errors import InputError
+from .atomic import written_beside
+from .guard import reads
+
+
+@dataclass(frozen=True)
+class OsmNode:
+    """A place: latitude and longitude in degrees; heights are a tag."""
+
+    identifier: int
+    latitude: float
+    longitude: float
+    tags: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class OsmWay:
+    """A line through nodes, by their ids."""
+
+    identifier: int
+    nodes: tuple[int, ...]
+    tags: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class OsmRelation:
+    """Members as (type, id, role), type "node", "way" or "relation"."""
+
+    identifier: int
+    members: tuple[tuple[str, int, str], ...]
+    tags: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class OsmFile:
+    """The elements of a file by their ids; `repeated` are the ids that more than one element of a kind has."""
+
+    nodes: Mapping[int, OsmNode]
+    ways: Mapping[int, OsmWay]
+    relations: Mapping[int, OsmRelation]
+    repeated: tuple[tuple[str, int], ...] = ()
+
+
+@reads("an OSM file")
+def read_osm(path: str | os.PathLike) -> OsmFile:
+    """Read nodes, ways and relations of an OSM file.
+
+    Raises
+    ------
+    InputError : it is no OSM XML, or a number in it is none.
+    """
+    root = ElementTree.parse(path).getroot()
+    if root.tag != "osm":
+        raise InputError(f"{Path(path).name} is no OSM file: its outermost element is {root.tag}, not osm.")
+    found: dict[str, dict] = {"node": {}, "way": {}, "relation": {}}
+    repeated = []
+    for element in root:
+        if element.tag not in found or element.get("action") == "delete":
+            continue
+        identifier = int(element.attrib["id"])
+        if identifier in found[element.tag]:
+            repeated.append((element.tag, identifier))
+        found[element.tag][identifier] = _element(element, identifier)
+    return OsmFile(found["node"], found["way"], found["relation"], tuple(repeated))
+
+
+def _element(element: ElementTree.Element, identifier: int) -> OsmNode | OsmWay | OsmRelation:
+    tags = {tag.attrib["k"]: tag.attrib["v"] for tag in element.iter("tag")}
+    if element.tag == "node":
+        return OsmNode(identifier, float(element.attrib["lat"]), float(element.attrib["lon"]), tags)
+    if element.tag == "way":
+        return OsmWay(identifier, tuple(int(part.attrib["ref"]) for part in element.iter("nd")), tags)
+    members = tuple((part.attrib["type"], int(part.attrib["ref"]), part.get("role", ""))
+                    for part in element.iter("member"))
+    return OsmRelation(identifier, members, tags)
+
+
+def write_osm(path: str | os.PathLike, content: OsmFile, meta: Mapping[str, str] | None = None) -> None:
+    """Write an OSM file; it appears at `path` when it is whole.
+
+    Parameters
+    ----------
+    meta : attributes of an element MetaInfo at the head, as Autoware's maps have it.
+    """
+    lines = ['<?xml version="1.0" encoding="UTF-8"?>', '<osm version="0.6" generator="UrbanMap">']
+    if meta:
+        lines.append(f"  <MetaInfo {' '.join(f'{name}={quoteattr(value)}' for name, value in meta.items())}/>")
+    for node in content.nodes.values():
+        place = f'lat="{node.latitude:.11f}" lon="{node.longitude:.11f}"'
+        lines += _with_tags(f'  <node id="{node.identifier}" visible="true" version="1" {place}', [], node.tags, "node")
+    for way in content.ways.values():
+        inner = [f'    <nd ref="{number}"/>' for number in way.nodes]
+        lines += _with_tags(f'  <way id="{way.identifier}" visible="true" version="1"', inner, way.tags, "way")
+    for relation in content.relations.values():
+        inner = [f'    <member type="{kind}" ref="{number}" role="{role}"/>'
+                 for kind, number, role in relation.members]
+        lines += _with_tags(f'  <relation id="{relation.identifier}" visible="true" version="1"', inner, relation.tags,
+                            "relation")
+    lines.append("</osm>")
+    with written_beside(path) as temporary:
+        temporary.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def _with_tags(head: str, inner: list[str], tags: Mapping[str, str], name: str) -> list[str]:
+    body = [*inner, *(f"    <tag k={quoteattr(key)} v={quoteattr(value)}/>" for key, value in tags.items())]
+    return [f"{head}>", *body, f"  </{name}>"] if body else [f"{head}/>"]

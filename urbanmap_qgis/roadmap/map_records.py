@@ -1,0 +1,211 @@
+"""What a lane map consists of: nodes, bounds, lanes, crosswalks, stop lines, and findings with a place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+import shapely
+
+
+@dataclass(frozen=True)
+class MapLine:
+    """A line of the line work as the map takes it.
+
+    Attributes
+    ----------
+    points : (n, 3) m, heights NaN where unknown.
+    kind : "solid", "dashed", "stop line", "guiding strip" or "road border". colour : "white", "yellow" or "".
+    width, sigma : m. chain : number of the continuous line. partner : of the other line of a double line, or -1.
+    """
+
+    points: np.ndarray
+    kind: str
+    colour: str = ""
+    width: float = 0.15
+    sigma: float = np.nan
+    chain: int = -1
+    partner: int = -1
+
+
+@dataclass(frozen=True)
+class MapArea:
+    """A crosswalk or an arrow: outline, kind and the direction (2,) in which it is read or crossed."""
+
+    polygon: shapely.Geometry
+    kind: str
+    heading: np.ndarray
+
+
+@dataclass(frozen=True)
+class DrivenPath:
+    """The path of a survey: places (n, 3) in m, in the order in which they were driven."""
+
+    places: np.ndarray
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something that the user must look at: what kind, a sentence, and where (x, y)."""
+
+    kind: str
+    text: str
+    x: float
+    y: float
+
+
+@dataclass
+class Bound:
+    """One side of lanes.
+
+    Attributes
+    ----------
+    nodes : numbers of its nodes, in the direction of the road section's axis.
+    kind : "solid", "dashed", "road border" or "virtual". colour, width, sigma : of the line.
+    double : the line is a double one. unseen : length without evidence, m.
+    """
+
+    nodes: list[int]
+    kind: str
+    colour: str = ""
+    width: float = np.nan
+    sigma: float = np.nan
+    double: bool = False
+    unseen: float = 0.0
+
+
+@dataclass
+class MapLane:
+    """A lane between two bounds.
+
+    Attributes
+    ----------
+    left, right : numbers of the bounds; their direction is the lane's where `left_forward`, `right_forward`.
+    centre : (n, 3) centre line in the direction of traffic. width : mean; narrowest : minimum, m.
+    kind : "lane", or "virtual" through a junction. evidence : what its direction comes from.
+    turn : "straight", "left" or "right" of a virtual lane. arrows : kinds of the arrows in it.
+    successors, left_neighbour, right_neighbour : numbers of lanes, -1 where there is none; neighbours have the same
+        direction, `opposite` is the neighbour across the line that has the other one.
+    """
+
+    left: int
+    right: int
+    left_forward: bool
+    right_forward: bool
+    centre: np.ndarray
+    width: float
+    narrowest: float
+    kind: str
+    evidence: str
+    turn: str = ""
+    arrows: tuple[str, ...] = ()
+    successors: list[int] = field(default_factory=list)
+    left_neighbour: int = -1
+    right_neighbour: int = -1
+    opposite: int = -1
+    stop_lines: list[int] = field(default_factory=list)
+    crosswalks: list[int] = field(default_factory=list)
+
+
+@dataclass
+class VectorMap:
+    """A lane map.
+
+    Attributes
+    ----------
+    nodes : list of (x, y, z). bounds, lanes : see there.
+    stop_lines : (n, 3) arrays. crosswalks : polygons with the direction of the traffic that crosses them.
+    findings : what to look at. left_hand : traffic keeps to the left; None where nothing tells.
+    """
+
+    nodes: list[np.ndarray] = field(default_factory=list)
+    bounds: list[Bound] = field(default_factory=list)
+    lanes: list[MapLane] = field(default_factory=list)
+    stop_lines: list[np.ndarray] = field(default_factory=list)
+    crosswalks: list[MapArea] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    left_hand: bool | None = None
+
+    def coordinates(self, lane: int, side: str) -> np.ndarray:
+        """Points (n, 3) of a lane's "left" or "right" bound in its direction."""
+        one = self.lanes[lane]
+        number, forward = (one.left, one.left_forward) if side == "left" else (one.right, one.right_forward)
+        nodes = self.bounds[number].nodes
+        return np.array([self.nodes[n] for n in (nodes if forward else nodes[::-1])])
+
+    def bound_points(self, bound: Bound) -> np.ndarray:
+        """Points (n, 3) of a bound."""
+        return np.array([self.nodes[n] for n in bound.nodes])
+
+    def has_heights(self) -> bool:
+        """Whether every node has a height."""
+        return bool(len(self.nodes)) and bool(np.isfinite(np.array(self.nodes)[:, 2]).all())
+
+    def driven_length(self) -> float:
+        """Length of the lanes' centre lines without the virtual ones, m."""
+        return float(sum(shapely.LineString(lane.centre[:, :2]).length for lane in self.lanes if lane.kind == "lane"))
+
+    def area(self, lane: int) -> shapely.Polygon:
+        """The lane's area in plan."""
+        ring = np.vstack([self.coordinates(lane, "left"), self.coordinates(lane, "right")[::-1]])[:, :2]
+        return shapely.Polygon(ring)
+
+
+@dataclass(frozen=True)
+class MapSettings:
+    """What counts as a lane.
+
+    Attributes
+    ----------
+    min_width, max_width : of a lane, m. min_length : of a lane, m.
+    traffic : "left", "right" or "auto" (what the drives show).
+    bridge : a bound may be unseen for so long, m; it is drawn through and told.
+    height_gap : lines whose heights differ by more do not belong together, m.
+    """
+
+    min_width: float = 2.2
+    max_width: float = 5.0
+    min_length: float = 5.0
+    traffic: str = "auto"
+    bridge: float = 30.0
+    height_gap: float = 2.5
+
+
+def lines_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence],
+             kind_field: str | None = "class") -> list[MapLine]:
+    """Lines of a table: parts of one feature apart, missing fields unknown.
+
+    Parameters
+    ----------
+    kind_field : field with the kind; None makes every line a road border.
+    """
+    def value(name: str, row: int, otherwise):
+        held = columns[name][row] if name in columns else None
+        return otherwise if held is None else held
+
+    made = []
+    for row, shape in enumerate(geometries):
+        for part in shapely.get_parts(shape) if shape is not None else ():
+            points = shapely.get_coordinates(part, include_z=True)
+            if part.geom_type != "LineString" or len(points) < 2 or part.length == 0:
+                continue
+            kind = "road border" if kind_field is None else str(columns[kind_field][row])
+            chain = int(value("chain", row, -1)) if kind_field is not None else -1
+            made.append(MapLine(points, kind, str(value("colour", row, "")), float(value("width", row, 0.15)),
+                                float(value("sigma", row, np.nan)), chain, int(value("partner", row, -1))))
+    return made
+
+
+def areas_of(geometries: Sequence[shapely.Geometry | None], columns: Mapping[str, Sequence]) -> list[MapArea]:
+    """Crosswalks and arrows of a table with the fields class and heading (degrees from grid north)."""
+    made = []
+    for row, shape in enumerate(geometries):
+        heading = columns["heading"][row]
+        if shape is None or heading is None or not np.isfinite(heading):
+            continue
+        parts = shapely.get_parts(shape)
+        angle = np.radians(heading)
+        area = parts[0] if len(parts) == 1 else shape
+        made.append(MapArea(area, str(columns["class"][row]), np.array([np.sin(angle), np.cos(angle)])))
+    return made

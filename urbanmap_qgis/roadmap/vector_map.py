@@ -1,0 +1,127 @@
+"""From line work and drives to a lane map (J 6.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from ..progress import SILENT, Progress
+from .junctions import connect_by_drives
+from .lane_assembly import add_section
+from .lane_strips import (
+    add_arrows,
+    add_drives,
+    add_stops,
+    lane_strips,
+    left_hand_traffic,
+    settle_directions,
+)
+from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
+from .road_sections import road_sections
+
+STOP_REACH = 5.0
+"""A lane ends at a stop line so near, m."""
+
+BOUNDS = ("solid", "dashed", "road border")
+
+
+def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), drives: Sequence[DrivenPath] = (),
+                     settings: MapSettings | None = None, progress: Progress = SILENT) -> VectorMap:
+    """Lanes with shared bounds, directions, neighbours, successors, stop lines and crosswalks.
+
+    A lane is made only where two lines lie at a lane's width and a drive, an arrow, a stop line or a neighbouring lane
+    shows its direction. What is missing for a lane becomes a finding with its place.
+    """
+    settings = settings or MapSettings()
+    built = VectorMap()
+    stops = [line.points for line in lines if line.kind == "stop line"]
+    crosswalks = [area for area in areas if area.kind == "crosswalk"]
+    arrows = [area for area in areas if area.kind.startswith("arrow")]
+    sections = road_sections([line for line in lines if line.kind in BOUNDS], [area.polygon for area in crosswalks],
+                             settings)
+    progress.step(0.4)
+    worked = []
+    for section in sections:
+        near = [stop for stop in stops if _belongs(section, stop)]
+        strips = lane_strips(section, near, settings)
+        add_drives(strips, section, drives, settings)
+        worked.append((section, strips, near))
+        progress.check()
+    built.left_hand = _rule_of_the_road(worked, settings)
+    progress.step(0.7)
+    for section, strips, near in worked:
+        add_arrows(strips, section, arrows)
+        add_stops(strips, section, near)
+        built.findings += settle_directions(strips, section, built.left_hand is not False)
+        add_section(built, section, strips)
+    if not drives:
+        built.findings.append(_without_drives(lines))
+    connect_by_drives(built, drives)
+    _refer(built, stops, crosswalks)
+    _tell_open_ends(built)
+    progress.step(1.0)
+    return built
+
+
+def _belongs(section, stop: np.ndarray) -> bool:
+    """Whether a stop line lies across a section, at or between its ends."""
+    chainage, offset = section.axis.local(stop[:, :2])
+    low = min(track.start for track in section.tracks) - STOP_REACH
+    high = max(track.end for track in section.tracks) + STOP_REACH
+    if not low <= chainage.mean() <= high or np.ptp(chainage) > 0.7 * np.ptp(offset):
+        return False
+    at = np.clip(chainage.mean(), low + STOP_REACH, high - STOP_REACH)
+    beside = np.array([np.interp(at, track.chainage, track.offset) for track in section.tracks])
+    return bool(offset.max() > beside.min() - 1.0 and offset.min() < beside.max() + 1.0)
+
+
+def _rule_of_the_road(worked, settings: MapSettings) -> bool | None:
+    if settings.traffic != "auto":
+        return settings.traffic == "left"
+    return left_hand_traffic([(section, strips) for section, strips, _ in worked])
+
+
+def _without_drives(lines: Sequence[MapLine]) -> Finding:
+    x, y = lines[0].points[0, :2] if len(lines) else (np.nan, np.nan)
+    return Finding("no drive", "No trajectory was given: only arrows and stop lines tell directions, and nothing "
+                   "connects lanes through junctions.", float(x), float(y))
+
+
+def _refer(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[MapArea]) -> None:
+    """Let lanes refer to the stop line at their end and to the crosswalks that they cross."""
+    for stop in stops:
+        line = shapely.LineString(stop[:, :2])
+        referring = []
+        for number, lane in enumerate(built.lanes):
+            if lane.kind != "lane" or line.distance(shapely.Point(lane.centre[-1, :2])) > STOP_REACH:
+                continue
+            course = lane.centre[-1, :2] - lane.centre[-2, :2]
+            ahead = lane.centre[-1, :2] + course / np.linalg.norm(course) * STOP_REACH
+            back = lane.centre[-1, :2] - course / np.linalg.norm(course) * STOP_REACH
+            if shapely.LineString([back, ahead]).intersects(line):
+                referring.append(number)
+        for number in referring:
+            built.lanes[number].stop_lines.append(len(built.stop_lines))
+        if not referring:
+            x, y = stop[:, :2].mean(axis=0)
+            built.findings.append(Finding("stop line without lane", "No lane of the map ends at this stop line.",
+                                          float(x), float(y)))
+        built.stop_lines.append(stop)
+    for area in crosswalks:
+        for lane in built.lanes:
+            if shapely.LineString(lane.centre[:, :2]).intersects(area.polygon):
+                lane.crosswalks.append(len(built.crosswalks))
+        built.crosswalks.append(area)
+
+
+def _tell_open_ends(built: VectorMap) -> None:
+    """Findings where a lane leads nowhere or comes from nowhere."""
+    entered = {follower for lane in built.lanes for follower in lane.successors}
+    for number, lane in enumerate(built.lanes):
+        for missing, tip, text in ((not lane.successors, -1, "No drive shows where this lane leads to."),
+                                   (number not in entered, 0, "No drive shows where this lane comes from.")):
+            if missing:
+                x, y = lane.centre[tip, :2]
+                built.findings.append(Finding("open end", text, float(x), float(y)))
