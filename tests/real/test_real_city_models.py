@@ -4,13 +4,18 @@ import importlib.util
 import json
 import shutil
 import subprocess
+from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.city_models import town
 from urbanmap_qgis.buildings.city_export import export_buildings
 from urbanmap_qgis.citymodel.city_files import write_city_files
+from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes, open_citygml
+from urbanmap_qgis.citymodel.citygml_writer import write_citygml
 from urbanmap_qgis.citymodel.model import CityModel, CityReference
 from urbanmap_qgis.io.cityjson import read_cityjson
 
@@ -85,3 +90,36 @@ def test_cjio_reads_it(delft, tmp_path):
     done = subprocess.run([*program, str(tmp_path / "delft.city.json"), "info"], capture_output=True, text=True,
                           timeout=120)
     assert "Building (92)" in done.stdout and "EPSG = 28992" in done.stdout
+
+
+PLATEAU = sorted((SHARED / "data" / "als" / "plateau").rglob("*.gml"))
+
+
+@pytest.mark.parametrize("path", PLATEAU, ids=lambda path: path.stem)
+def test_a_file_of_plateau_read_and_written_again_loses_nothing(path, tmp_path):
+    etree = pytest.importorskip("lxml.etree")
+    schema = etree.XMLSchema(etree.parse(str(TOOLS / "citygml" / "plateau.xsd"), etree.XMLParser(no_network=True)))
+    with ExitStack() as stack:
+        notes = ReadingNotes()
+        model = open_citygml(path, stack, notes)
+        before = list(model.buildings)
+        files = write_citygml(tmp_path, replace(model, buildings=before))
+    assert files == {path.name: len(before)} and not notes.unread and not notes.others
+    written = tmp_path / "udx" / "bldg" / path.name
+    schema.validate(etree.parse(str(written)))
+    assert not list(schema.error_log)
+    shutil.rmtree(tmp_path / "codelists")  # their meanings are not in the source
+    with ExitStack() as stack:
+        after = list(open_citygml(written, stack, ReadingNotes()).buildings)
+    assert [described(item) for item in after] == [described(item) for item in before]
+    assert len(list((tmp_path / "udx" / "bldg").rglob("*.jpg"))) == len(model.images)
+
+
+def described(item):
+    """All that an object holds, in a form that can be compared; coordinates to the last digit."""
+    shapes = [(shape.lod, shape.kind, [[(
+        surface.kind, [ring.tolist() for ring in surface.rings],
+        None if surface.texture is None else (Path(surface.texture.image).name,
+                                              [np.asarray(uv).tolist() for uv in surface.texture.uv]))
+        for surface in shell] for shell in shape.shells]) for shape in item.shapes]
+    return item.id, item.type, dict(item.attributes), shapes, [described(part) for part in item.parts], item.problems

@@ -155,7 +155,7 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
         for item in (root, *element.iter()):
             if item.get("srsName"):
                 return named_reference(item.get("srsName"), source.name)
-        if split_tag(element.tag)[1] == "boundedBy":
+        if split_tag(element.tag)[0] == "gml":  # names and descriptions may stand before the envelope
             continue
         break
     if given is None:
