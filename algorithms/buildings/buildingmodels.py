@@ -79,7 +79,7 @@ class BuildingModels(UrbanMapAlgorithm):
         roof_table = self._roof_table(parameters, context, progress)
         self.same_crs("ROOFS", roof_table.crs, "FOOTPRINTS", buildings.crs)
         cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
-        base = self._base_heights(parameters, context, buildings, footprints)
+        base = self._base_heights(parameters, context, buildings, footprints, progress)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),
                                   self.parameterAsString(parameters, "ROOF_SHAPE", context),
@@ -139,14 +139,14 @@ class BuildingModels(UrbanMapAlgorithm):
         return RoofInput(table.geometries[kept], found["building_id"].astype(np.int64)[kept],
                          found["roof_id"].astype(np.int64)[kept], found["height"][kept], status[kept])
 
-    def _base_heights(self, parameters, context, table, footprints):
+    def _base_heights(self, parameters, context, table, footprints, progress):
         """Base of each building: from the raster, else a field, NaN where neither knows."""
         import numpy as np
 
         from ...urbanmap_qgis.buildings.base_height import outline_ground
 
         base = np.full(len(footprints), np.nan)
-        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
         if ground is not None:
             base = outline_ground(footprints.polygons, *ground)
         for name in (self.parameterAsString(parameters, "BASE_FIELD", context), "ground"):

@@ -76,7 +76,7 @@ class Mesh25D(UrbanMapAlgorithm):
         cloud = open_points(self, parameters, context, table, progress)
         base = numbers(table, "ground")
         base = np.full(len(footprints), np.nan) if base is None else base
-        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
         if ground is not None:
             given = outline_ground(footprints.polygons, *ground)
             base = np.where(np.isfinite(given), given, base)

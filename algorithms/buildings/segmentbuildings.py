@@ -70,7 +70,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
             self.parameterAsDouble(parameters, "MIN_HEIGHT", context),
             self.parameterAsDouble(parameters, "MAX_DISPLACEMENT", context),
             self.parameterAsString(parameters, "METHOD", context))
-        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table)
+        ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)
         with points_output(self, parameters, context) as points:
             with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
                 buildings = segment_buildings(cloud, footprints, points, settings, ground, executor,

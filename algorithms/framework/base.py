@@ -24,7 +24,7 @@ from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, InputError, Urba
 from ...urbanmap_qgis.io.staging import Staging, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from . import crs as crs_checks
-from . import destinations, layers
+from . import destinations, layers, reprojection
 from .cluster import scheduler
 from .dependencies import refusal
 from .interrupt import signals_cancel
@@ -354,17 +354,18 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def read_polygons(self, parameters: Mapping, name: str, context: QgsProcessingContext,
                       progress: Progress = SILENT, extent=None) -> layers.VectorTable | None:
-        """Polygons in a projected CRS in metres; see `layers.read_polygon_source`."""
+        """Polygons in a projected CRS in metres, that of the points where there are any; see `layers`."""
         source = self._source(parameters, name, context)
-        return source and layers.read_polygon_source(source, self.label_of(name), progress, extent)
+        return source and layers.read_polygon_source(source, self.label_of(name), progress, extent,
+                                                     reprojection.points_wkt(self, parameters, context))
 
     def ground_heights(self, parameters: Mapping, name: str, context: QgsProcessingContext, layer_name: str,
-                       layer: layers.VectorTable):
+                       layer: layers.VectorTable, progress: Progress = SILENT):
         """Grid and heights (rows, columns), m, of a raster round the features of a layer; None where none is given.
 
         Raises
         ------
-        InputError : the raster is in another CRS than the layer, or does not reach it.
+        InputError : the raster cannot be taken into the layer's CRS, or does not reach it.
         """
         path = self.raster_path(parameters, name, context)
         if path is None:
@@ -374,6 +375,11 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         from ...urbanmap_qgis.io.raster import read_raster
 
         x_min, y_min, x_max, y_max = shapely.total_bounds(layer.geometries)
+        stated = crs_checks.stated_wkt(self.parameterAsRasterLayer(parameters, name, context).crs())
+        if reprojection.needs_moving(stated, layer.crs_wkt):
+            self.same_heights(name, stated, layer_name, layer.crs)
+            return reprojection.raster_in(path, self.label_of(name), layer.crs_wkt,
+                                          (x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND), progress)
         heights, whole, crs = read_raster(path)
         self.same_crs(name, crs, layer_name, layer.crs)
         rows, columns, grid = whole.window(x_min - AROUND, y_min - AROUND, x_max + AROUND, y_max + AROUND)

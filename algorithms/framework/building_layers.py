@@ -8,10 +8,13 @@ from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import SILENT, Progress
 from .layers import VectorTable
 from .parameters import tr
+from .reprojection import needs_moving, points_wkt, table_in
 
 
 def read_buildings(algorithm, parameters: Mapping, name: str, context, progress: Progress = SILENT) -> VectorTable:
-    """A layer of outlines or models in a projected CRS, its geometries untouched: upright faces are no mistakes.
+    """A layer of outlines or models in a projected CRS, that of the points where there are any.
+
+    Its geometries are not repaired: upright faces are no mistakes.
 
     Raises
     ------
@@ -20,6 +23,9 @@ def read_buildings(algorithm, parameters: Mapping, name: str, context, progress:
     import shapely
 
     table = algorithm.read_vector(parameters, name, context, progress)
+    target = points_wkt(algorithm, parameters, context)
+    if needs_moving(table.crs, target):
+        table = table_in(table, target, progress)
     algorithm.require_projected(name, table.crs)
     kinds = shapely.get_type_id(table.geometries)
     table.geometries[(kinds != 3) & (kinds != 6)] = None

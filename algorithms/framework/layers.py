@@ -42,6 +42,7 @@ from ...urbanmap_qgis.progress import SILENT, Progress
 from .crs import crs_from, require_projected, wkt_of
 from .destinations import definition_of, sink_file
 from .parameters import tr
+from .reprojection import needs_moving, table_in
 
 STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 BATCH = 1000
@@ -142,8 +143,8 @@ def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progre
 
 
 def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,
-                        extent: tuple[float, float, float, float] | None = None) -> VectorTable:
-    """Read polygons in a projected CRS in metres.
+                        extent: tuple[float, float, float, float] | None = None, target_wkt: str = "") -> VectorTable:
+    """Read polygons in a projected CRS in metres; those in another than `target_wkt`, where given, are taken into it.
 
     Invalid polygons are repaired and noted in `problems`; features without a polygon keep their row, with None as
     geometry and a note. What was noted is told in one warning.
@@ -155,8 +156,11 @@ def read_polygon_source(source: QgsProcessingFeatureSource, label: str, progress
     import numpy as np
     import shapely
 
-    require_projected(label, source.sourceCrs())
-    table = read_source(source, label, progress, extent)
+    if needs_moving(source.sourceCrs(), target_wkt):
+        table = table_in(read_source(source, label, progress), target_wkt, progress)
+    else:
+        require_projected(label, source.sourceCrs())
+        table = read_source(source, label, progress, extent)
     problems: dict[int, str] = {}
     geometries = table.geometries
     for row in np.flatnonzero(~shapely.is_valid(geometries) & ~shapely.is_missing(geometries)):

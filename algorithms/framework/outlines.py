@@ -76,7 +76,26 @@ def open_points(algorithm, parameters: Mapping, context, footprints: VectorTable
         return replace(cloud, crs_wkt=footprints.crs_wkt)
     algorithm.require_projected("POINTS", cloud.crs_wkt)
     algorithm.same_crs("POINTS", cloud.crs_wkt, "FOOTPRINTS", footprints.crs)
+    refuse_swapped(algorithm, cloud, footprints)
     return cloud
+
+
+def refuse_swapped(algorithm, cloud, footprints: VectorTable) -> None:
+    """Refuse points that lie on the outlines only where x and y are swapped, as some programs write them in Japan.
+
+    Raises
+    ------
+    InputError : with what to do.
+    """
+    import shapely
+
+    from ...urbanmap_qgis.io.reprojection import swapped_overlap
+
+    if cloud.point_count and swapped_overlap((*cloud.minimum[:2], *cloud.maximum[:2]),
+                                             tuple(shapely.total_bounds(footprints.geometries))):
+        raise InputError(tr("{0} and {1} lie on each other only where x and y of one of them are swapped; swap them in "
+                            "the one that counts x to the north.").format(
+                                algorithm.label_of("POINTS"), algorithm.label_of("FOOTPRINTS")))
 
 
 @dataclass(frozen=True)

@@ -106,15 +106,43 @@ def cloud(make_cloud, points, tmp_path):
 
 @pytest.mark.parametrize("algorithm", ["segmentbuildings", "buildingsfromals"])
 @pytest.mark.parametrize(("epsg", "words"), [
-    (6668, "degrees"), (2263, "0.3048 m"), (6676, "EPSG:6677"), (None, "is missing")])
+    (6668, "lie outside of where"), (2263, "no transformation"), (6676, "do not overlap"), (None, "is missing")])
 def test_outlines_in_an_unsuitable_crs(refuse, save_outlines, tmp_path, algorithm, epsg, words):
     outlines = save_outlines(tmp_path / "o.gpkg", [HOUSE], epsg=epsg)
     assert words in refuse(algorithm, FOOTPRINTS=str(outlines))
 
 
-@pytest.mark.parametrize("epsg", [6668, 2263, 6676])
+@pytest.mark.parametrize("epsg", [6668, 2263])
 def test_points_in_an_unsuitable_crs(refuse, cloud, epsg):
     assert "Point clouds" in refuse("segmentbuildings", POINTS=[cloud(epsg=epsg)])
+
+
+@pytest.mark.parametrize("epsg", [6668, 6676, 32654, 6697])
+def test_outlines_in_degrees_or_another_zone_are_taken_to_the_points_and_said_so(run, good, save_outlines, tmp_path,
+                                                                                epsg):
+    """The same house, wherever its outline was drawn, gets the same points."""
+    from pyproj import Transformer
+
+    to = Transformer.from_crs(6677, epsg, always_xy=True)
+    there = shapely.transform(HOUSE, lambda xy: np.column_stack(to.transform(xy[:, 0], xy[:, 1])))
+    found = {}
+    for name, outline, code in (("here", HOUSE, 6677), ("there", there, epsg)):
+        parameters = parameters_of("segmentbuildings", good, tmp_path)
+        outlines = save_outlines(tmp_path / f"{name}.gpkg", [outline], epsg=code)
+        result = run("urbanmap:segmentbuildings", {**parameters, "FOOTPRINTS": str(outlines), "MAX_DISPLACEMENT": 0})
+        layer = points_and_areas(result["OUTPUT_BUILDINGS"])
+        found[name] = (layer, result)
+    assert found["there"][0] == found["here"][0]
+    told = "".join(run.feedback.warnings)
+    assert "reprojected from" in told and ("accurate to 1 m" in told) == (epsg == 32654)
+
+
+def points_and_areas(path):
+    """Points and area of each building of a layer."""
+    from qgis.core import QgsVectorLayer
+
+    layer = QgsVectorLayer(str(path), "buildings", "ogr")
+    return [(item["points"], round(item.geometry().area(), 3)) for item in layer.getFeatures()]
 
 
 def test_point_files_in_two_crs(refuse, cloud):

@@ -55,9 +55,10 @@ def test_no_outline_near_the_course(run, survey, polygon_layer):
         run(ALGORITHM, survey)
 
 
-def test_outlines_in_another_crs_are_refused(run, survey, polygon_layer):
+def test_outlines_in_another_crs_are_taken_into_that_of_the_points(run, survey, polygon_layer, feedback):
     from qgis.core import QgsProcessingException
 
     survey["BUILDINGS"] = polygon_layer(["POLYGON((0 0,9 0,9 9,0 9,0 0))"], "EPSG:6676")
-    with pytest.raises(QgsProcessingException, match="Buildings"):
+    with pytest.raises(QgsProcessingException, match="No corner of an outline"):
         run(ALGORITHM, survey)
+    assert any("reprojected from EPSG:6676" in text for text in feedback.warnings)

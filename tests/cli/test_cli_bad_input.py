@@ -47,8 +47,13 @@ def cut(path, source):
 # Name: what to change of a good run (a function of the folder and the good cloud), and words of the answer.
 CASES = {
     "degrees": (lambda folder, _: {"FOOTPRINTS": write_outlines(
-        folder / "o.geojson", (139.7, 35.6), (0.001, 0.001), 6668)}, "coordinates are degrees"),
-    "another zone": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", epsg=6676)}, "EPSG:6676"),
+        folder / "o.geojson", (139.7, 35.6), (0.001, 0.001), 6668)}, "do not overlap"),
+    "unknown transformation": (lambda folder, _: {"FOOTPRINTS": write_outlines(
+        folder / "o.geojson", (139.7, 35.6), (0.001, 0.001), 4301)}, "TKY2JGD"),
+    "x to the north": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", (NORTH, EAST))},
+                       "swapped"),
+    "another zone": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", epsg=6676)},
+                     "do not overlap"),
     "no overlap": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", (EAST + 9000, NORTH))},
                    "do not overlap"),
     "ids twice": (lambda folder, _: {"FOOTPRINTS": write_outlines(folder / "o.geojson", count=2)}, "more than once"),

@@ -6,6 +6,7 @@ city no more than a piece is in memory.
 
 from __future__ import annotations
 
+import itertools
 import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -15,7 +16,6 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF
-from ..geometry.solid_faces import face_normal
 from .cityjson_writer import plain_attributes
 from .model import (
     CEILING_SURFACE,
@@ -108,13 +108,12 @@ def _row(building: CityObject) -> BuildingRow:
     problems = [problem for item in building.objects() for problem in item.problems]
     shapes = [shape for item in building.objects() for shape in item.shapes]
     model = best_model(building)
-    faces, kinds, roofs = [], [], []
-    for surface in (surface for shape in model for surface in shape.surfaces):
-        faces.append(_polygon(surface.rings))
-        kinds.append(_KINDS.get(surface.kind) or _kind_of(surface.rings[0]))
-        roofs.append(sum(kind == ROOF for kind in kinds) if kinds[-1] == ROOF else None)
-    array = np.empty(len(faces), dtype=object)
-    array[:] = faces
+    surfaces = [surface for shape in model for surface in shape.surfaces]
+    array = _polygons(surfaces)
+    lying = _kinds_by_lie(surfaces)
+    kinds = [_KINDS.get(surface.kind) or kind for surface, kind in zip(surfaces, lying)]
+    numbers = itertools.count(1)
+    roofs = [next(numbers) if kind == ROOF else None for kind in kinds]
     outline = _outline(shapes, array)
     if outline is None:
         problems.append("it has no outline and no face from which one could be made")
@@ -180,9 +179,9 @@ def _heights_of(model: list[CityShape], shapes: list[CityShape]) -> list[CitySur
 def _outline(shapes: list[CityShape], faces: np.ndarray) -> shapely.Geometry | None:
     """Footprint, else roof edge, else the plan of the model's faces."""
     for kind in (FOOTPRINT, ROOF_EDGE):
-        polygons = [_polygon([ring[:, :2] for ring in surface.rings])
-                    for shape in shapes if shape.kind == kind for surface in shape.surfaces]
-        found = _plan(np.array(polygons, dtype=object)) if polygons else None
+        polygons = shapely.force_2d(_polygons(
+            [surface for shape in shapes if shape.kind == kind for surface in shape.surfaces]))
+        found = _plan(polygons) if len(polygons) else None
         if found is not None:
             return found
     return _plan(shapely.force_2d(faces)) if len(faces) else None
@@ -200,14 +199,29 @@ def _plan(polygons: np.ndarray) -> shapely.Geometry | None:
     return shapely.multipolygons(parts) if len(parts) else None
 
 
-def _polygon(rings: Sequence[np.ndarray]) -> shapely.Geometry:
-    shell, *holes = map(shapely.linearrings, rings)
-    return shapely.polygons(shell, holes or None)
+def _polygons(surfaces: Sequence[CitySurface]) -> np.ndarray:
+    """Surfaces as an array of polygons with z."""
+    rings = [ring for surface in surfaces for ring in surface.rings]
+    if not rings:
+        return np.empty(0, dtype=object)
+    of_ring = np.repeat(np.arange(len(rings)), [len(ring) for ring in rings])
+    of_surface = np.repeat(np.arange(len(surfaces)), [len(surface.rings) for surface in surfaces])
+    return shapely.polygons(shapely.linearrings(np.concatenate(rings), indices=of_ring), indices=of_surface)
 
 
-def _kind_of(corners: np.ndarray) -> str:
-    """Type of a face by how it lies, where its source does not say: upright a wall, up a roof, down the ground."""
-    normal = face_normal(corners, (tuple(range(len(corners))),))
-    if abs(normal[2]) <= _UPRIGHT:
-        return OUTER_WALL
-    return ROOF if normal[2] > 0 else GROUND
+def _kinds_by_lie(surfaces: Sequence[CitySurface]) -> list[str]:
+    """Types of faces by how they lie, for those whose source does not say: upright a wall, up a roof, down the ground.
+
+    The normal is Newell's, of the outer ring.
+    """
+    if not surfaces:
+        return []
+    outer = [surface.rings[0] for surface in surfaces]
+    starts = np.cumsum([0] + [len(ring) for ring in outer[:-1]])
+    corners = np.concatenate([ring - ring[0] for ring in outer])
+    after = np.arange(1, len(corners) + 1)
+    after[np.append(starts[1:], len(corners)) - 1] = starts
+    normals = np.add.reduceat(np.cross(corners, corners[after]), starts)
+    lengths = np.linalg.norm(normals, axis=1)
+    up = np.divide(normals[:, 2], lengths, out=np.zeros(len(normals)), where=lengths > 0)
+    return np.where(np.abs(up) <= _UPRIGHT, OUTER_WALL, np.where(up > 0, ROOF, GROUND)).tolist()

@@ -6,13 +6,16 @@ import warnings
 from dataclasses import dataclass
 
 import numpy as np
+import shapely
 from pyproj import CRS, Transformer
 from pyproj.enums import TransformDirection
 from pyproj.exceptions import CRSError, ProjError
 from pyproj.transformer import TransformerGroup
 
 from ..errors import InputError
+from ..geometry.grid import Grid
 from .crs_text import datum_key, horizontal_part, parse_wkt, same_horizontal, wkt_text
+from .raster import RasterSampler
 from .renamed_crs import known_wkt
 
 # West, south, east and north of the prefectures that the earthquake of 2011 moved by up to 5 m: there EPSG's change
@@ -123,3 +126,51 @@ def epsg_wkt(code: int) -> str:
         return CRS.from_epsg(code).to_wkt()
     except CRSError as error:
         raise InputError(f"The reference system EPSG:{code} is not known here: choose another.") from error
+
+
+def moved_geometries(geometries: np.ndarray, transform: PlaneTransform) -> np.ndarray:
+    """Geometries (n,) in the target system, heights as they are; None stays None.
+
+    Raises
+    ------
+    InputError : a place cannot be computed there.
+    """
+    return shapely.transform(geometries, lambda corners: np.column_stack(
+        [transform.coordinates(corners[:, :2]), corners[:, 2:]]), include_z=bool(shapely.has_z(geometries).any()))
+
+
+def seem_swapped(bounds: np.ndarray) -> bool:
+    """Whether degrees (x_min, y_min, x_max, y_max) can only be latitude first: y beyond 90 degrees, x within."""
+    x_min, y_min, x_max, y_max = (abs(float(value)) for value in bounds)
+    return max(y_min, y_max) > 90.0 >= max(x_min, x_max)
+
+
+def swapped_overlap(points: tuple[float, float, float, float], outlines: tuple[float, float, float, float]) -> bool:
+    """Whether boxes (x_min, y_min, x_max, y_max) lie apart, but on each other where one has x and y swapped."""
+    def touch(a: tuple, b: tuple) -> bool:
+        return a[0] <= b[2] and b[0] <= a[2] and a[1] <= b[3] and b[1] <= a[3]
+
+    x_min, y_min, x_max, y_max = outlines
+    return not touch(points, outlines) and touch(points, (y_min, x_min, y_max, x_max))
+
+
+def resampled(source: RasterSampler, transform: PlaneTransform, bounds: tuple[float, float, float, float],
+              ) -> tuple[Grid, np.ndarray]:
+    """Bilinear heights of a raster on a grid in the target system of `transform` that covers a box there.
+
+    The cells are as large as the raster's are at the box. Cells that the raster does not reach are NaN.
+    """
+    middle = np.array([[(bounds[0] + bounds[2]) / 2, (bounds[1] + bounds[3]) / 2]])
+    x, y = transform(*middle.T, inverse=True)
+    here = np.column_stack(transform(np.array([x[0], x[0]]), np.array([y[0], y[0] + source.grid.cell])))
+    cell = float(np.hypot(*(here[1] - here[0])))
+    if not np.isfinite(cell) or cell <= 0:
+        raise InputError(f"{source.path.name} cannot be taken to where the other data lie: check the coordinate "
+                         "reference systems.")
+    grid = Grid.covering(*bounds, cell)
+    columns, rows = grid.centres()
+    heights = np.empty(grid.shape, np.float32)
+    for row, north in enumerate(rows):
+        x, y = transform(columns, np.full(len(columns), north), inverse=True)
+        heights[row] = source.sample(x, y)
+    return grid, heights

@@ -23,7 +23,7 @@ _SUPERSETS = {"shift_jis": "cp932", "shift-jis": "cp932", "sjis": "cp932", "x-sj
 
 def root_children(source: XmlSource, maker: str, largest: int, progress: Progress = SILENT,
                   ) -> Iterator[tuple[Element, Element]]:
-    """Children of an XML file's root, each when it is whole, with the root (whose attributes are known by then).
+    """Children of an XML file's root, each when it is whole, with the root (its attributes with the first).
 
     A child is dropped when the next one is asked for, so that memory does not grow with the file.
 
@@ -50,7 +50,7 @@ def root_children(source: XmlSource, maker: str, largest: int, progress: Progres
                         root = element
                     elif event == "end" and depth == 1:
                         yield root, element
-                        del root[:]
+                        root.clear()
                         since = 0
                 if since > largest:
                     raise InputError(f"{source.name} has an object of more than {largest >> 20} MB: get the file again "
