@@ -94,7 +94,8 @@ def test_outlines_without_heights_and_a_lower_limit(run, survey, polygon_layer, 
 
 
 @pytest.mark.parametrize(("attributes", "words"), [
-    ({"epsg": 6668}, "degrees"), ({"epsg": 6676}, "No point of the survey"), ({"classification": 7}, "No point of the survey"),
+    ({"epsg": 6668}, "degrees"), ({"epsg": 6676}, "No point of the survey"),
+    ({"classification": 7}, "No point of the survey"),
 ])
 def test_surveys_that_do_not_fit(run, survey, models, tmp_path, attributes, words):
     from qgis.core import QgsProcessingException
