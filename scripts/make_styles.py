@@ -418,6 +418,14 @@ def map_findings(layer) -> None:
     layer.setMapTipTemplate("[% \"kind\" %]<br>[% \"text\" %]")
 
 
+def map_faults(layer) -> None:
+    """Points by severity."""
+    colours = {"error": "#d7263d", "warning": "#e09a2b", "info": "#4a8fe7"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("severity", [
+        QgsRendererCategory(value, marker(colour, 2.4), value) for value, colour in colours.items()]))
+    layer.setMapTipTemplate("[% \"rule\" %], [% \"element\" %]<br>[% \"text\" %]")
+
+
 def marking_mask(layer) -> None:
     """Markings in one strong colour, the rest transparent, to be laid over the orthophoto."""
     entry = QgsPalettedRasterRenderer.Class
@@ -621,6 +629,7 @@ FIELDS = {
     lane_centres: ("LineStringZ", "lane_id:integer kind:string width:double"),
     lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
     map_findings: ("Point", "kind:string text:string"),
+    map_faults: ("Point", "rule:string severity:string text:string element:string"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
     loaded_buildings: ("MultiPolygon", "building_id:string lod:string height:double note:string"),
     loaded_models: ("MultiPolygonZ", "building_id:string lod:string height:double note:string"),

@@ -20,7 +20,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "loadgsibuildings", "loadgsidem", "loadcitymodel", "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
             "buildingsfromals", "tiledrun",
-            "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap")
+            "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

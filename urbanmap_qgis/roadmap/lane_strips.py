@@ -20,6 +20,9 @@ STOP_REACH = 6.0
 """A stop line belongs to a lane that ends so near, m."""
 
 DRIVE_ANGLE = np.radians(25.0)
+LEAST_UNDRIVEN = 25.0
+"""Where no drive shows it, arrows and stop lines tell a direction only between bounds so long, m: not in car parks."""
+
 LEAST_DRIVE = 5.0
 """A drive shows a strip's direction where it runs in it for so long, m (or half of a shorter strip)."""
 
@@ -33,6 +36,7 @@ class Strip:
     right, left : numbers of the tracks (left of the axis' direction is `left`).
     start, end : chainages, m. width, narrowest : m.
     forward, backward : evidence for the direction, in metres driven (an arrow or a stop line counts as 10 m).
+    driven : length of the drives in it, m.
     sign : 1 along the axis, -1 against it, 0 where unknown. source : what the direction comes from.
     arrows : kinds of the arrows in it.
     """
@@ -45,6 +49,7 @@ class Strip:
     narrowest: float
     forward: float = 0.0
     backward: float = 0.0
+    driven: float = 0.0
     sign: int = 0
     source: str = ""
     arrows: list[str] = field(default_factory=list)
@@ -173,6 +178,7 @@ def add_drives(strips: Sequence[Strip], section: RoadSection, drives: Sequence[D
             inside &= ~(np.abs(drive.places[:, 2] - _height(right, chainage)) > settings.height_gap + 2.0)
             strip.forward += float(length[inside & (cosine > 0)].sum())
             strip.backward += float(length[inside & (cosine < 0)].sum())
+            strip.driven += float(length[inside].sum())
 
 
 def _height(track: BoundTrack, chainage: np.ndarray) -> np.ndarray:
@@ -232,7 +238,8 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
         if min(forward, backward) > 0.3 * max(forward, backward):
             findings.append(_finding(section, members[0], "direction contradicts",
                                      "Drives, arrows or stop lines contradict each other about the direction here."))
-        elif max(forward, backward) >= least:
+        elif max(forward, backward) >= least and (
+                sum(one.driven for one in members) > 0 or sum(one.end - one.start for one in members) > LEAST_UNDRIVEN):
             for one in members:
                 one.sign = 1 if forward > backward else -1
                 one.source = "drive, arrow or stop line"

@@ -58,13 +58,15 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
     made = _Elements()
     numbers = [made.node(place) for place in built.nodes]
     bounds = [made.way([numbers[n] for n in bound.nodes], _bound_tags(bound)) for bound in built.bounds]
-    stops = [made.way([made.node(place) for place in line], {"type": "stop_line", "subtype": "solid"})
-             for line in built.stop_lines]
+    # Stop lines and crosswalks that no lane refers to would only break the validators' rules.
+    used = sorted({k for lane in built.lanes for k in lane.stop_lines})
+    stops = {k: made.way([made.node(place) for place in built.stop_lines[k]],
+                         {"type": "stop_line", "subtype": "solid"}) for k in used}
     rules = {("stop", k): made.relation([("way", way, "refers")], {"type": "regulatory_element",
                                                                    "subtype": "road_marking"})
-             for k, way in enumerate(stops) if any(k in lane.stop_lines for lane in built.lanes)}
-    for k, area in enumerate(built.crosswalks):
-        _add_crosswalk(made, built, k, area, stops, rules)
+             for k, way in stops.items()}
+    for k in sorted({k for lane in built.lanes for k in lane.crosswalks}):
+        _add_crosswalk(made, built, k, built.crosswalks[k], stops, rules)
     for lane in built.lanes:
         _add_lane(made, lane, bounds, rules, speed_limit)
     places = np.array(made.places).reshape(-1, 3)
@@ -105,7 +107,8 @@ def _add_lane(made: _Elements, lane, bounds: list[int], rules: dict, speed_limit
     made.relation(members, tags)
 
 
-def _add_crosswalk(made: _Elements, built: VectorMap, number: int, area, stops: list[int], rules: dict) -> None:
+def _add_crosswalk(made: _Elements, built: VectorMap, number: int, area, stops: dict[int, int],
+                   rules: dict) -> None:
     """A crosswalk as lanelet across the traffic, and the rule that the lanes across it refer to."""
     ring = shapely.get_coordinates(area.polygon.exterior, include_z=True)[:4]
     walk = np.array([-area.heading[1], area.heading[0]])
@@ -119,12 +122,10 @@ def _add_crosswalk(made: _Elements, built: VectorMap, number: int, area, stops: 
     lanelet = made.relation([("way", left, "left"), ("way", right, "right")], {
         "type": "lanelet", "subtype": "crosswalk", "location": "urban", "one_way": "no",
         "participant:pedestrian": "yes"})
-    lanes = [lane for lane in built.lanes if number in lane.crosswalks]
-    if lanes:
-        members = [("relation", lanelet, "refers")]
-        before = sorted({k for lane in lanes for k in lane.stop_lines})
-        members += [("way", stops[k], "ref_line") for k in before]
-        rules["crosswalk", number] = made.relation(members, {"type": "regulatory_element", "subtype": "crosswalk"})
+    crossing = [lane for lane in built.lanes if number in lane.crosswalks]
+    members = [("relation", lanelet, "refers")]
+    members += [("way", stops[k], "ref_line") for k in sorted({k for lane in crossing for k in lane.stop_lines})]
+    rules["crosswalk", number] = made.relation(members, {"type": "regulatory_element", "subtype": "crosswalk"})
 
 
 def _turned(corners: np.ndarray) -> bool:
