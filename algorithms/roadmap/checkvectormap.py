@@ -23,8 +23,8 @@ class CheckVectorMap(UrbanMapAlgorithm):
         "Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, "
         "missing tags, lanelets without one left and one right bound, bounds that cross, regulatory elements "
         "that nothing refers to, local coordinates on some nodes only. Warnings: points that fall together, borders "
-        "that coincide but are two ways, odd widths, stop lines and crosswalks without a rule, lanelets without a next and a "
-        "previous one, missing heights. Infos: ends of the map, lanelets without a speed limit."
+        "that coincide but are two ways, odd widths, stop lines and crosswalks without a rule, lanelets without a next "
+        "and a previous one, missing heights. Infos: ends of the map, lanelets without a speed limit."
     )
 
     def declare(self):
