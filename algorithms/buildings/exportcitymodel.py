@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.building_layers import read_buildings
@@ -9,6 +11,7 @@ from ..framework.layers import make_fields
 from ..framework.outlines import column
 from ..framework.parameters import CITYJSON_FILTER, tr
 from ..framework.trajectories import GEOID_FILTER
+from .city_outputs import day_of, write_files
 
 CITYJSONSEQ_FILTER = "CityJSONSeq (*.city.jsonl *.jsonl)"
 OWN_IDS = ("gml_id", "building_id")
@@ -31,7 +34,9 @@ class ExportCityModel(UrbanMapAlgorithm):
 
     def declare(self):
         self.add_polygons("BUILDINGS", "Building models", "MultiPolygonZ with all faces of each building, such as "
-                          "those of “Building models”.")
+                          "those of “Building models”. Without it give a city model.", optional=True)
+        self.add_file("CITY_MODEL", "City model", "CityGML (.gml, .zip) or CityJSON file instead of the layer: its "
+                      "buildings are written with all that they hold, and nothing is added.", optional=True)
         self.add_vector("SURFACES", "Surfaces", "Surfaces of “Building models”, for the roofs' ids and the types of "
                         "walls; without them types are told by the faces.", optional=True)
         self.add_file("TEXTURES", "Textured model", "CityJSON file of “Facade textures” of the same buildings: its "
@@ -70,12 +75,14 @@ class ExportCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.tiles_writer import tiles_folder_trouble
 
         check_city_code(self.parameterAsString(parameters, "CITY_CODE", context))
-        self._date(parameters, context)
+        day_of(self, parameters, "DATA_DATE", context)
+        if bool(parameters.get("BUILDINGS")) == bool(parameters.get("CITY_MODEL")):
+            raise InputError(tr("Give either {0} or {1}.").format(self.label_of("BUILDINGS"),
+                                                                  self.label_of("CITY_MODEL")))
         if not any(parameters.get(name) for name in ("OUTPUT", *FILES)):
             raise InputError(tr("No output is asked for; choose one."))
-        if parameters.get("GEOID") and parameters.get("GEOID_HEIGHT") is not None:
-            raise InputError(tr("{0} and {1} are both given: give one of them.").format(
-                self.label_of("GEOID"), self.label_of("GEOID_HEIGHT")))
+        if parameters.get("CITY_MODEL") and not any(parameters.get(name) for name in FILES):
+            raise InputError(tr("A city model is written to other files only; for a layer use “Load city model”."))
         for name, trouble_of in (("OUTPUT_CITYGML", gml_folder_trouble), ("OUTPUT_TILES", tiles_folder_trouble)):
             folder = parameters.get(name) and self.parameterAsString(parameters, name, context)
             trouble = trouble_of(folder) if folder else ""
@@ -87,11 +94,13 @@ class ExportCityModel(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.images import read_textured_faces
 
         progress = self.progress(feedback)
+        if parameters.get("CITY_MODEL"):
+            return self._converted(parameters, context, progress)
         table = read_buildings(self, parameters, "BUILDINGS", context, progress)
         reference = self._reference(parameters, context, table)
         textured = self.input_path(parameters, "TEXTURES", context)
         textures = read_textured_faces(textured) if textured else None
-        date = self._date(parameters, context)
+        date = day_of(self, parameters, "DATA_DATE", context)
         rows = [{name: values[row] for name, values in table.columns.items()} | ({"data_date": date} if date else {})
                 for row in range(len(table))]
         lods = column(table, "lod") or [None] * len(table)
@@ -109,17 +118,6 @@ class ExportCityModel(UrbanMapAlgorithm):
         from ..framework.crs import stated_wkt
 
         return city_reference(stated_wkt(table.crs), self.parameterAsString(parameters, "HEIGHTS", context) or "")
-
-    def _date(self, parameters, context):
-        """The day as text, empty where none was given."""
-        from datetime import date
-
-        text = self.parameterAsString(parameters, "DATA_DATE", context) or ""
-        try:
-            return date.fromisoformat(text).isoformat() if text else ""
-        except ValueError:
-            raise InputError(tr("{0}: {1} is no day; give it as 2026-04-01.").format(
-                self.label_of("DATA_DATE"), text)) from None
 
     def _ids(self, parameters, context, table):
         """The source's ids, one a row."""
@@ -164,26 +162,34 @@ class ExportCityModel(UrbanMapAlgorithm):
             progress.warn(tr("No face of {0} has a texture in {1}; check that both are of the same buildings.").format(
                 self.label_of("BUILDINGS"), self.label_of("TEXTURES")))
 
+    def _converted(self, parameters, context, progress):
+        """The files of a city model that is one already."""
+        from contextlib import ExitStack
+
+        from ...urbanmap_qgis.citymodel.city_sources import open_city_model
+        from ...urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
+
+        if parameters.get("OUTPUT"):
+            progress.message(tr("{0} is not written from a city model; for a layer use “Load city model”.").format(
+                self.label_of("OUTPUT")))
+        notes = ReadingNotes()
+        with ExitStack() as stack:
+            model = open_city_model(self.input_path(parameters, "CITY_MODEL", context), stack, notes,
+                                    progress=progress.part(0.0, 0.5))
+            model = replace(model, buildings=list(model.buildings))
+            for sentence in notes.sentences():
+                progress.warn(sentence)
+            results = write_files(self, parameters, context, FILES, model, progress.part(0.5, 1.0))
+        return {**results, "BUILDINGS_WRITTEN": len(model.buildings),
+                "NOT_CLOSED": sum(bool(item.problems) for item in model.buildings)}
+
     def _write_files(self, parameters, context, made, reference, textures, date, progress):
         """The files that are wanted, by output name."""
-        from ...urbanmap_qgis.citymodel import city_files
         from ...urbanmap_qgis.citymodel.model import CityModel
 
         model = CityModel(reference, made.objects, textures.images if textures is not None else {},
                           self.parameterAsString(parameters, "TITLE", context), date)
-        paths = {name: self.output_path(parameters, name, context) for name in FILES}
-        city_files.write_city_files(model, *paths.values(), self._geoid(parameters, context),
-                                    self.parameterAsString(parameters, "CITY_CODE", context) or "", progress)
-        return {name: str(path) for name, path in paths.items() if path}
-
-    def _geoid(self, parameters, context):
-        """The geoid, None where none was given."""
-        from ...urbanmap_qgis.io.geoid import Geoid, read_geoid
-
-        path = self.input_path(parameters, "GEOID", context)
-        if parameters.get("GEOID_HEIGHT") is not None:
-            return Geoid.constant(self.parameterAsDouble(parameters, "GEOID_HEIGHT", context))
-        return read_geoid(path) if path else None
+        return write_files(self, parameters, context, FILES, model, progress)
 
     def _write_layer(self, parameters, context, table, made, date, progress):
         """The layer with the figures, where wanted."""

@@ -197,3 +197,34 @@ def test_nothing_asked_for_is_said(models):
 
     with pytest.raises(QgsProcessingException, match="No output"):
         run(BUILDINGS=models)
+
+
+def test_a_city_model_goes_from_format_to_format(models, tmp_path):
+    run(BUILDINGS=models, HEIGHTS="JGD2011", CITY_CODE="13101", OUTPUT_CITYGML=str(tmp_path / "gml"),
+        OUTPUT_CITYJSON=str(tmp_path / "first.city.json"))
+    (path,) = (tmp_path / "gml" / "udx" / "bldg").glob("*.gml")
+    results = run(CITY_MODEL=str(path), GEOID_HEIGHT=36.5, OUTPUT_CITYJSON=str(tmp_path / "second.city.json"),
+                  OUTPUT_CITYGML=str(tmp_path / "again"), OUTPUT_TILES=str(tmp_path / "tiles"))
+    assert results["BUILDINGS_WRITTEN"] == 4
+    first, second = (json.loads((tmp_path / name).read_text(encoding="utf-8"))
+                     for name in ("first.city.json", "second.city.json"))
+    assert second["metadata"]["referenceSystem"] == first["metadata"]["referenceSystem"]
+    assert second["metadata"]["geographicalExtent"] == pytest.approx(first["metadata"]["geographicalExtent"], abs=2e-4)
+    house = second["CityObjects"]["家_1" if "家_1" in second["CityObjects"] else next(iter(second["CityObjects"]))]
+    assert house["attributes"]["measuredHeight"] == 7.0 and house["attributes"]["gen:note"] == "a & b"
+    (again,) = (tmp_path / "again" / "udx" / "bldg").glob("*.gml")
+    assert again.name == path.name
+    texts = [sorted(element.text for element in ElementTree.parse(file).getroot().iter() if element.text
+                    and element.tag.endswith("posList")) for file in (path, again)]
+    assert [[float(value) for value in text.split()] for text in texts[0]] == [
+        [float(value) for value in text.split()] for text in texts[1]]
+
+
+def test_either_a_layer_or_a_city_model(models, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    for given in ({}, {"BUILDINGS": models, "CITY_MODEL": __file__}):
+        with pytest.raises(QgsProcessingException, match="Give either"):
+            run(OUTPUT_CITYJSON=str(tmp_path / "o.city.json"), **given)
+    with pytest.raises(QgsProcessingException, match="Load city model"):
+        run(CITY_MODEL=__file__, OUTPUT=str(tmp_path / "o.gpkg"))

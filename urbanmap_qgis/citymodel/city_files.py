@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Union
+
+import numpy as np
 
 from ..io.geoid import Geoid
 from ..io.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
+from .city_sources import placed_model
 from .citygml_writer import write_citygml
 from .cityjson_writer import write_model_cityjson, write_model_cityjsonseq
 from .images import images_beside
 from .model import CityModel, CityObject
 from .plateau import with_plateau_attributes
-from .reference import PLATEAU_SYSTEMS
+from .reference import PLATEAU_SYSTEMS, city_reference
 from .tiles_writer import write_tiles
 
 _Place = Union[str, os.PathLike, None]
@@ -35,7 +38,8 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
     _warn_of_heights(model, citygml is not None, tiles is not None and geoid is None, progress)
     for number, (path, write) in enumerate(((cityjson, write_model_cityjson), (cityjsonseq, write_model_cityjsonseq))):
         if path is not None:
-            write(path, images_beside(model, path), progress)
+            plane = model_in_plane(model, progress) if model.reference.geographic else model
+            write(path, images_beside(plane, path), progress)
         progress.step((number + 1) / 4)
     if citygml is not None:
         buildings: Sequence[CityObject] = tuple(model.buildings)
@@ -50,6 +54,28 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
         heights = geoid.at if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
         write_tiles(tiles, model, heights, progress)
     progress.step(1.0)
+
+
+def model_in_plane(model: CityModel, progress: Progress = SILENT) -> CityModel:
+    """A model in degrees in metres, in the plane rectangular zone of its first building.
+
+    Raises
+    ------
+    InputError : it lies outside of Japan. InsufficientDataError : it holds no building.
+    """
+    notes: list[str] = []
+    wkt, buildings, places = placed_model(model, None, notes)
+    for note in notes:
+        progress.warn(note)
+    reference = city_reference(wkt)
+    return replace(model, reference=reference, buildings=(_moved(item, places) for item in buildings))
+
+
+def _moved(item: CityObject, places: Callable[[np.ndarray], np.ndarray]) -> CityObject:
+    shapes = tuple(replace(shape, shells=tuple(tuple(
+        replace(surface, rings=tuple(places(ring) for ring in surface.rings)) for surface in shell)
+        for shell in shape.shells)) for shape in item.shapes)
+    return replace(item, shapes=shapes, parts=tuple(_moved(part, places) for part in item.parts))
 
 
 def _warn_of_heights(model: CityModel, plateau: bool, bare: bool, progress: Progress) -> None:

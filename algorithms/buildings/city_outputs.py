@@ -1,0 +1,41 @@
+"""What the algorithms that write city models share."""
+
+from __future__ import annotations
+
+from datetime import date
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.parameters import tr
+
+
+def day_of(algorithm, parameters, name, context):
+    """The day that a text parameter names, as text; empty where none is given."""
+    text = algorithm.parameterAsString(parameters, name, context) or ""
+    try:
+        return date.fromisoformat(text).isoformat() if text else ""
+    except ValueError:
+        raise InputError(tr("{0}: {1} is no day; give it as 2026-04-01.").format(algorithm.label_of(name), text)
+                         ) from None
+
+
+def write_files(algorithm, parameters, context, names, model, progress):
+    """Write a city model to the outputs `names` (CityJSON, CityJSONSeq, CityGML, 3D Tiles); paths by output name."""
+    from ...urbanmap_qgis.citymodel.city_files import write_city_files
+
+    paths = {name: algorithm.output_path(parameters, name, context) for name in names}
+    write_city_files(model, *paths.values(), _geoid(algorithm, parameters, context),
+                     algorithm.parameterAsString(parameters, "CITY_CODE", context) or "", progress)
+    return {name: str(path) for name, path in paths.items() if path}
+
+
+def _geoid(algorithm, parameters, context):
+    """The geoid of GEOID or GEOID_HEIGHT, None where neither is given."""
+    from ...urbanmap_qgis.io.geoid import Geoid, read_geoid
+
+    path = algorithm.input_path(parameters, "GEOID", context)
+    if parameters.get("GEOID_HEIGHT") is None:
+        return read_geoid(path) if path else None
+    if path:
+        raise InputError(tr("{0} and {1} are both given: give one of them.").format(
+            algorithm.label_of("GEOID"), algorithm.label_of("GEOID_HEIGHT")))
+    return Geoid.constant(algorithm.parameterAsDouble(parameters, "GEOID_HEIGHT", context))
