@@ -23,6 +23,7 @@ from scipy.spatial import Delaunay
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
+from scripts.bench_faults import fault_tables  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
@@ -229,6 +230,7 @@ def main() -> int:
     else:
         print("\nThe real data are not beside the checkout: models are not scored.")
     street_tables(DATA.parent / "city", reference, print_table)
+    fault_tables(print_table)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(f"\nPeak memory of this process: {peak:.0f} MB")
     return 0

@@ -30,8 +30,9 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2", "skimage")
     HELP = (
         "Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, "
-        "tie them to each other; control points and reference markings place them. All go into one least-squares "
-        "adjustment, in which each trajectory drifts as GNSS and inertial units do.\n"
+        "tie them to each other, and so do facades and road as planes; control points and reference markings place "
+        "them. All go into one least-squares adjustment, in which each trajectory drifts as GNSS and inertial units "
+        "do.\n"
         "Without control points and reference markings the drives agree with each other, but their place is only "
         "relative: the result says so.\n"
         "The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply "
@@ -53,6 +54,8 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         self.add_distance("CONTROL_SIGMA_Z", "Accuracy of control in height", "The same in height.", 0.03, 0.001, 10.0)
         self.add_distance("SEARCH", "Maximum error", "How far drives may lie apart in plan.", 4.0, 0.5, 20.0,
                           advanced=True)
+        self.add_boolean("PLANES", "Ties by planes", "Facades and road that two drives saw tie them too, across the "
+                         "facades and in height. Markings alone carry no planes.", True, advanced=True)
         self.add_folder_output("OUTPUT", "Corrected trajectories", "Folder in which each trajectory is written under "
                                "its own name.")
         self.add_points_crs()
@@ -65,6 +68,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         self.add_file_output("OUTPUT_REPORT", "Report", "Residuals by kind, corrections and their uncertainty, what to "
                              "distrust.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("TIES", "Ties", "Number of ties between drives.")
+        self.add_number_output("PLANE_TIES", "Ties by planes", "Number of ties by facades and road.")
         self.add_number_output("TIE_RMS", "RMS of ties in plan", "Of their residuals.", "m")
         self.add_number_output("MEDIAN_SIGMA", "Median standard deviation", "In plan, over all drives.", "m")
         self.add_number_output("RELATIVE", "Relative only", "1 where nothing fixes the place of the drives, otherwise "
@@ -142,11 +146,14 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
             return self.parameterAsDouble(parameters, name, context)
 
         return AdjustmentRun(RegistrationRun(windows=RegistrationSettings(search=number("SEARCH"))),
-                             number("CONTROL_SIGMA"), number("CONTROL_SIGMA_Z"))
+                             self.parameterAsBool(parameters, "PLANES", context), number("CONTROL_SIGMA"),
+                             number("CONTROL_SIGMA_Z"))
 
     def _figures(self, made) -> dict:
-        tied = {row[0]: row for row in made.residual_rows()}.get("tie")
-        figures = {"TIES": tied[1] if tied else 0, "MEDIAN_SIGMA": made.median_sigma(), "RELATIVE": int(made.relative)}
+        rows = {row[0]: row for row in made.residual_rows()}
+        tied = rows.get("tie")
+        figures = {"TIES": tied[1] if tied else 0, "PLANE_TIES": rows["plane"][1] if "plane" in rows else 0,
+                   "MEDIAN_SIGMA": made.median_sigma(), "RELATIVE": int(made.relative)}
         return {**figures, "TIE_RMS": tied[3]} if tied else figures
 
     def _write_layers(self, parameters, context, made, crs, progress) -> dict:

@@ -17,8 +17,11 @@ from scipy.sparse.linalg import splu
 
 from ..registration.correction.gauss_markov import GaussMarkovDrift
 
-TIE, CONTROL, REFERENCE = range(3)
-KINDS = ("tie", "control point", "reference marking")
+TIE, CONTROL, REFERENCE, PLANE = range(4)
+KINDS = ("tie", "control point", "reference marking", "plane")
+RELATIVE_KINDS = (TIE, PLANE)
+"""Kinds that state the difference of two corrections; the others place a drive."""
+
 NONE = -1
 """Number of the other drive of an observation of one drive alone."""
 
@@ -39,11 +42,13 @@ class DriveNodes:
     ----------
     parameter : (k,) m, of the path with its stops (see `gauss_markov`), increasing.
     stops : (k - 1,) s that the vehicle stands between nodes. jumps : (k - 1,) m by which the trajectory jumps there.
+    fast : (k - 1,) m by which its error in plan changes there faster than drift; None for nowhere.
     """
 
     parameter: np.ndarray
     stops: np.ndarray
     jumps: np.ndarray
+    fast: np.ndarray | None = None
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -61,7 +66,7 @@ class NetworkObservations:
         none.
     value : (n, 4) by how much `drive` moves the place more than `other`: east, north, up (m), and turns it, clockwise
         (degrees); NaN for what is not observed.
-    covariance : (n, 4, 4), m and degrees. kind : (n,) TIE, CONTROL or REFERENCE.
+    covariance : (n, 4, 4), m and degrees. kind : (n,) TIE, CONTROL, REFERENCE or PLANE.
     """
 
     drive: np.ndarray
@@ -93,6 +98,16 @@ class NetworkObservations:
         """All rows of several, in their order."""
         parts = [cls.none(), *parts]
         return cls(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(cls)))
+
+
+def plan_residuals(observations: NetworkObservations, residual: np.ndarray) -> np.ndarray:
+    """Size (n,) in plan, m, of residuals (n, 4); of planes only across them, where they are known best."""
+    size = np.hypot(*residual[:, :2].T)
+    planes = observations.kind == PLANE
+    if planes.any():
+        across = np.linalg.eigh(observations.covariance[planes, :2, :2])[1][:, :, 0]
+        size[planes] = np.abs((residual[planes, :2] * across).sum(axis=1))
+    return size
 
 
 @dataclass(frozen=True)
@@ -190,7 +205,8 @@ def _prior(drives: Sequence[DriveNodes], model: GaussMarkovDrift) -> tuple[csc_m
     rows, columns, values, determinant, first = [], [], [], 0.0, 0
     axes, active = np.arange(_DIMENSIONS), list(_ACTIVE)
     for nodes in drives:
-        transition, precision = model.steps(nodes.parameter, nodes.stops, nodes.jumps, _ACTIVE)
+        transition, precision = model.steps(nodes.parameter, nodes.stops, nodes.jumps, _ACTIVE,
+                                            0.0 if nodes.fast is None else nodes.fast)
         k = len(nodes)
         index = 2 * ((first + np.arange(k))[:, None, None] * _DIMENSIONS + axes[:, None]) + np.arange(2)  # (k, 4, 2)
         # A step's error is state[i + 1] - F state[i]: blocks F'PF, -F'P, -PF, P.

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...io.report import Report
 from ...io.svg_profile import COLOURS, Series, profile
-from .network import KINDS
+from .network import KINDS, plan_residuals
 from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
 
 _WORST = 10
@@ -57,7 +57,7 @@ def _drive_row(drive: AdjustedDrive) -> tuple:
 
 def _worst(report: Report, survey: AdjustedSurvey) -> None:
     seen, network = survey.observations, survey.network
-    plan = np.hypot(*network.residual[:, :2].T)
+    plan = plan_residuals(seen, network.residual)
     worst = np.argsort(-plan)[:_WORST]
     report.section("Largest residuals")
     names = [drive.name for drive in survey.drives]

@@ -22,13 +22,16 @@ from .network import (
     CONTROL,
     KINDS,
     NONE,
-    TIE,
+    RELATIVE_KINDS,
     DriveNodes,
     Network,
     NetworkObservations,
     NetworkSettings,
     adjust_network,
+    plan_residuals,
 )
+from .planes import plane_ties, planes_of
+from .steps import away_from_steps, observed_steps
 from .ties import Drive, pairs_of, reference_observations, tie_drives
 
 PLACED, BRIDGED, RELATIVE, NOT_TIED = range(4)
@@ -37,6 +40,7 @@ STATUS_NAMES = ("placed", "bridged", "relative only", "not tied")
 only what the drives report in the mean; of a drive without any observation, which stays as reported."""
 
 _NODES = 5.0  # m of the drift's parameter
+_STEP_REACH = 30.0  # m of path
 _NEAR = 30.0  # m from an observation that a node is placed by
 _KEPT = 0.3  # weight from which an observation counts
 _BELONGS = 200.0  # m from the vehicle within which its points lie in the median
@@ -50,11 +54,12 @@ class AdjustmentRun:
 
     Attributes
     ----------
-    registration : of ties and reference. control_sigma, control_sigma_z : m, of control points, their measurement in
-        the survey included.
+    registration : of ties and reference. planes : whether facades and road tie drives too.
+    control_sigma, control_sigma_z : m, of control points, their measurement in the survey included.
     """
 
     registration: RegistrationRun = field(default_factory=RegistrationRun)
+    planes: bool = True
     control_sigma: float = 0.02
     control_sigma_z: float = 0.03
 
@@ -107,11 +112,11 @@ class AdjustedSurvey:
 
     def residual_rows(self) -> list[tuple[str, int, int, float, float, float, float]]:
         """By kind: name, number, number that lost its weight, RMS and largest residual in plan and in height, m."""
-        rows = []
+        rows, sizes = [], plan_residuals(self.observations, self.network.residual)
         for kind, name in enumerate(KINDS):
             here = self.observations.kind == kind
             if here.any():
-                plan = np.hypot(*self.network.residual[here, :2].T)
+                plan = sizes[here]
                 up = np.abs(self.network.residual[here, 2])
                 known = up[np.isfinite(up)]
                 rows.append((name, int(here.sum()), int((self.network.weight[here] < _KEPT).sum()),
@@ -185,15 +190,32 @@ def adjust_surveys(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: 
                                                               run.registration.extraction, calibration, part)))
     progress.message("Looking for markings that drives share.")
     found = [tie_drives(drives, run.registration, progress.part(0.5, 0.8))]
+    if run.planes:
+        found.append(_plane_observations(clouds, drives, found[0], run, progress.part(0.8, 0.9)))
     if reference is not None:
-        found.append(reference_observations(drives, reference, run.registration, progress.part(0.8, 0.9)))
+        found.append(reference_observations(drives, reference, run.registration, progress.part(0.9, 0.95)))
     if control is not None:
         found.append(control_observations(drives, control, run))
     observations = NetworkObservations.joined(found)
     if not len(observations):
-        raise InsufficientDataError("The drives share no markings, and no control point or reference marking fits "
-                                    "them: nothing can be adjusted.")
+        raise InsufficientDataError("The drives share no markings and planes, and no control point or reference "
+                                    "marking fits them: nothing can be adjusted.")
     return _adjusted(drives, observations, run, progress)
+
+
+def _plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Sequence[Drive],
+                        ties: NetworkObservations, run: AdjustmentRun, progress: Progress) -> NetworkObservations:
+    """Ties by planes; drives that share markings are brought together by these first."""
+    progress.message("Looking for planes that drives share.")
+    reported = [drive.trajectory for drive in drives]
+    planes = planes_of(clouds, reported, progress)
+    adjusted = reported
+    if len(ties):
+        made = _adjusted(drives, ties, run, SILENT)
+        adjusted = [drive.corrected for drive in made.drives]
+    found = plane_ties(planes, reported, adjusted, run.registration.correction.time_weight)
+    # Beside a step the drives are not together well enough to tell which planes are the same.
+    return found.take(away_from_steps(found, ties, _STEP_REACH))
 
 
 def control_observations(drives: Sequence[Drive], control: ControlPoints, run: AdjustmentRun) -> NetworkObservations:
@@ -237,7 +259,12 @@ def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: A
               progress: Progress) -> AdjustedSurvey:
     """Solve the network and say of each node how it was placed."""
     parameters = [_path_parameters(drive.trajectory, run) for drive in drives]
-    nodes, times = zip(*(_nodes(drive.trajectory, parameter) for drive, parameter in zip(drives, parameters)))
+    nodes, times = zip(*(_nodes(drive.trajectory, parameter, number, observations)
+                         for number, (drive, parameter) in enumerate(zip(drives, parameters))))
+    stepped = [drive.name for drive, made in zip(drives, nodes) if made.fast.any()]
+    if stepped:
+        progress.warn(f"Ties change by more than drift within 20 m (a step of a trajectory): {', '.join(stepped)} may "
+                      "step there, and control or reference says which does.")
     progress.message(f"Adjusting {len(drives)} drives with {len(observations)} observations.")
     network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
     kept = network.weight >= _KEPT
@@ -252,13 +279,15 @@ def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: A
     return survey
 
 
-def _nodes(trajectory: Trajectory, parameter: np.ndarray) -> tuple[DriveNodes, np.ndarray]:
-    """Nodes along a drive's parameter, and their times, s."""
+def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
+           observations: NetworkObservations) -> tuple[DriveNodes, np.ndarray]:
+    """Nodes along the parameter of the drive `number`, and their times, s."""
     count = max(int(np.ceil((parameter[-1] - parameter[0]) / _NODES)), 1)
     at = np.linspace(parameter[0], parameter[-1], count + 1)
     rising = np.concatenate([[True], np.diff(parameter) > 0])
     time = np.interp(at, parameter[rising], trajectory.time[rising])
-    return DriveNodes(at, stop_steps(trajectory, time), jump_steps(trajectory, time)), time
+    return DriveNodes(at, stop_steps(trajectory, time), jump_steps(trajectory, time),
+                      observed_steps(observations, number, at)), time
 
 
 def _networks(count: int, observations: NetworkObservations, kept: np.ndarray) -> list[bool | None]:
@@ -267,7 +296,7 @@ def _networks(count: int, observations: NetworkObservations, kept: np.ndarray) -
     for first, second in pairs_of(observations.take(kept)):
         old, new = group[first], group[second]
         group = [new if item == old else item for item in group]
-    absolute = kept & (observations.kind != TIE)
+    absolute = kept & ~np.isin(observations.kind, RELATIVE_KINDS)
     placed = {group[number] for number in observations.drive[absolute].tolist()}
     seen = set(observations.drive[kept].tolist()) | set(observations.other[kept].tolist())
     return [group[number] in placed if number in seen else None for number in range(count)]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .network import KINDS
+from .network import KINDS, plan_residuals
 from .stage import STATUS_NAMES, AdjustedSurvey
 
 
@@ -19,7 +19,7 @@ def tie_columns(survey: AdjustedSurvey) -> tuple[dict[str, object], np.ndarray]:
         "time": [float(np.interp(parameter, survey.drives[k].chainage, survey.drives[k].time))
                  for k, parameter in zip(seen.drive, seen.parameter)],
         "chainage": seen.parameter, "east": residual[:, 0], "north": residual[:, 1], "up": residual[:, 2],
-        "plan": np.hypot(residual[:, 0], residual[:, 1]),
+        "plan": plan_residuals(seen, residual),
         "sigma": np.sqrt(np.linalg.eigvalsh(seen.covariance[:, :2, :2])[:, -1]), "weight": network.weight,
     }, survey.place
 

@@ -22,7 +22,7 @@ from ..registration.correction.patch_status import REGISTERED
 from ..registration.stage import RegisteredSurvey, RegistrationRun, register_markings
 from ..registration.start.reference import Reference
 from ..trajectory import Trajectory, interpolate
-from .network import NONE, REFERENCE, TIE, NetworkObservations
+from .network import NONE, REFERENCE, RELATIVE_KINDS, TIE, NetworkObservations
 from .point_reference import PointReference
 
 SPACING = 10.0
@@ -182,6 +182,6 @@ def _times_of_passing(markings: MarkingPoints, place: np.ndarray) -> np.ndarray:
 
 def pairs_of(observations: NetworkObservations) -> Iterator[tuple[int, int]]:
     """Pairs of drives that are tied, each once."""
-    tied = observations.kind == TIE
+    tied = np.isin(observations.kind, RELATIVE_KINDS)
     yield from sorted({tuple(sorted(pair)) for pair in zip(observations.drive[tied].tolist(),
                                                            observations.other[tied].tolist())})

@@ -1,0 +1,163 @@
+"""Plane ties: facades and road that two passes saw, where they are told apart by their markings' adjustment already.
+
+Small planes (cells of 0.8 m) of two passes that lie on each other must coincide along their normal. Over each piece of
+a pass they give one observation of the difference of two corrections: well known across the facades and in height,
+hardly along a street of even walls.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ...io.pointcloud import iter_chunks, open_cloud
+from ...progress import SILENT, Progress
+from ..apply_correction import survey_time_shift
+from ..boresight.plane_patches import PatchSearch, PlanePatches, group_pairs
+from ..markings.marking_stage import WEIGHT
+from ..passes import BlockPositions
+from ..registration.correction.gauss_markov import path_parameters_of
+from ..trajectory import Trajectory, interpolate, move_points
+from .network import PLANE, NetworkObservations
+
+PIECE = 10.0
+"""m of path between plane ties."""
+
+_REACH = 25.0  # m from the vehicle; farther planes turn with its heading
+_NEAR = 0.6  # m between middles of two planes that are compared
+_PARALLEL = np.cos(np.radians(8.0))
+_APART = 0.25  # m along the normal; more is another plane
+_FEWEST = 12  # planes of a tie
+_SIGMA = 0.015  # m, of two planes against each other: structure of facades, and their normals
+_FLOOR = 0.03, 0.03, 0.01  # m east, north, up of a tie, however many planes it has: facades turn with roll and pitch
+_UNKNOWN = 10.0  # m, along what the planes say nothing about
+_ROBUST = 1.4826
+
+
+@dataclass(frozen=True)
+class DrivePlanes:
+    """Planes of all drives as the reported trajectories place them.
+
+    Attributes
+    ----------
+    patches : their group is the number of the pass, over all drives. drive : (passes,) number of each pass's drive.
+    """
+
+    patches: PlanePatches
+    drive: np.ndarray
+
+
+def planes_of(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: Sequence[Trajectory],
+              progress: Progress = SILENT) -> DrivePlanes:
+    """The planes that each pass of each drive saw near it; none of clouds that hold markings alone."""
+    search, drive = PatchSearch(trajectories[0].place[0]), []
+    for number, (paths, trajectory) in enumerate(zip(clouds, trajectories)):
+        cloud = open_cloud(paths)
+        if cloud.has_dimension(WEIGHT):
+            continue
+        positions = BlockPositions()
+        positions.add(trajectory.place[:, 0], trajectory.place[:, 1], trajectory.time)
+        passes, shift = positions.passes(), survey_time_shift(cloud, trajectory)
+        step = progress.part(number / len(clouds), (number + 1) / len(clouds))
+        for chunk in iter_chunks(cloud, step):
+            time = np.asarray(chunk.gps_time) + shift
+            points = np.column_stack([chunk.x, chunk.y, chunk.z])
+            usable = trajectory.within(time) & np.isfinite(points).all(axis=1)
+            place = interpolate(trajectory, time[usable]).place
+            usable[usable] = np.linalg.norm(points[usable] - place, axis=1) <= _REACH
+            search.add(points[usable], time[usable], len(drive) + passes.of(time[usable]))
+        drive += [number] * passes.count
+    return DrivePlanes(search.patches(), np.array(drive, int))
+
+
+def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Sequence[Trajectory],
+               time_weight: float) -> NetworkObservations:
+    """Ties by planes between all pairs of passes.
+
+    Parameters
+    ----------
+    adjusted : trajectories by which the drives agree to better than half a metre. time_weight : of the path's
+        parameter, see `gauss_markov`.
+    """
+    patches, moved = planes.patches, planes.patches.centroid.copy()
+    for number, (before, after) in enumerate(zip(reported, adjusted)):
+        here = planes.drive[patches.group] == number if len(patches) else np.zeros(0, bool)
+        # A mean of times may be rounded beyond the last one.
+        time = np.clip(patches.time[here], before.time[0], before.time[-1])
+        moved[here] = move_points(patches.centroid[here], time, before, after)
+    parameters = [path_parameters_of(trajectory, time_weight) for trajectory in reported]
+    parts = []
+    for first, second in group_pairs(patches.group):
+        pair = _Pair(planes, moved, first, second, reported, adjusted, parameters)
+        parts += [pair.tie(piece) for piece in pair.pieces()]
+    return NetworkObservations.joined([part for part in parts if part is not None])
+
+
+class _Pair:
+    """Planes that two passes have in common, by pieces of the first one."""
+
+    def __init__(self, planes: DrivePlanes, moved: np.ndarray, first: int, second: int,
+                 reported: Sequence[Trajectory], adjusted: Sequence[Trajectory], parameters: Sequence[np.ndarray]):
+        self.drives = int(planes.drive[first]), int(planes.drive[second])
+        self.reported, self.adjusted = ([each[k] for k in self.drives] for each in (reported, adjusted))
+        self.parameters = [parameters[k] for k in self.drives]
+        patches = planes.patches
+        one, other = (np.flatnonzero(patches.group == group) for group in (first, second))
+        distance, near = cKDTree(moved[other]).query(moved[one], distance_upper_bound=_NEAR)
+        found = np.isfinite(distance)
+        one, other = one[found], other[near[found]]
+        cosine = (patches.normal[one] * patches.normal[other]).sum(axis=1)
+        normal = patches.normal[one] + np.sign(cosine)[:, None] * patches.normal[other]
+        normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-9)[:, None]
+        # By so much the first pass must move more than the second, along the normal.
+        apart = ((moved[other] - moved[one]) * normal).sum(axis=1)
+        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(apart) <= _APART)
+        self.normal, self.apart, self.place = normal[good], apart[good], moved[one][good]
+        self.time = [patches.time[some][good] for some in (one, other)]
+        self.along = np.interp(self.time[0], self.reported[0].time, self.parameters[0])
+
+    def pieces(self) -> list[np.ndarray]:
+        """Numbers of the planes of each piece of the first pass."""
+        piece = np.floor(self.along / PIECE)
+        order = np.argsort(piece, kind="stable")
+        return np.split(order, np.flatnonzero(np.diff(piece[order])) + 1) if len(order) else []
+
+    def tie(self, some: np.ndarray) -> NetworkObservations | None:
+        """One observation by some of the planes; None where they are too few."""
+        middle = np.median(self.apart[some])
+        scatter = max(_ROBUST * np.median(np.abs(self.apart[some] - middle)), _SIGMA)
+        normal, apart = self.normal[some], self.apart[some]
+        if len(some) < _FEWEST:
+            return None
+        weight = np.ones(len(some))
+        for _ in range(5):
+            information = (normal * weight[:, None]).T @ normal / scatter**2 + np.eye(3) / _UNKNOWN**2
+            shift = np.linalg.solve(information, (normal * weight[:, None]).T @ apart / scatter**2)
+            weight = 1.0 / (1.0 + ((apart - normal @ shift) / (3.0 * scatter)) ** 2)
+        covariance = np.eye(4)
+        covariance[:3, :3] = np.linalg.inv(information) + np.diag(_FLOOR) ** 2
+        return self._observation(some, shift, covariance)
+
+    def _observation(self, some: np.ndarray, shift: np.ndarray, covariance: np.ndarray) -> NetworkObservations:
+        """The row of a tie: what the adjusted trajectories say of its place already, and the shift."""
+        place, value, parameter, arm = self.place[some].mean(axis=0), shift.copy(), [], []
+        for sign, number in ((1.0, 0), (-1.0, 1)):
+            before, after = self.reported[number], self.adjusted[number]
+            time = np.clip([np.median(self.time[number][some])], before.time[0], before.time[-1])
+            parameter.append(np.interp(time, before.time, self.parameters[number]))
+            body = interpolate(after, time)
+            arm.append((place - body.place[0])[None, :2])
+            value += sign * (body.place[0] - interpolate(before, time).place[0] + _turned(before, after, time, arm[-1]))
+        return NetworkObservations(np.array([self.drives[0]]), parameter[0], arm[0], np.array([self.drives[1]]),
+                                   parameter[1], arm[1], np.append(value, np.nan)[None], covariance[None],
+                                   np.array([PLANE]))
+
+
+def _turned(before: Trajectory, after: Trajectory, time: np.ndarray, arm: np.ndarray) -> np.ndarray:
+    """How the change of heading (clockwise) moves a place at an arm (1, 2) from the body, (3,) m."""
+    heading = np.radians(interpolate(after, time).angles[0, 2] - interpolate(before, time).angles[0, 2])
+    return heading * np.array([arm[0, 1], -arm[0, 0], 0.0])
