@@ -17,7 +17,8 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
             "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
-            "loadgsibuildings", "loadgsidem", "loadcitymodel", "segmentbuildings", "segmentroofs", "roofpolygons",
+            "loadgsibuildings", "loadgsidem", "loadcitymodel", "convertheights",
+            "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
             "buildingsfromals", "tiledrun",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap")
