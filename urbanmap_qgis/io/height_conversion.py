@@ -10,6 +10,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+import laspy
 import numpy as np
 import shapely
 from pyproj import CRS, Transformer
@@ -144,7 +145,10 @@ def convert_points(paths: Sequence[str | os.PathLike], output: str | os.PathLike
     layout = PointLayout(cloud)
     header = layout.header
     header.vlrs[:] = [vlr for vlr in header.vlrs if vlr.user_id != "LASF_Projection"]
-    header.add_crs(CRS.from_wkt(conversion.wkt), keep_compatibility=False)
+    # A compound system without a code of its own needs WKT, and WKT the newest version of the format.
+    header.version = laspy.header.Version(1, 4)
+    header.vlrs.append(laspy.vlrs.known.WktCoordinateSystemVlr(conversion.wkt))
+    header.global_encoding.wkt = True
     with cloud_writer(output, layout) as writer:
         for points in iter_chunks(cloud, progress):
             records = layout.view(layout.adapt(points, np.ones(len(points), bool)))
