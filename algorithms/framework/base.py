@@ -30,6 +30,7 @@ from .dependencies import refusal
 from .interrupt import signals_cancel
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .parameters import check_names, tr, with_words
+from .same_sums import same_sums
 from .trajectories import TrajectoryParameters, trajectory_exists
 
 ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
@@ -187,7 +188,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Compute with all outputs beside their places, then move them there together."""
         try:
             run = destinations.staged(self, parameters, context, staging)
-            with self._points_crs(run, context), self._scheduler(run, context):
+            with same_sums(), self._points_crs(run, context), self._scheduler(run, context):
                 results = self.compute(run, context, feedback)
             staging.publish()
         except UrbanMapError as error:
@@ -302,10 +303,10 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return Path(text)
 
     def settings_of(self, parameters: Mapping) -> dict[str, str]:
-        """Labels and values of all input parameters as a run used them, for reports."""
+        """Labels and values of all input parameters as a run used them, for reports; of what does not matter, none."""
         settings = {}
         for definition in self.parameterDefinitions():
-            if not definition.isDestination():
+            if not definition.isDestination() and definition.name() != "WORKERS":
                 value = parameters.get(definition.name(), definition.defaultValue())
                 settings[definition.description()] = "" if value is None else _value_text(value)
         return settings

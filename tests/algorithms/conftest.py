@@ -36,10 +36,8 @@ def pytest_collection_modifyitems(config, items):
                 item.add_marker(pytest.mark.skip(reason="QGIS's Python modules are not importable"))
 
 
-@pytest.fixture(scope="session")
-def qgis_app(tmp_path_factory):
-    """A running QGIS application with Processing and the plugin's provider."""
-    profile = tmp_path_factory.mktemp("profile")
+def start_qgis(profile):
+    """A running QGIS application with Processing, and the plugin in it."""
     os.environ["QGIS_CUSTOM_CONFIG_PATH"] = str(profile)
     from qgis.core import QgsApplication
 
@@ -52,6 +50,13 @@ def qgis_app(tmp_path_factory):
     Processing.initialize()
     plugin = load_plugin().classFactory(None)
     plugin.initProcessing()
+    return application, plugin
+
+
+@pytest.fixture(scope="session")
+def qgis_app(tmp_path_factory):
+    """A running QGIS application with Processing and the plugin's provider."""
+    application, plugin = start_qgis(tmp_path_factory.mktemp("profile"))
     yield application
     plugin.unload()
 

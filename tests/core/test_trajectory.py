@@ -106,3 +106,16 @@ def test_gaps_and_jumps_are_found():
     place[50:] += [0.0, 30.0, 0.0]
     assert np.allclose(jumps(Trajectory(drive.time, place, drive.angles)), [[104.9, 105.0]])
     assert len(gaps(drive)) == len(jumps(drive)) == 0
+
+
+def test_rotations_do_not_depend_on_where_results_lie_in_memory():
+    """numpy's sine of a column of a table differed in its last digit where the result came to lie just behind it."""
+    rng = np.random.default_rng(5)
+    angles = rng.normal(size=(237, 3)) * [1, 1, 100]
+    kept, made = [], set()
+    for _ in range(1500):
+        kept.append(np.empty(int(rng.integers(1, 3000))))
+        if len(kept) > 50:
+            kept.pop(int(rng.integers(0, 50)))
+        made.add(rotations(angles).tobytes())
+    assert len(made) == 1

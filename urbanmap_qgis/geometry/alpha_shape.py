@@ -113,5 +113,5 @@ def _next_through_inside(xy: np.ndarray, before: int, here: int, targets: np.nda
     """Which way to leave a point where rings touch: the first met turning clockwise through the inside."""
     back = xy[before] - xy[here]
     out = xy[targets] - xy[here]
-    turn = (math.atan2(back[1], back[0]) - np.arctan2(out[:, 1], out[:, 0])) % (2.0 * math.pi)
+    turn = (math.atan2(back[1], back[0]) - np.arctan2(out[:, 1].copy(), out[:, 0].copy())) % (2.0 * math.pi)
     return int(np.argmin(turn))

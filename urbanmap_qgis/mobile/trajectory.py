@@ -96,7 +96,8 @@ def rotations(angles: np.ndarray) -> np.ndarray:
 
     `angles` (m, 3) are roll, pitch, heading in degrees.
     """
-    roll, pitch, heading = np.radians(np.asarray(angles, float)).T
+    # Of columns of a table numpy's sine differs in its last digit with the place of the result in memory.
+    roll, pitch, heading = np.ascontiguousarray(np.radians(np.asarray(angles, float)).T)
     cr, sr, cp, sp, ch, sh = np.cos(roll), np.sin(roll), np.cos(pitch), np.sin(pitch), np.cos(heading), np.sin(heading)
     north = np.stack([ch * cp, ch * sp * sr - sh * cr, ch * sp * cr + sh * sr], axis=-1)
     east = np.stack([sh * cp, sh * sp * sr + ch * cr, sh * sp * cr - ch * sr], axis=-1)
@@ -106,11 +107,10 @@ def rotations(angles: np.ndarray) -> np.ndarray:
 
 def attitude_angles(matrices: np.ndarray) -> np.ndarray:
     """Roll, pitch and heading (m, 3) in degrees of matrices as of `rotations`; heading 0 to 360."""
-    matrices = np.asarray(matrices, float)
-    east, north, up = matrices[..., 0, :], matrices[..., 1, :], matrices[..., 2, :]
-    roll = np.degrees(np.arctan2(-up[..., 1], -up[..., 2]))
-    pitch = np.degrees(np.arctan2(up[..., 0], np.hypot(up[..., 1], up[..., 2])))
-    heading = np.degrees(np.arctan2(east[..., 0], north[..., 0])) % 360.0
+    east, north, up = np.ascontiguousarray(np.moveaxis(np.asarray(matrices, float), (-2, -1), (0, 1)))
+    roll = np.degrees(np.arctan2(-up[1], -up[2]))
+    pitch = np.degrees(np.arctan2(up[0], np.hypot(up[1], up[2])))
+    heading = np.degrees(np.arctan2(east[0], north[0])) % 360.0
     return np.stack([roll, pitch, heading], axis=-1)
 
 
@@ -140,7 +140,7 @@ def move_points(points: np.ndarray, time: np.ndarray, reported: Trajectory, corr
 
 def _rotated_to_map(angles: np.ndarray, body: np.ndarray) -> np.ndarray:
     """Body vectors (m, 3) in the map's axes, turned axis by axis: no matrix is made for each point."""
-    roll, pitch, heading = np.radians(angles).T
+    roll, pitch, heading = np.ascontiguousarray(np.radians(angles).T)
     x, y, z = body.T
     y, z = _plane_rotation(y, z, roll)
     z, x = _plane_rotation(z, x, pitch)
@@ -150,7 +150,7 @@ def _rotated_to_map(angles: np.ndarray, body: np.ndarray) -> np.ndarray:
 
 def _rotated_to_body(angles: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     """Vectors (m, 3) of the map in the body's axes."""
-    roll, pitch, heading = np.radians(angles).T
+    roll, pitch, heading = np.ascontiguousarray(np.radians(angles).T)
     y, x, z = vectors[:, 0], vectors[:, 1], -vectors[:, 2]
     x, y = _plane_rotation(x, y, -heading)
     z, x = _plane_rotation(z, x, -pitch)

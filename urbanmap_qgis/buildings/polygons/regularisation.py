@@ -33,7 +33,7 @@ def main_directions(edges: np.ndarray) -> np.ndarray:
     edges : (n, 2) edge vectors in metres.
     """
     length = np.hypot(edges[:, 0], edges[:, 1])
-    angle = np.degrees(np.arctan2(edges[:, 1], edges[:, 0])) % 90.0
+    angle = np.degrees(np.arctan2(edges[:, 1].copy(), edges[:, 0].copy())) % 90.0
     total = length.sum()
     free = length > 0
     found: list[float] = []
@@ -163,7 +163,7 @@ def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray,
     length = np.hypot(vectors[:, 0], vectors[:, 1])
     fitted = np.array([_direction(p, v) for p, v in zip(points, vectors)])
     main = main_directions(fitted * length[:, None])
-    angle = np.degrees(np.arctan2(fitted[:, 1], fitted[:, 0]))
+    angle = np.degrees(np.arctan2(fitted[:, 1].copy(), fitted[:, 0].copy()))
     apart = (angle[:, None] - main[None, :] + 45.0) % 90.0 - 45.0
     nearest = apart[np.arange(len(apart)), np.argmin(np.abs(apart), axis=1)]
     straight = (np.abs(nearest) < parameters.snap_angle) | (length > 2.0 * parameters.free_edge)

@@ -117,5 +117,5 @@ def directions(axes: np.ndarray, vectors: np.ndarray) -> np.ndarray:
 
 def elevation_azimuth(direction: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Elevation and azimuth from grid north, rad, of unit vectors (n, 3)."""
-    return (np.arcsin(np.clip(direction[:, 2], -1.0, 1.0)),
-            np.arctan2(direction[:, 0], direction[:, 1]) % (2 * np.pi))
+    east, north, up = np.ascontiguousarray(direction.T)
+    return np.arcsin(np.clip(up, -1.0, 1.0)), np.arctan2(east, north) % (2 * np.pi)

@@ -79,7 +79,8 @@ def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
         except (ValueError, IndexError):
             # The last line of a file that breaks off; damage further up would only leave a gap.
             continue
-    bad = first_not_finite([row[2:] for row in rows])
+    # A position in words that are no number (NaN) is one that is not there, as 0 is.
+    bad = first_not_finite([[0.0 if value != value else value for value in row[2:]] for row in rows])
     if bad is not None or not np.isfinite(times).all():
         where = "an epoch" if bad is None else f"the {bad + 1}. position, of {rows[bad][1]},"
         raise InputError(f"{name}: {where} is not finite; download the file again.")

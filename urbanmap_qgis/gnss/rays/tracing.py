@@ -239,7 +239,7 @@ def mirror_reflections(walls: WallPieces, place: np.ndarray, place_of_ray: np.nd
     middle = walls.start.mean(axis=0)
     local = _shifted(walls, middle)
     xy = place[:, :2] - middle
-    azimuth = np.arctan2(direction[:, 0], direction[:, 1]) % (2 * np.pi)
+    azimuth = np.arctan2(*np.ascontiguousarray(direction[:, :2].T)) % (2 * np.pi)
     order = np.lexsort((azimuth, place_of_ray))
     # Twice round, so that an interval over north is one interval.
     key = np.concatenate([place_of_ray[order] * 16.0 + azimuth[order],
@@ -281,9 +281,9 @@ def legs_in_line_of_sight(obstacles: WallObstacles, place: np.ndarray, direction
 
 def rotated_directions(direction: np.ndarray, azimuth: float, elevation: float) -> np.ndarray:
     """Unit vectors (n, 3) rotated clockwise and raised, both in degrees; not beyond the zenith."""
-    flat = np.hypot(direction[:, 0], direction[:, 1])
-    az = np.arctan2(direction[:, 0], direction[:, 1]) + np.radians(azimuth)
-    el = np.clip(np.arctan2(direction[:, 2], flat) + np.radians(elevation), 1e-3, np.pi / 2)
+    east, north, up = np.ascontiguousarray(direction.T)
+    az = np.arctan2(east, north) + np.radians(azimuth)
+    el = np.clip(np.arctan2(up, np.hypot(east, north)) + np.radians(elevation), 1e-3, np.pi / 2)
     return np.column_stack([np.cos(el) * np.sin(az), np.cos(el) * np.cos(az), np.sin(el)])
 
 
@@ -303,7 +303,7 @@ def _between(walls: WallPieces, xy: np.ndarray, row: np.ndarray, piece: np.ndarr
     image = xy[row] - 2 * (np.einsum("ij,ij->i", xy[row], normal) - walls.offset[piece])[:, None] * normal
     a = walls.start[piece] - margin * along[piece] - image
     b = walls.end[piece] + margin * along[piece] - image
-    one, other = np.arctan2(a[:, 0], a[:, 1]), np.arctan2(b[:, 0], b[:, 1])
+    one, other = (np.arctan2(*np.ascontiguousarray(end.T)) for end in (a, b))
     width = (other - one + np.pi) % (2 * np.pi) - np.pi
     first = np.where(width < 0, other, one) % (2 * np.pi)
     low = np.searchsorted(key, row * 16.0 + first - 1e-12)

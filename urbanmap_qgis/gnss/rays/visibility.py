@@ -196,7 +196,7 @@ def _sky(navigation: Navigation, frame: MapFrame, place: np.ndarray, time: float
                                     f"{calendar_text(time)} GPS time; the navigation files are good for "
                                     f"{spans_text(navigation.spans())}: give those of the day.")
     direction = directions(np.broadcast_to(here.axes, (len(names), 3, 3)), vectors)
-    up = np.degrees(np.arcsin(direction[:, 2])) >= elevation_mask
+    up = np.degrees(np.arcsin(direction[:, 2].copy())) >= elevation_mask
     return names[up], direction[up]
 
 

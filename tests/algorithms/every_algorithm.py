@@ -1,0 +1,173 @@
+"""A small real run of every algorithm on a sample city, each with all of its outputs.
+
+    python every_algorithm.py CITY FOLDER WORKERS    all of them, into FOLDER, in a process of its own
+
+A value "city:PLACE" is a file of the city, "made:PLACE" one that is prepared beside the results, "ID:OUTPUT" a result
+of an algorithm that is run before.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import sys
+import time
+from pathlib import Path
+
+CAMERA = {"CAMERA": "city:aerial/camera.json", "EXTERIOR": "city:aerial/exterior.csv"}
+FRAMES = {"FRAMES": [f"city:aerial/frame_0{number}.tif" for number in (1, 2, 3)], **CAMERA}
+OUTLINES = {"FOOTPRINTS": "city:footprints/gsi_buildings.gpkg"}
+HEIGHTS = {"GROUND": "surfacefromals:OUTPUT_GROUND", "DSM": "surfacefromals:OUTPUT"}
+DRIVE = {"POINTS": ["city:mms/survey_01.laz"], "TRAJECTORY": "city:mms/survey_01_trajectory.csv"}
+BOTH = {"TRAJECTORY": ["city:mms/survey_01_trajectory.csv", "city:mms/survey_02_trajectory.csv"]}
+TRUTH = {"TRAJECTORY": ["city:truth/survey_01_trajectory.csv", "city:truth/survey_02_trajectory.csv"]}
+CALIBRATION = {"CALIBRATION": "city:mms/calibration.json"}
+MAP = {"MARKINGS": "city:truth/markings.gpkg|layername=mms", "GROUND": "city:truth/ground.tif"}
+STRIP = {"IMAGES": ["city:lines/camera_1.png"], "TRAJECTORY": "city:truth/lines_trajectory.csv",
+         "CALIBRATION": "city:lines/calibration.json"}
+SKY = {"BUILDINGS": "city:models/buildings.geojson", "NAVIGATION": ["city:gnss/satellites.nav"],
+       "TRAJECTORY": [f"city:gnss/pass_0{number}_trajectory.csv" for number in (1, 2, 3)]}
+SIGNALS = {**SKY, "OBSERVATIONS": [f"city:gnss/pass_0{number}.obs" for number in (1, 2, 3)], "GEOID_SEPARATION": 36.6}
+
+RECIPES: dict[str, dict] = {
+    "samplecity": {"SIZE": 60, "SCENE": "canyon"},
+    "surfacefromals": {"POINTS": ["city:als/als.laz"], "RESOLUTION": 1.0},
+    "occlusionmap": {"FRAME": "city:aerial/frame_01.tif", **CAMERA, **HEIGHTS},
+    "orthorectifyframes": {**FRAMES, **HEIGHTS, **OUTLINES, "RESOLUTION": 0.25},
+    "filtervehicles": {"ORTHOPHOTOS": ["orthorectifyframes:OUTPUT", "city:aerial/ortho.tif"]},
+    "roadmarkingsfromorthophoto": {"INPUT": "orthorectifyframes:OUTPUT", "BUILDINGS": OUTLINES["FOOTPRINTS"]},
+    "aerialmarkings": {**FRAMES, "ALS": ["city:als/als.laz"], **OUTLINES, "RESOLUTION": 0.25},
+    "loadgsibuildings": {"INPUT": "city:footprints/FG-GML-533946-BldA-20240401-0001.xml", "CRS": "EPSG:6677"},
+    "segmentbuildings": {"POINTS": ["city:als/als.laz"], **OUTLINES},
+    "segmentroofs": {"POINTS": ["segmentbuildings:OUTPUT"], "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS"},
+    "roofpolygons": {"POINTS": ["segmentroofs:OUTPUT"], "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS"},
+    "buildingmodels": {"ROOFS": "roofpolygons:OUTPUT", "FOOTPRINTS": "segmentbuildings:OUTPUT_BUILDINGS",
+                       "GROUND": HEIGHTS["GROUND"]},
+    "buildingsfromals": {"POINTS": ["city:als/als.laz"], **OUTLINES},
+    "mesh25d": {"POINTS": ["city:als/als.laz"], **OUTLINES, "GROUND": HEIGHTS["GROUND"]},
+    "wallsfrommms": {"POINTS": DRIVE["POINTS"], "BUILDINGS": OUTLINES["FOOTPRINTS"]},
+    "mergebuildingmodels": {"MODELS": "buildingmodels:OUTPUT", "WALLS": "wallsfrommms:OUTPUT"},
+    "groundfrommms": {"POINTS": DRIVE["POINTS"]},
+    "roadmarkingsfrommms": {**DRIVE, **CALIBRATION},
+    "registermms": {**DRIVE, "POINTS": ["roadmarkingsfrommms:OUTPUT"], **MAP},
+    "georeferencemms": {**DRIVE, **CALIBRATION, **MAP, "IMAGES": "city:mms/survey_01_images.csv"},
+    "applytrajectory": {**DRIVE, "CORRECTED": TRUTH["TRAJECTORY"][0], "IMAGES": "city:mms/survey_01_images.csv"},
+    "landmarkupdate": {"TRAJECTORY": DRIVE["TRAJECTORY"], "CONTROL": "city:truth/control_survey_01.csv",
+                       "CRS": "EPSG:6677"},
+    "checkaccuracy": {"TRAJECTORY": DRIVE["TRAJECTORY"], "CORRECTED": "registermms:OUTPUT", "CRS": "EPSG:6677",
+                      "CONTROL": "city:truth/control_survey_01.csv"},
+    "adjustsurveys": {"POINTS": ["roadmarkingsfrommms:OUTPUT", "city:mms/survey_02.laz"], **BOTH},
+    "applytrajectory 2": {"POINTS": ["city:mms/survey_02.laz"], "TRAJECTORY": "city:mms/survey_02_trajectory.csv",
+                          "CORRECTED": TRUTH["TRAJECTORY"][1], "IMAGES": "city:mms/survey_02_images.csv"},
+    "calibratescanner": {"POINTS": ["applytrajectory:OUTPUT", "applytrajectory 2:OUTPUT"], **CALIBRATION, **TRUTH},
+    "georeferencescans": {"SCANS": ["city:lines/scans.csv.gz"], "TRAJECTORY": STRIP["TRAJECTORY"],
+                          "CALIBRATION": STRIP["CALIBRATION"], "CRS": "EPSG:6677"},
+    "rectifytrajectory": {"TRAJECTORY": "city:lines/trajectory.csv", "TIE_POINTS": "city:lines/tie_points.csv",
+                          "GROUND": MAP["GROUND"]},
+    "tiepointproposals": {**DRIVE, "BUILDINGS": OUTLINES["FOOTPRINTS"]},
+    "facadetextures": {**STRIP, "BUILDINGS": "buildingmodels:OUTPUT", "RESOLUTION": 0.2},
+    "objectsfromimages": {**STRIP, "POINTS": ["georeferencescans:OUTPUT"], "OUTLINES": "made:drawn.gpkg"},
+    "satellitevisibility": {**SKY, "OUTPUT_RASTER": None},
+    "satellitevisibility 2": {**SKY, "TRAJECTORY": None, "TIME": "2024-04-18 02:00:00", "RESOLUTION": 8.0},
+    "gnssreflections": {**SIGNALS, "EVERY": 5},
+    "adjustwalls": {**SIGNALS},
+}
+"""Parameters of each algorithm (a second run of one has a number behind its id); all its outputs are asked for."""
+
+ENDINGS = {"rasterDestination": ".tif", "sink": ".gpkg", "folderDestination": ""}
+
+def prepare(city: Path, folder: Path) -> None:
+    """What a user draws: some markings on the strip image, as columns and rows counted downwards."""
+    import numpy as np
+    import shapely
+    from qgis.core import QgsVectorLayer
+
+    from urbanmap_qgis.mobile.calibration import read_calibration
+    from urbanmap_qgis.mobile.lines.line_camera import project_to_strip
+    from urbanmap_qgis.mobile.lines.strip_images import read_strips
+    from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+    from urbanmap_qgis.samplecity.truth.geopackage import Layer, write_geopackage
+
+    trajectory = read_trajectory(city / "truth/lines_trajectory.csv").trajectory
+    strip, = read_strips([city / "lines/camera_1.png"], read_calibration(city / "lines/calibration.json"))
+    drawn = []
+    for feature in QgsVectorLayer(f"{city / 'truth/markings.gpkg'}|layername=mms", "markings", "ogr").getFeatures():
+        part = shapely.get_parts(shapely.from_wkb(bytes(feature.geometry().asWkb())))[0]
+        corners = shapely.get_coordinates(part.exterior, include_z=True)[:-1]
+        if part.has_z and len(corners) <= 40 and part.area >= 0.2:
+            found = project_to_strip(corners, strip, trajectory, 20.0)
+            if np.array_equal(found.point_index, np.arange(len(corners))) and np.ptp(found.column) < 150:
+                drawn.append(shapely.Polygon(np.column_stack([found.column + 0.5, -found.row - 0.5])))
+    write_geopackage(folder / "drawn.gpkg", [Layer("drawn", drawn, {"class": ["paint"] * len(drawn)})])
+
+
+def algorithms() -> dict:
+    """The algorithms of the provider, without its models, by their ids."""
+    from qgis.core import QgsApplication
+
+    return {item.name(): item for item in QgsApplication.processingRegistry().providerById("urbanmap").algorithms()
+            if hasattr(item, "compute")}
+
+
+def given(name: str, city: Path, made: Path, results: dict) -> dict:
+    """Inputs of an algorithm; `results` by "ID:OUTPUT"."""
+
+    def resolved(value):
+        if isinstance(value, list):
+            return [resolved(item) for item in value]
+        if not isinstance(value, str):
+            return value
+        kind, _, place = value.partition(":")
+        if kind in ("city", "made"):
+            return str((city if kind == "city" else made) / place)
+        return results[value] if kind in RECIPES else value
+
+    return {key: resolved(value) for key, value in RECIPES[name].items()}
+
+
+def places(name: str, algorithm, folder: Path) -> dict:
+    """A file or folder in `folder` for every output."""
+    wanted = {}
+    for item in algorithm.destinationParameterDefinitions():
+        ending = ENDINGS.get(item.type(), f".{item.defaultFileExtension()}")
+        wanted[item.name()] = str(folder / f"{name}-{item.name()}{ending}")
+    return wanted
+
+
+def run_all(city: Path, folder: Path, workers: int) -> dict[str, float]:
+    """Run all recipes into a folder; seconds of each."""
+    import processing
+
+    prepare(city, folder)
+    results, seconds = {}, {}
+    known = algorithms()
+    for name in RECIPES:
+        started, algorithm = time.perf_counter(), known[name.split()[0]]
+        parameters = {**places(name, algorithm, folder), **given(name, city, folder, results)}
+        if algorithm.parameterDefinition("WORKERS"):
+            parameters["WORKERS"] = workers
+        made = processing.run(algorithm.create(), parameters)
+        results |= {f"{name}:{key}": value for key, value in made.items()}
+        seconds[name] = time.perf_counter() - started
+    (folder / "results.json").write_text(json.dumps(results), encoding="utf-8")
+    return seconds
+
+
+def main() -> None:
+    """Start QGIS with the provider and run all."""
+    spec = importlib.util.spec_from_file_location("conftest", Path(__file__).with_name("conftest.py"))
+    conftest = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(conftest)
+    sys.path.insert(0, str(conftest.ROOT))
+    city, folder, workers = Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3])
+    application, plugin = conftest.start_qgis(folder.with_name(f"{folder.name}-profile"))
+    module = importlib.import_module(f"{conftest.PLUGIN}.algorithms.framework.workers")
+    module._processes = module._in_window  # a spawned process does not find the plugin under its name here
+    for name, seconds in run_all(city, folder, workers).items():
+        print(f"{seconds:7.2f} s  {name}", flush=True)
+    plugin.unload()
+    del application
+
+
+if __name__ == "__main__":
+    main()
