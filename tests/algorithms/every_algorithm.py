@@ -47,6 +47,11 @@ RECIPES: dict[str, dict] = {
     "mesh25d": {"POINTS": ["city:als/als.laz"], **OUTLINES, "GROUND": HEIGHTS["GROUND"]},
     "wallsfrommms": {"POINTS": DRIVE["POINTS"], "BUILDINGS": OUTLINES["FOOTPRINTS"]},
     "mergebuildingmodels": {"MODELS": "buildingmodels:OUTPUT", "WALLS": "wallsfrommms:OUTPUT"},
+    "loadcitymodel": {"INPUT": "city:models/buildings.city.json"},
+    "exportcitymodel": {"BUILDINGS": "buildingmodels:OUTPUT", "SURFACES": "buildingmodels:OUTPUT_SURFACES"},
+    "tiledrun": {"ALGORITHM": "buildingsfromals", "POINTS": ["city:als/als.laz"], **OUTLINES, "TILE": 100},
+    "loadgsidem": {"INPUT": "made:FG-GML-5339-46-11-DEM5A-20161001.xml", "CRS": "EPSG:6677"},
+    "markinglines": {"MARKINGS": "roadmarkingsfromorthophoto:OUTPUT_POLYGONS", "GROUND": HEIGHTS["GROUND"]},
     "groundfrommms": {"POINTS": DRIVE["POINTS"]},
     "roadmarkingsfrommms": {**DRIVE, **CALIBRATION},
     "registermms": {**DRIVE, "POINTS": ["roadmarkingsfrommms:OUTPUT"], **MAP},
@@ -77,7 +82,7 @@ RECIPES: dict[str, dict] = {
 ENDINGS = {"rasterDestination": ".tif", "sink": ".gpkg", "folderDestination": ""}
 
 def prepare(city: Path, folder: Path) -> None:
-    """What a user draws: some markings on the strip image, as columns and rows counted downwards."""
+    """What the city has not: an elevation model, and what a user draws, markings on the strip image."""
     import numpy as np
     import shapely
     from qgis.core import QgsVectorLayer
@@ -98,6 +103,12 @@ def prepare(city: Path, folder: Path) -> None:
             found = project_to_strip(corners, strip, trajectory, 20.0)
             if np.array_equal(found.point_index, np.arange(len(corners))) and np.ptp(found.column) < 150:
                 drawn.append(shapely.Polygon(np.column_stack([found.column + 0.5, -found.row - 0.5])))
+    spec = importlib.util.spec_from_file_location(
+        "gsi_dem_writer", Path(__file__).resolve().parents[1] / "core" / "gsi_dem_writer.py")
+    writer = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(writer)
+    text = writer.dem_xml("53394611", ["地表面,12.50"] * (150 * 225), 150, 225)
+    (folder / "FG-GML-5339-46-11-DEM5A-20161001.xml").write_text(text, encoding="utf-8")
     write_geopackage(folder / "drawn.gpkg", [Layer("drawn", drawn, {"class": ["paint"] * len(drawn)})])
 
 
