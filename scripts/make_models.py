@@ -144,7 +144,9 @@ def add_inputs(model: QgsProcessingModelAlgorithm, chain) -> None:
     for row, definition in enumerate([*data, *(item for item in inputs if item not in data)]):
         box = QgsProcessingModelParameter(definition.name())
         place(box, "inputs", TOP + row * ROW, INPUT, colour=INPUT_COLOUR if definition in data else SETTING_COLOUR)
-        model.addModelParameter(definition.clone(), box)
+        copy = definition.clone()
+        copy.setMetadata({})  # the field of the dialog is found again where the model is loaded
+        model.addModelParameter(copy, box)
 
 
 def settings_expression(chain) -> str:

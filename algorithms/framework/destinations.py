@@ -221,6 +221,11 @@ def file_of(text: str, context: QgsProcessingContext) -> str:
     return str(path) if path else text
 
 
+def file_of_layer(layer) -> Path | None:
+    """The file that a layer shows; None where it is of a database or in memory."""
+    return _layer_file(layer)[0]
+
+
 def _layer_file(layer) -> tuple[Path | None, str]:
     parts = QgsProviderRegistry.instance().decodeUri(layer.providerType(), layer.source())
     path = parts.get("path")

@@ -37,6 +37,9 @@ CITYJSON_FILTER = "CityJSON (*.city.json *.json)"
 HTML_FILTER = "HTML report (*.html)"
 OBJ_FILTER = "Wavefront OBJ (*.obj)"
 
+FILES_WIDGET = f"{__package__}.files_widget.FilesWidget"
+"""What QGIS's dialogs show for several files."""
+
 UNIT = re.compile(r" \([^()]*\)$")
 """The unit at the end of a label."""
 
@@ -46,6 +49,12 @@ _POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
 def tr(text: str) -> str:
     """`text` in the user's language."""
     return QCoreApplication.translate("UrbanMap", text)
+
+
+def with_files_widget(definition, layers: bool) -> None:
+    """Let dialogs show our own field for a parameter of several files; `layers`: with those of point cloud layers."""
+    if definition.type() == "multilayer" and definition.layerType() == QgsProcessing.SourceType.TypeFile:
+        definition.setMetadata({"widget_wrapper": {"class": FILES_WIDGET}, "urbanmap_layers": layers})
 
 
 class Declarations:
@@ -70,6 +79,7 @@ class Declarations:
     def declare_parameter(self, definition, help: str, advanced: bool = False):
         """Add any parameter definition with its help."""
         definition.setHelp(tr(help))
+        with_files_widget(definition, definition.name() in self.points_names())
         if advanced:
             definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
         self.addParameter(definition)

@@ -131,7 +131,7 @@ def given(name: str, city: Path, made: Path, results: dict) -> dict:
         kind, _, place = value.partition(":")
         if kind in ("city", "made"):
             return str((city if kind == "city" else made) / place)
-        return results[value] if kind in RECIPES else value
+        return results[value] if place and kind in RECIPES else value
 
     return {key: resolved(value) for key, value in RECIPES[name].items()}
 
@@ -156,11 +156,12 @@ def run_all(city: Path, folder: Path, workers: int) -> dict[str, float]:
         started, algorithm = time.perf_counter(), known[name.split()[0]]
         parameters = {**places(name, algorithm, folder), **given(name, city, folder, results)}
         if algorithm.parameterDefinition("WORKERS"):
-            parameters["WORKERS"] = workers
+            parameters["WORKERS"] = 1 if name == "tiledrun" else workers  # its workers are processes of their own
         made = processing.run(algorithm.create(), parameters)
         results |= {f"{name}:{key}": value for key, value in made.items()}
         seconds[name] = time.perf_counter() - started
-    (folder / "results.json").write_text(json.dumps(results), encoding="utf-8")
+    files = {name: value for name, value in results.items() if isinstance(value, str)}
+    (folder / "results.json").write_text(json.dumps(files), encoding="utf-8")
     return seconds
 
 

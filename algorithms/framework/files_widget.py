@@ -1,0 +1,150 @@
+"""The field for several files in dialogs and batch tables: it keeps what presets, histories and batch files say.
+
+QGIS's own field takes such values for layers and opens them; files that are none, such as point clouds, are lost.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from processing.gui.wrappers import WidgetWrapper
+from qgis.core import QgsProject
+from qgis.gui import QgsGui
+from qgis.PyQt.QtCore import QSettings, Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import (
+    QAbstractItemView,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QHBoxLayout,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from .destinations import file_of_layer
+from .parameters import tr
+
+_LAST_FOLDER = "urbanmap/last_folder"
+
+
+class FilesWidget:
+    """What QGIS makes of the metadata of a parameter: the field of this module, in the modeller QGIS's own."""
+
+    def __new__(cls, parameter, dialog, row=0, column=0):
+        if not hasattr(dialog, "childId"):
+            return _FilesWrapper(parameter, dialog, row, column)
+        # The modeller, whose field offers outputs of earlier steps.
+        wrapper = QgsGui.processingGuiRegistry().createModelerParameterWidget(
+            dialog.model, dialog.childId, parameter, dialog.context)
+        wrapper.setDialog(dialog)
+        return wrapper
+
+
+class _FilesWrapper(WidgetWrapper):
+    """Stands between a dialog of Processing and the field."""
+
+    def createWidget(self):
+        field = FilesField(self.parameterDefinition().description(),
+                           self.parameterDefinition().metadata().get("urbanmap_layers", False))
+        field.changed.connect(lambda: self.widgetValueHasChanged.emit(self))
+        return field
+
+    def setValue(self, value):
+        self.widget.set_files([value] if isinstance(value, str) else value or [])
+
+    def value(self):
+        return list(self.widget.files) or None
+
+
+class FilesField(QWidget):
+    """Says which files are chosen, and opens the dialog that chooses them."""
+
+    changed = pyqtSignal()
+
+    def __init__(self, title: str, with_layers: bool = False, parent=None):
+        super().__init__(parent)
+        self.title, self.with_layers, self.files = title, with_layers, []
+        self.line, button = QLineEdit(), QToolButton()
+        self.line.setReadOnly(True)
+        button.setText("…")
+        button.clicked.connect(self.choose)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.line, 1)
+        layout.addWidget(button)
+        self._show()
+
+    def set_files(self, files: Sequence[str]) -> None:
+        """Take other files for those that are chosen."""
+        self.files = [str(file) for file in files if file]
+        self._show()
+        self.changed.emit()
+
+    def choose(self) -> None:
+        """Let the user choose."""
+        dialog = FilesDialog(self.title, self.files, layer_files() if self.with_layers else {}, self)
+        if dialog.exec():
+            self.set_files(dialog.chosen())
+
+    def _show(self) -> None:
+        names = [Path(file).name for file in self.files]
+        self.line.setText(names[0] if len(names) == 1 else tr("{0} files").format(len(names)))
+        self.line.setToolTip("\n".join(self.files))
+
+
+class FilesDialog(QDialog):
+    """A list of files, of which those with a tick are chosen, in their order."""
+
+    def __init__(self, title: str, files: Sequence[str], layers: dict[str, str], parent=None):
+        super().__init__(parent)
+        self.setWindowTitle(title)
+        self.list = QListWidget()
+        self.list.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
+        for file in files:
+            self._add(file, True)
+        for file, name in layers.items():
+            if file not in files:
+                self._add(file, False, name)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
+        add = buttons.addButton(tr("Add files…"), QDialogButtonBox.ButtonRole.ActionRole)
+        add.clicked.connect(self._browse)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self.list)
+        layout.addWidget(buttons)
+        self.resize(560, 320)
+
+    def chosen(self) -> list[str]:
+        """The files with a tick."""
+        items = [self.list.item(row) for row in range(self.list.count())]
+        return [item.data(Qt.ItemDataRole.UserRole) for item in items if item.checkState() == Qt.CheckState.Checked]
+
+    def _add(self, file: str, ticked: bool, name: str = "") -> None:
+        item = QListWidgetItem(f"{name} ({file})" if name else file)
+        item.setData(Qt.ItemDataRole.UserRole, file)
+        item.setCheckState(Qt.CheckState.Checked if ticked else Qt.CheckState.Unchecked)
+        self.list.addItem(item)
+
+    def _browse(self) -> None:
+        settings = QSettings()
+        files, _ = QFileDialog.getOpenFileNames(self, self.windowTitle(), settings.value(_LAST_FOLDER, "", str))
+        for file in files:
+            self._add(file, True)
+        if files:
+            settings.setValue(_LAST_FOLDER, str(Path(files[0]).parent))
+
+
+def layer_files() -> dict[str, str]:
+    """Point cloud files that layers of the project show, with the layers' names."""
+    found = {}
+    for layer in QgsProject.instance().mapLayers().values():
+        path = file_of_layer(layer)
+        if path is not None and path.suffix.lower() in (".las", ".laz"):
+            found[str(path)] = layer.name()
+    return found

@@ -1,0 +1,120 @@
+"""Several files in QGIS's dialogs: presets and batch files keep them, layers of the project can be chosen."""
+
+from __future__ import annotations
+
+import json
+from types import SimpleNamespace
+
+import pytest
+
+FILES = ["/data/点群 1.laz", "/data/b.laz"]
+
+
+def file_lists():
+    """Algorithm and parameter for each that takes several files."""
+    from qgis.core import QgsApplication, QgsProcessing
+
+    return [(algorithm, item.name())
+            for algorithm in QgsApplication.processingRegistry().providerById("urbanmap").algorithms()
+            if hasattr(algorithm, "compute") for item in algorithm.parameterDefinitions()
+            if item.type() == "multilayer" and item.layerType() == QgsProcessing.SourceType.TypeFile]
+
+
+def wrapper_of(algorithm, name):
+    from processing.gui.wrappers import WidgetWrapperFactory
+    from qgis.core import QgsProcessingContext, QgsProject
+    from qgis.PyQt.QtWidgets import QDialog
+
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    wrapper = WidgetWrapperFactory.create_wrapper(algorithm.parameterDefinition(name), QDialog())
+    return wrapper, wrapper.widget, context
+
+
+def test_every_list_of_files_is_kept(qgis_app):
+    asked = 0
+    for algorithm, name in file_lists():
+        wrapper, field, context = wrapper_of(algorithm, name)
+        assert wrapper.parameterValue() is None
+        for given, kept in ((FILES, FILES), (FILES[0], FILES[:1]), (None, None)):
+            wrapper.setParameterValue(given, context)
+            assert wrapper.parameterValue() == kept, (algorithm.name(), name)
+        wrapper.setParameterValue(FILES, context)
+        assert field.line.toolTip().split("\n") == FILES
+        asked += 1
+    assert asked > 30
+
+
+def test_a_dialog_is_filled_with_what_a_history_says(qgis_app):
+    from processing.gui.AlgorithmDialog import AlgorithmDialog
+    from qgis.core import QgsApplication
+
+    dialog = AlgorithmDialog(QgsApplication.processingRegistry().algorithmById("urbanmap:groundfrommms").create())
+    dialog.setParameters({"POINTS": FILES, "THRESHOLD": 0.3})
+    values = (dialog.createProcessingParameters() if hasattr(dialog, "createProcessingParameters")
+              else dialog.getParameterValues())
+    assert values["POINTS"] == FILES and values["THRESHOLD"] == 0.3
+    dialog.close()
+
+
+def test_a_batch_file_is_read_and_its_rows_run(run, qgis_app, make_cloud, tmp_path, monkeypatch):
+    """As saved by QGIS's batch window, read into its table, each row run with what the table then says."""
+    import numpy as np
+    from processing.gui import BatchPanel as batch
+    from processing.gui.BatchAlgorithmDialog import BatchAlgorithmDialog
+    from qgis.core import QgsApplication, QgsProcessingContext, QgsProject
+
+    axis = np.arange(0.0, 40.0, 0.4)
+    x, y = (grid.ravel() for grid in np.meshgrid(axis, axis))
+    clouds = [str(make_cloud(tmp_path / f"{name}.laz", x, y, 0.01 * x)) for name in "ab"]
+    rows = [{"PARAMETERS": {"POINTS": repr(clouds[:count + 1])},
+             "OUTPUTS": {"OUTPUT": str(tmp_path / f"ground {count}.laz")}} for count in range(2)]
+    saved = tmp_path / "batch.json"
+    saved.write_text(json.dumps(rows), encoding="utf-8")
+    monkeypatch.setattr(batch.QFileDialog, "getOpenFileName", lambda *_: (str(saved), ""))
+    dialog = BatchAlgorithmDialog(QgsApplication.processingRegistry().algorithmById("urbanmap:groundfrommms").create())
+    panel = dialog.mainWidget()
+    panel.load()
+    assert panel.batchRowCount() == 2
+    context = QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    for number in range(2):
+        parameters, ready = panel.parametersForRow(number, context)
+        assert ready and parameters["POINTS"] == clouds[:number + 1]
+        made = run("urbanmap:groundfrommms", parameters)
+        assert made["OUTPUT"] == str(tmp_path / f"ground {number}.laz")
+    dialog.close()
+
+
+def test_layers_of_the_project_are_offered(plugin, monkeypatch):
+    widget = plugin("algorithms.framework.files_widget")
+    from pathlib import Path
+
+    layers = {"1": SimpleNamespace(name=lambda: "survey"), "2": SimpleNamespace(name=lambda: "image")}
+    monkeypatch.setattr(widget, "QgsProject", SimpleNamespace(
+        instance=lambda: SimpleNamespace(mapLayers=lambda: layers)))
+    monkeypatch.setattr(widget, "file_of_layer", lambda layer: Path(
+        "/data/survey.laz" if layer.name() == "survey" else "/data/image.tif"))
+    offered = widget.layer_files()
+    assert offered == {"/data/survey.laz": "survey"}
+    dialog = widget.FilesDialog("Points", FILES, offered)
+    assert dialog.list.count() == 3 and dialog.chosen() == FILES
+    from qgis.PyQt.QtCore import Qt
+
+    dialog.list.item(2).setCheckState(Qt.CheckState.Checked)
+    dialog.list.item(0).setCheckState(Qt.CheckState.Unchecked)
+    assert dialog.chosen() == [FILES[1], "/data/survey.laz"]
+
+
+@pytest.mark.parametrize("name", ["POINTS"])
+def test_the_modeller_keeps_its_own_field(qgis_app, name):
+    """Which offers outputs of earlier steps."""
+    from processing.gui.wrappers import WidgetWrapperFactory
+    from qgis.core import QgsApplication, QgsProcessingContext, QgsProcessingModelAlgorithm
+    from qgis.PyQt.QtWidgets import QDialog
+
+    algorithm = QgsApplication.processingRegistry().algorithmById("urbanmap:groundfrommms")
+    window = QDialog()
+    window.model, window.childId, window.context = QgsProcessingModelAlgorithm("a", "b"), "", QgsProcessingContext()
+    made = WidgetWrapperFactory.create_wrapper(algorithm.parameterDefinition(name), window)
+    assert type(made).__name__ == "QgsProcessingModelerParameterWidget"
