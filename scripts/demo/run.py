@@ -33,6 +33,8 @@ FILES = (
     ("survey_01.laz", "the mobile survey on the markings; survey_01.html is the report of its registration"),
     ("merged.gpkg", "the models with walls that the survey measured"),
     ("textured/", "the models with facades from line images: glTF, OBJ and CityJSON"),
+    ("citygml/", "the textured models as CityGML, laid out as PLATEAU has it"),
+    ("tiles/", "the same as 3D Tiles, for Cesium and QGIS 3.34 or later"),
     ("adjusted.html", "report on the walls that GNSS reflections moved"),
 )
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from scripts.demo import checks
 from scripts.demo import street_checks as street
 from scripts.demo.checks import Figure
+from scripts.demo.city_checks import city_files
 
 CITY = Path("city")
 ALS = CITY / "als/als.laz"
@@ -100,6 +101,11 @@ def _street_stages() -> list[Stage]:
                "CALIBRATION": lines / "calibration.json", "BUILDINGS": Path("models.gpkg"),
                "POINTS": Path("survey_01.laz"), "OUTPUT": Path("textured.glb"), "OUTPUT_FOLDER": Path("textured"),
                "OUTPUT_FACADES": Path("facades.gpkg")}, street.textured_model),
+        Stage("City model for other programs", "urbanmap:exportcitymodel",
+              {"BUILDINGS": Path("models.gpkg"), "SURFACES": Path("models_surfaces.gpkg"),
+               "TEXTURES": Path("textured/model.city.json"), "HEIGHTS": "JGD2011",
+               "GEOID_HEIGHT": 36.6, "OUTPUT": Path("city_model.gpkg"), "OUTPUT_CITYJSONSEQ": Path("models.city.jsonl"),
+               "OUTPUT_CITYGML": Path("citygml"), "OUTPUT_TILES": Path("tiles")}, city_files),
         Stage("Walls adjusted by GNSS reflections", "urbanmap:adjustwalls",
               {"BUILDINGS": CITY / "models/buildings.geojson",
                "TRAJECTORY": [path.with_name(f"{path.name}_trajectory.csv") for path in passes],

@@ -31,6 +31,9 @@ SANE["Facade textures"] = [("facades with", 1, 100), ("images that", 1, 1), ("sh
 SANE["Walls adjusted by GNSS reflections"] = [
     ("walls adjusted", 2, 100), ("their offset as delivered", 0.3, 2.0), ("their offset after", 0.0, 0.4)]
 SANE["Road markings from frames"] = [("found paint", 0.5, 1), ("seen paint", 0.6, 1)]
+SANE["City model for other programs"] = [
+    ("buildings in CityGML", 1, 1), ("their overlap", 0.88, 1), ("their height", 0, 0.001),
+    ("buildings in 3D Tiles", 1, 1)]
 SANE["Buildings from classified ALS"] = SANE["Buildings from unclassified ALS"]
 
 
