@@ -148,6 +148,13 @@ class ExportCityModel(UrbanMapAlgorithm):
 
     def _tell(self, made, textures, progress):
         """What the user should know of the models."""
+        bare = sum(not any(part.shapes for part in item.objects()) for item in made.objects)
+        if bare == len(made.objects):
+            raise InputError(tr("{0}: no feature has faces with heights; give building models (MultiPolygonZ), such as "
+                                "those of “Building models”.").format(self.label_of("BUILDINGS")))
+        if bare:
+            progress.message(tr("{0} of {1} buildings have no model and are written without a shape.").format(
+                bare, len(made.objects)))
         if made.renamed:
             progress.warn(tr("{0} of {1} ids were empty or there more than once; they got a number.").format(
                 made.renamed, len(made.objects)))

@@ -192,6 +192,17 @@ def test_folders_of_other_programs_are_refused(models, tmp_path):
         assert [path.name for path in (tmp_path / name).iterdir()] == [file]
 
 
+def test_outlines_are_no_models(qgis_app, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    flat = str(tmp_path / "flat.geojson")
+    Path(flat).write_text(json.dumps({"type": "FeatureCollection", "crs": {"type": "name", "properties": {
+        "name": "EPSG:6677"}}, "features": [{"type": "Feature", "properties": {}, "geometry": {
+            "type": "Polygon", "coordinates": [[[0, 0], [9, 0], [9, 9], [0, 0]]]}}]}))
+    with pytest.raises(QgsProcessingException, match="no feature has faces with heights"):
+        run(BUILDINGS=flat, OUTPUT_CITYJSON=str(tmp_path / "o.city.json"))
+
+
 def test_nothing_asked_for_is_said(models):
     from qgis.core import QgsProcessingException
 

@@ -96,6 +96,12 @@ def test_ids_that_are_there_twice_are_refused(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+def test_degrees_are_refused_as_cityjson(tmp_path):
+    for write in (write_model_cityjson, write_model_cityjsonseq):
+        with pytest.raises(InputError, match="degrees"):
+            write(tmp_path / "a.city.json", replace(town(), reference=CityReference("", 6668, True)))
+
+
 def test_codes_of_plane_and_heights():
     assert compound_epsg(CityReference("", 6669, False, "JGD2011")) == 10162
     assert compound_epsg(CityReference("", 6681, False, "JGD2011")) == 10174

@@ -47,8 +47,9 @@ def write_model_cityjson(path: str | os.PathLike, model: CityModel, progress: Pr
 
     Raises
     ------
-    InputError : two objects have the same id. OutputError : the file cannot be written.
+    InputError : two objects have the same id, or coordinates are degrees. OutputError : the file cannot be written.
     """
+    _require_metres(model.reference)
     vertices, appearance, count = VertexList(), _Appearance(), 0
     with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         file.write('{"type":"CityJSON","version":"2.0","CityObjects":{')
@@ -71,8 +72,9 @@ def write_model_cityjsonseq(path: str | os.PathLike, model: CityModel, progress:
 
     Raises
     ------
-    InputError : two objects have the same id. OutputError : the file cannot be written.
+    InputError : two objects have the same id, or coordinates are degrees. OutputError : the file cannot be written.
     """
+    _require_metres(model.reference)
     count, origin = 0, None
     with written_beside(path) as temporary, open(temporary, "w", encoding="utf-8", newline="\n") as file:
         for building in unique_objects(model.buildings):
@@ -91,6 +93,13 @@ def write_model_cityjsonseq(path: str | os.PathLike, model: CityModel, progress:
         if origin is None:
             _write_head(file, model, np.zeros(3))
     return count
+
+
+def _require_metres(reference: CityReference) -> None:
+    """Vertices are whole tenths of a millimetre, which degrees would lose."""
+    if reference.geographic:
+        raise InputError("CityJSON is written in metres, but the model counts in degrees: take it into a plane "
+                         "reference system first.")
 
 
 def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
