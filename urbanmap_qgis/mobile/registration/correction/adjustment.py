@@ -24,8 +24,11 @@ from .normal_equations import NormalEquations, normal_equations_of
 from .patch_status import (
     BRIDGED,
     DISTRUSTED,
+    LEAST_MET,
+    MOST_SPAN,
     REGISTERED,
     contradicted,
+    evidence_spans,
     opposing_spread,
     own_sigma,
     patch_statuses,
@@ -40,6 +43,10 @@ many metres."""
 
 _SEARCHED = (1,)  # rounds on the points in which the size of the drift is looked for again
 _CONVERGED = 0.002  # m
+_AROUND_STEP, _ON_STEP = 20.0, 10.0
+"""m from a step within which quiet evidence is not believed, and within which a patch counts as on it."""
+
+_STEP_SUPPORT = 5.0  # m of path to either side whose markings must fix a patch on a step
 _MIN_REPORTED, _MIN_OF_WINDOWS = 0.05, 0.6
 """Of the stated variance in plan, whatever the survey says: by points, and by windows, which look quiet as they share
 theirs."""
@@ -140,7 +147,9 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
         chain, fit = _onto_points(points, chain, fit, model, at_nodes, settings, progress.part(0.5, 1.0))
     model = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
     least = _MIN_OF_WINDOWS if points is None else _MIN_REPORTED
-    quiet = chain.solve(model, fit.weight / max(fit.found_noise, least))[1]
+    noise = np.where(chain.fast_near(chain.normals.path_parameter, _AROUND_STEP), max(fit.found_noise, 1.0),
+                     max(fit.found_noise, least))
+    quiet = chain.solve(model, fit.weight / noise)[1]
     made = _result(windows, chain, replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet)), at_patches,
                    doubtful, settings)
     return _distrusted(made, trajectory, windows.beyond, settings)
@@ -230,13 +239,25 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
     residual = windows.correction - value
     opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
     covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
-    own = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, settings.support_length)
+    support = np.where(chain.fast_near(at_patches, _ON_STEP), _STEP_SUPPORT, settings.support_length)
+    own = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, support)
     status, reason = patch_statuses(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
-                           settings.trusted_sigma)
-    status[opposed & (status == REGISTERED)], reason[opposed] = BRIDGED, "the window here contradicts the correction"
+                                    settings.trusted_sigma)
+    wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
+    status, reason = _bridged(status, reason, wide, "no markings just before or after the patch")
+    if normals.met is not None:
+        few = normals.met[piece] < LEAST_MET
+        status, reason = _bridged(status, reason, few, "few of the markings here are in the reference")
+    status, reason = _bridged(status, reason, opposed, "the window here contradicts the correction")
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
                       normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight)
+
+
+def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str) -> tuple[np.ndarray, np.ndarray]:
+    """Statuses and reasons with registered patches of a mask (n,) bridged."""
+    changed = mask & (status == REGISTERED)
+    return np.where(changed, BRIDGED, status).astype(np.int8), np.where(changed, why, reason)
 
 
 def _distrusted(made: Correction, trajectory: Trajectory, beyond: bool, settings: CorrectionSettings) -> Correction:

@@ -35,6 +35,13 @@ class NodeChain:
         # Where the error changes fast its own linearisation is worth less.
         self.normals = normals.softened(np.where(moving[self.node], _STEP_SOFTNESS, 1.0)) if moving.any() else normals
 
+    def fast_near(self, path_parameter: np.ndarray, extent: float) -> np.ndarray:
+        """Mask (n,) of path parameters within `extent` m of a place where the error changes fast."""
+        places = 0.5 * (self.nodes[1:] + self.nodes[:-1])[self.fast > 0]
+        ends = np.concatenate([[-np.inf], places, [np.inf]])
+        number = np.searchsorted(places, path_parameter)
+        return np.minimum(path_parameter - ends[number], ends[number + 1] - path_parameter) <= extent
+
     def with_normals(self, normals: NormalEquations) -> NodeChain:
         """The same nodes with other normal equations."""
         other = copy(self)

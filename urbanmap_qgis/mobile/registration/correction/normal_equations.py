@@ -20,7 +20,8 @@ class NormalEquations:
     ----------
     active : numbers of the d parameters (dx, dy, dz, droll, dpitch, dheading) that are estimated.
     path_parameter : (n,) m, of the pieces.  place : (n, d), gradient : (n, d), information : (n, d, d).
-    present : (n,) bool, whether the piece says anything.  three_d : whether height, roll and pitch are estimated.
+    present : (n,) bool, whether the piece says anything.  met : (n,) share of the points around that lie on reference
+        markings; None where it is not known.  three_d : whether height, roll and pitch are estimated.
     """
 
     active: tuple[int, ...]
@@ -30,6 +31,7 @@ class NormalEquations:
     information: np.ndarray
     present: np.ndarray
     three_d: bool
+    met: np.ndarray | None = None
 
     @property
     def normal_vector(self) -> np.ndarray:

@@ -14,6 +14,12 @@ drift. not to be trusted: too far from them, or contradictory or ambiguous marki
 _CONTRADICTION = 9.2  # squared Mahalanobis distance in plan that chance exceeds in 1 % of the cases
 _MIN_CONTRADICTION = 0.1  # m: smaller differences are within what drift in a window does
 _OPPOSED_SHARE = 0.5  # of the difference that is one standard deviation then
+MOST_SPAN = 8.0
+"""m without evidence: between markings farther apart a step of the error may hide."""
+
+LEAST_MET = 0.2
+"""Share of the points around that lie on reference markings: less is near what chance gives."""
+
 _REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 
 
@@ -64,7 +70,18 @@ def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
     return _OPPOSED_SHARE**2 * off[:, :, None] * off[:, None, :]
 
 
-def own_sigma(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray, extent: float) -> np.ndarray:
+def evidence_spans(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
+    """(n,) m from the last piece of evidence before each path parameter to the next after it; infinite at an end."""
+    there = normals.path_parameter[normals.present & (weight > _REJECTED)]
+    half = 0.5 * float(np.median(np.diff(normals.path_parameter))) if len(normals.path_parameter) > 1 else 0.0
+    ends = np.concatenate([[-np.inf], there, [np.inf]])
+    before = ends[np.searchsorted(there, path_parameter + half, side="right")]
+    after = ends[np.searchsorted(there, path_parameter - half, side="left") + 1]
+    return np.maximum(after - before, 0.0)
+
+
+def own_sigma(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray,
+              extent: float | np.ndarray) -> np.ndarray:
     """(n,) m: worst standard deviation in plan by the observations within `extent` of path parameters (n,).
 
     Infinite where there is none.

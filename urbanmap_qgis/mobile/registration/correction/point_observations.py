@@ -31,7 +31,7 @@ _AROUND = 2.0  # m
 _CHANCE, _SURE = 0.03, 0.15
 """Share of a section's points on reference markings: what chance alone gives, and what is surely more than chance."""
 _AVERAGED = 2  # pieces to either side over which curvatures are averaged
-_OVERLAP_PIECES = 3  # pieces to either side over which the share is taken
+_OVERLAP_PIECES, _MET_PIECES = 3, 7  # pieces to either side over which the share is taken: for their belief, and told
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ class PointObservations:
         place = curve(self.path_parameter)[:, active]
         return NormalEquations(tuple(active), self.path_parameter, place, gradient[:, active] * believed[:, None],
                         information * believed[:, None, None], (share[:, 0] > 0) & (believed > 0),
-                        self.settings.three_d)
+                        self.settings.three_d, _share_met(share, _MET_PIECES))
 
     def _moved(self, points: PatchPoints, correction: np.ndarray) -> _Moved:
         """Points moved by corrections (m, 6)."""
@@ -174,10 +174,14 @@ def _averaged(information: np.ndarray) -> np.ndarray:
 
 def _belief(share: np.ndarray) -> np.ndarray:
     """(n,) 0 to 1: how far the pieces' points meet more reference markings than chance lets them."""
+    return np.clip((_share_met(share, _OVERLAP_PIECES) - _CHANCE) / (_SURE - _CHANCE), 0.0, 1.0)
+
+
+def _share_met(share: np.ndarray, pieces: int) -> np.ndarray:
+    """(n,) share of the points of so many pieces to either side that lie on reference markings."""
     running = np.concatenate([np.zeros((1, 2)), np.cumsum(share, axis=0)])
     number = np.arange(len(share))
-    low = np.maximum(number - _OVERLAP_PIECES, 0)
-    high = np.minimum(number + _OVERLAP_PIECES + 1, len(share))
+    low = np.maximum(number - pieces, 0)
+    high = np.minimum(number + pieces + 1, len(share))
     total = running[high] - running[low]
-    met = total[:, 1] / np.maximum(total[:, 0], 1.0)
-    return np.clip((met - _CHANCE) / (_SURE - _CHANCE), 0.0, 1.0)
+    return total[:, 1] / np.maximum(total[:, 0], 1.0)

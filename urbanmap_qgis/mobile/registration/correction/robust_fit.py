@@ -16,7 +16,8 @@ _PASSES = 6
 _FACTORS = (1.0, 2.0, 4.0, 8.0)
 _FACTOR_SPREAD = 1.0  # how far from the expected drift, in powers of two, a survey's usually lies
 _HEADING_FACTORS = (5.0, 25.0)  # times the stated error of the heading that are tried
-_HEADING_PROOF = 5.0  # log-likelihood by which they must be better
+_HEADING_PROOF = 50.0  # log-likelihood by which they must be better: 6 to 13 where paint was moved, 200 by 2 degrees
+_MOST_OWN = 0.9  # of the information on its place that a block can have from itself
 _WEIGHT_TOLERANCE = 0.02
 _REGION = 5  # pieces to either side that are a piece's region
 _MIN_USUAL = 0.1  # reduced chi square of single pieces below which none is held against them
@@ -121,15 +122,24 @@ def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.nda
     test = np.full(count, np.nan)
     for b in np.flatnonzero(information.any(axis=(1, 2))):
         own = information[b]
-        others = np.linalg.inv(covariance[middle[b]]) - share[b] * own
-        values, vectors = np.linalg.eigh(0.5 * (others + others.T))
-        spread = (vectors / np.maximum(values, 1e-9 * max(values.max(), 1e-9))) @ vectors.T
+        spread = _spread_of_others(covariance[middle[b]], share[b] * own)
         apart = lean[b] + share[b] * own @ (spread @ lean[b])
         scatter = own + own @ spread @ own
         sizes, axes = np.linalg.eigh(0.5 * (scatter + scatter.T))
         there = sizes > 1e-8 * sizes.max()
         test[b] = float(((axes[:, there].T @ apart) ** 2 / sizes[there]).sum()) / max(int(there.sum()), 1)
     return test
+
+
+def _spread_of_others(covariance: np.ndarray, own: np.ndarray) -> np.ndarray:
+    """Covariance (p, p) that is left of a block's place without its own information (p, p).
+
+    A block is no rigid body: what its pieces say is not all said of its middle, so that the others' share has a floor.
+    """
+    root = np.linalg.cholesky(covariance)
+    values, vectors = np.linalg.eigh(root.T @ own @ root)
+    axes = root @ vectors
+    return (axes / (1.0 - np.clip(values, 0.0, _MOST_OWN))) @ axes.T
 
 
 def _block_shares(test: np.ndarray, noise: float, settings: CorrectionSettings) -> tuple[np.ndarray, float]:
