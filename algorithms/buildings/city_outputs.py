@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from datetime import date
 
-from ...urbanmap_qgis.errors import InputError
+from qgis.core import QgsVectorFileWriter
+
+from ...urbanmap_qgis.errors import InputError, OutputError
+from ..framework.destinations import sink_file
 from ..framework.parameters import tr
 
 
@@ -16,6 +19,15 @@ def day_of(algorithm, parameters, name, context):
     except ValueError:
         raise InputError(tr("{0}: {1} is no day; give it as 2026-04-01.").format(algorithm.label_of(name), text)
                          ) from None
+
+
+def check_parquet(algorithm, parameters, name, context):
+    """Refuse a layer as GeoParquet where GDAL has no driver for it: QGIS would write another format."""
+    path = sink_file(parameters, name, context)
+    known = [ending.lower() for ending in QgsVectorFileWriter.supportedFormatExtensions()]
+    if path is not None and path.suffix.lower() == ".parquet" and "parquet" not in known:
+        raise OutputError(tr("{0}: this system's GDAL cannot write GeoParquet; give a name that ends in .gpkg.").format(
+            algorithm.label_of(name)))
 
 
 def write_files(algorithm, parameters, context, names, model, progress):

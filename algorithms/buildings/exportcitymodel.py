@@ -11,7 +11,7 @@ from ..framework.layers import make_fields
 from ..framework.outlines import column
 from ..framework.parameters import CITYJSON_FILTER, tr
 from ..framework.trajectories import GEOID_FILTER
-from .city_outputs import day_of, write_files
+from .city_outputs import check_parquet, day_of, write_files
 
 CITYJSONSEQ_FILTER = "CityJSONSeq (*.city.jsonl *.jsonl)"
 OWN_IDS = ("gml_id", "building_id")
@@ -76,6 +76,7 @@ class ExportCityModel(UrbanMapAlgorithm):
 
         check_city_code(self.parameterAsString(parameters, "CITY_CODE", context))
         day_of(self, parameters, "DATA_DATE", context)
+        check_parquet(self, parameters, "OUTPUT", context)
         if bool(parameters.get("BUILDINGS")) == bool(parameters.get("CITY_MODEL")):
             raise InputError(tr("Give either {0} or {1}.").format(self.label_of("BUILDINGS"),
                                                                   self.label_of("CITY_MODEL")))

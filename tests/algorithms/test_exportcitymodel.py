@@ -203,6 +203,18 @@ def test_outlines_are_no_models(qgis_app, tmp_path):
         run(BUILDINGS=flat, OUTPUT_CITYJSON=str(tmp_path / "o.city.json"))
 
 
+def test_geoparquet_where_gdal_has_it(models, tmp_path):
+    from osgeo import ogr
+    from qgis.core import QgsProcessingException
+
+    if ogr.GetDriverByName("Parquet") is not None:
+        run(BUILDINGS=models, OUTPUT=str(tmp_path / "o.parquet"))
+        assert (tmp_path / "o.parquet").read_bytes()[:4] == b"PAR1"
+        return
+    with pytest.raises(QgsProcessingException, match="cannot write GeoParquet"):
+        run(BUILDINGS=models, OUTPUT=str(tmp_path / "o.parquet"))
+
+
 def test_nothing_asked_for_is_said(models):
     from qgis.core import QgsProcessingException
 
