@@ -10,6 +10,7 @@ from ..framework.crs import stated_wkt
 from ..framework.layers import make_fields
 from ..framework.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
 from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from ..framework.reprojection import with_heights_of_points
 from ..framework.workers import workers
 from .segmentroofs import LEVELS, PLANES
 
@@ -79,6 +80,7 @@ class BuildingModels(UrbanMapAlgorithm):
         roof_table = self._roof_table(parameters, context, progress)
         self.same_crs("ROOFS", roof_table.crs, "FOOTPRINTS", buildings.crs)
         cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
+        buildings = with_heights_of_points(buildings, cloud)
         base = self._base_heights(parameters, context, buildings, footprints, progress)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),

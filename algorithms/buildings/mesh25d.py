@@ -9,6 +9,7 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.outlines import building_names, footprints_of, numbers, open_points
 from ..framework.parameters import OBJ_FILTER, tr
+from ..framework.reprojection import with_heights_of_points
 from ..framework.workers import workers
 
 PLY_FILTER = "PLY mesh (*.ply)"
@@ -74,6 +75,7 @@ class Mesh25D(UrbanMapAlgorithm):
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
+        table = with_heights_of_points(table, cloud)
         base = numbers(table, "ground")
         base = np.full(len(footprints), np.nan) if base is None else base
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)

@@ -7,6 +7,7 @@ from ..framework.layers import make_fields
 from ..framework.outlines import BUILDING_ID, NOTE, building_names, footprints_of, open_points
 from ..framework.parameters import tr
 from ..framework.point_outputs import check_points_output, points_output
+from ..framework.reprojection import with_heights_of_points
 from ..framework.workers import workers
 
 
@@ -65,6 +66,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
+        table = with_heights_of_points(table, cloud)
         settings = SegmentationParameters(
             self.parameterAsDouble(parameters, "EXPANSION", context),
             self.parameterAsDouble(parameters, "MIN_HEIGHT", context),

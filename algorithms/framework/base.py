@@ -373,10 +373,12 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             return None
         import shapely
 
-        from ...urbanmap_qgis.io.raster import read_raster
+        from ...urbanmap_qgis.io.raster import RasterSampler, read_raster
 
         x_min, y_min, x_max, y_max = shapely.total_bounds(layer.geometries)
-        stated = crs_checks.stated_wkt(self.parameterAsRasterLayer(parameters, name, context).crs())
+        with RasterSampler(path) as source:
+            stated = source.crs_wkt
+        self.same_heights(name, stated, reprojection.POINTS, reprojection.points_wkt(self, parameters, context))
         if reprojection.needs_moving(stated, layer.crs_wkt):
             self.same_heights(name, stated, layer_name, layer.crs)
             return reprojection.raster_in(path, self.label_of(name), layer.crs_wkt,

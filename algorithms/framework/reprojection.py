@@ -86,3 +86,13 @@ def raster_in(path, label: str, target_wkt: str, bounds, progress: Progress = SI
         transform = plane_transform(source.crs_wkt, target_wkt)
         progress.warn(told(label, source.crs_wkt, target_wkt, transform))
         return resampled(source, transform, bounds)
+
+
+def with_heights_of_points(table, cloud):
+    """The outlines with the height system that the points state in their CRS: what is made of both states it."""
+    from ...urbanmap_qgis.io.height_systems import stating_heights_of
+
+    if cloud is None or not cloud.crs_wkt:
+        return table
+    stated = stating_heights_of(table.crs_wkt, cloud.crs_wkt)
+    return table if stated == table.crs_wkt else replace(table, crs=crs_from(stated))
