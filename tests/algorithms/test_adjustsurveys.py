@@ -62,6 +62,16 @@ def test_control_of_one_drive_places_both(run, small_city, markings, read_layer,
     assert "standard deviation of" in text and "control point" in text and "survey_02_trajectory" in text
 
 
+def test_surveys_themselves_are_tied_by_planes_too(run, small_city, tmp_path):
+    result = run(ALGORITHM, {
+        "POINTS": [str(small_city / f"mms/{name}.laz") for name in SURVEYS],
+        "TRAJECTORY": [str(small_city / f"mms/{name}_trajectory.csv") for name in SURVEYS],
+        "CALIBRATION": str(small_city / "mms/calibration.json"), "OUTPUT": str(tmp_path / "corrected")})
+    assert result["TIES"] >= 5 and result["PLANE_TIES"] >= 5
+    first, second = errors(small_city, tmp_path / "corrected")
+    assert np.hypot(*(first[:, :2].mean(axis=0) - second[:, :2].mean(axis=0))) < 0.10
+
+
 def test_without_control_the_drives_agree_and_the_place_is_called_relative(run, small_city, markings, feedback,
                                                                            tmp_path):
     result = run(ALGORITHM, given(small_city, markings, tmp_path))

@@ -76,6 +76,18 @@ def test_the_same_as_the_filter_in_memory_whatever_the_tiles(survey, tmp_path, m
         assert np.mean((classes(tmp_path / f"{number}.laz") == 2) != expected) < 1e-4
 
 
+def test_tiles_of_many_points_are_split_and_the_ground_stays(survey, tmp_path, monkeypatch):
+    path, _ = survey()
+    classify_ground_files([path], tmp_path / "whole.laz")
+    seen = []
+    tiling = ground.Tiling
+    monkeypatch.setattr(ground, "Tiling", lambda cell, cells: seen.append(cells) or tiling(cell, cells))
+    monkeypatch.setattr(ground, "_TILE_POINTS", 5_000)
+    classify_ground_files([path], tmp_path / "split.laz")
+    assert seen[0] == 32 and seen[-1] < 32
+    assert np.array_equal(classes(tmp_path / "whole.laz"), classes(tmp_path / "split.laz"))
+
+
 def test_a_second_pass_that_lies_higher_keeps_its_ground(survey, tmp_path):
     first, second = street(), street(lift=0.6, start=1100.0, seed=2, backwards=True)
     both = tuple(np.concatenate(pair) for pair in zip(first, second))

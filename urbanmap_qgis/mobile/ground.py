@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -31,6 +32,8 @@ MIN_GROUND_SHARE = 0.01
 
 _MOST_NODES = 100_000_000
 _TILE = 64.0
+_TILE_POINTS = 2_000_000
+_BUCKET_MEMORY = 120_000_000
 _RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("t", "<f8")])
 
 
@@ -95,8 +98,8 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     """
     cloud = open_cloud(paths, crs_wkt)
     wkt = metric_crs_wkt(cloud)
-    with PointBuckets(_RECORD) as buckets:
-        survey = _Survey(cloud, settings, buckets, executor)
+    with PointBuckets(_RECORD, _BUCKET_MEMORY) as buckets, PointBuckets(_RECORD, _BUCKET_MEMORY) as smaller:
+        survey = _Survey(cloud, settings, buckets, smaller, executor)
         survey.read(progress.part(0.0, 0.35))
         grounds = survey.grounds(progress.part(0.35, 0.65))
     ground = _write(cloud, output, survey.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
@@ -106,8 +109,10 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
 class _Survey:
     """The points of a survey in tiles, on their way to the cloths of its passes."""
 
-    def __init__(self, cloud: PointCloud, settings: ClothSettings, buckets: PointBuckets, executor: Executor | None):
+    def __init__(self, cloud: PointCloud, settings: ClothSettings, buckets: PointBuckets, smaller: PointBuckets,
+                 executor: Executor | None):
         self.cloud, self.settings, self.buckets, self.executor = cloud, settings, buckets, executor
+        self.smaller = smaller
         self.tiling = Tiling(settings.resolution, max(int(np.ceil(_TILE / settings.resolution)), 16))
         self.keys: list[int] = []
         self.passes = SurveyPasses(np.empty(0))
@@ -116,7 +121,7 @@ class _Survey:
     def read(self, progress: Progress) -> None:
         """Sort the points into tiles and find the passes."""
         timed = self.cloud.has_dimension("gps_time")
-        positions, keys = BlockPositions(), set()
+        positions, counts = BlockPositions(), Counter()
         for chunk in iter_chunks(self.cloud, progress):
             records = np.zeros(len(chunk), dtype=_RECORD)
             for name in "xyz":
@@ -128,12 +133,28 @@ class _Survey:
             self.usable += len(records)
             positions.add(records["x"], records["y"], records["t"])
             tile = self.tiling.keys(records["x"], records["y"])
-            keys.update(np.unique(tile).tolist())
+            counts.update(dict(zip(*(values.tolist() for values in np.unique(tile, return_counts=True)))))
             self.buckets.add(tile, records)
-        if not keys:
+        if not counts:
             raise InsufficientDataError(f"{self.cloud.paths[0].name} holds no usable points: all are noise, withheld "
                                         "or have no valid height.")
-        self.keys, self.passes = sorted(keys), positions.passes()
+        self.keys, self.passes = sorted(counts), positions.passes()
+        self._split(max(counts.values()))
+
+    def _split(self, most: int) -> None:
+        """Put the points into smaller tiles where one holds so many that a few of them would fill the memory."""
+        cells, least = self.tiling.cells, 2 * int(np.ceil(point_margin(self.settings) / self.tiling.cell))
+        while most > _TILE_POINTS and cells // 2 >= least:
+            cells, most = cells // 2, most // 4
+        if cells == self.tiling.cells:
+            return
+        self.tiling, keys = Tiling(self.tiling.cell, cells), set()
+        for key in self.keys:
+            records = self.buckets.read(key)
+            tile = self.tiling.keys(records["x"], records["y"])
+            keys.update(np.unique(tile).tolist())
+            self.smaller.add(tile, records)
+        self.keys, self.buckets = sorted(keys), self.smaller
 
     def grounds(self, progress: Progress) -> list[PassGround | None]:
         """The cloth of each pass."""
