@@ -136,6 +136,35 @@ def _strip_image(path: Path, city: Path) -> Path:
     return Path(shutil.copy(city / "lines/camera_1.png", path))
 
 
+def _citygml(path: Path, city: Path) -> Path:
+    """The city's models as CityGML."""
+    from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
+    from urbanmap_qgis.citymodel.citygml_writer import write_citygml
+    from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
+
+    folder = path.parent / "gml"
+    folder.mkdir()
+    write_citygml(folder, open_cityjson(city / "models/buildings.city.json", ReadingNotes()))
+    return Path(shutil.copy(next(iter(sorted(folder.rglob("*.gml")))), path))
+
+
+def _dem(path: Path, city: Path) -> Path:
+    head = (ROOT / "tests" / "core" / "gsi_dem_writer.py").read_text(encoding="utf-8")
+    scope: dict = {}
+    exec(compile(head, "gsi_dem_writer", "exec"), scope)
+    path.write_text(scope["dem_xml"]("53394611", ["\u5730\u8868\u9762,12.50"] * (150 * 225), 150, 225),
+                    encoding="utf-8")
+    return path
+
+
+def _geoid(path: Path, city: Path) -> Path:
+    """A small grid as GSI writes its geoid."""
+    rows = ["36.0 139.0 0.016667 0.025 40 30 1 ver1"]
+    rows += [" ".join(f"{36 + 0.01 * (row + column):.4f}" for column in range(30)) for row in range(40)]
+    path.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    return path
+
+
 def _poses(path: Path, city: Path) -> Path:
     return _head("mms/survey_01_images.csv", 60)(path, city)
 
@@ -242,6 +271,35 @@ def _orthophoto(path: Path):
         return grid
 
 
+def _city(path: Path):
+    from contextlib import ExitStack
+
+    from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes, open_citygml
+    from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
+
+    with ExitStack() as stack:
+        model = (open_citygml(path, stack, ReadingNotes()) if path.suffix == ".gml"
+                 else open_cityjson(path, ReadingNotes()))
+        return [building.shapes for building in model.buildings]
+
+
+def _elevations(path: Path):
+    """NaN stands for nodes without a height; infinity for nothing."""
+    import numpy as np
+
+    from urbanmap_qgis.io.gsi_dem import read_gsi_dem
+
+    return [(mesh.west, mesh.north, mesh.cell, np.where(np.isnan(mesh.heights), 0.0, mesh.heights))
+            for mesh in read_gsi_dem(path).meshes]
+
+
+def _heights(path: Path):
+    from urbanmap_qgis.io.geoid import read_geoid
+
+    made = read_geoid(path)
+    return made.south, made.west, made.steps
+
+
 FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "LAS": ("a.las", lambda path, city: _written_cloud(path, city, 3), _cloud),
     "LAS 1.4": ("a.las", lambda path, city: _written_cloud(path, city, 6), _cloud),
@@ -261,6 +319,10 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "CityJSON": ("a.city.json", _copied("models/buildings.city.json"), _of("io.cityjson", "read_cityjson")),
     "GSI XML": ("FG-GML-533946-BldA-20240401-0001.xml", _gsi, _buildings),
     "GSI zip": ("a.zip", _gsi_zip, _buildings),
+    "CityGML": ("a.gml", _citygml, _city),
+    "city model CityJSON": ("a.city.json", _copied("models/buildings.city.json"), _city),
+    "GSI DEM": ("FG-GML-5339-46-11-DEM5A-20161001.xml", _dem, _elevations),
+    "geoid grid": ("a.asc", _geoid, _heights),
     "RINEX observations": ("a.obs", _head("gnss/pass_01.obs", 400), _observations),
     "RINEX navigation": ("a.nav", _head("gnss/satellites.nav", 400), _navigation),
     "SP3": ("a.sp3", _sp3, _navigation),
