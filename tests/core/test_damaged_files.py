@@ -17,6 +17,8 @@ from pyproj import CRS
 
 from urbanmap_qgis.aerial.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.vehicle_filter import OrthophotoSource
+from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
+from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
 from urbanmap_qgis.io import gsi_gml, gsi_sources
@@ -179,6 +181,17 @@ def test_tables_and_json(tmp_path, name, read, content):
     with pytest.raises(InputError) as refused:
         read(write(tmp_path / name, content))
     assert name in str(refused.value) and "codec" not in str(refused.value)
+
+
+@pytest.mark.parametrize("vertices", ["[" + "9" * 400 + ", 0, 0]", "[0, 0]", '"a"'])
+def test_buildings_that_are_damaged_further_down(tmp_path, vertices):
+    """What is read while buildings are walked through is refused as what is read at once."""
+    path = write(tmp_path / "c.json", '{"type": "CityJSON", "version": "2.0", "transform": {"scale": [1, 1, 1], '
+                 '"translate": [0, 0, 0]}, "metadata": {"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/6677"'
+                 '}, "CityObjects": {"a": {"type": "Building", "geometry": [{"type": "MultiSurface", "lod": "1", '
+                 '"boundaries": [[[0, 1, 2]]]}]}}, "vertices": [[0, 0, 0], [1, 0, 0], ' + vertices + "]}")
+    with pytest.raises(InputError, match=r"c\.json"):
+        list(open_cityjson(path, ReadingNotes()).buildings)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])

@@ -17,6 +17,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.gsi_sources import PathLike, Wanted, XmlSource, list_sources
+from ..io.guard import reads
 from ..io.xml_stream import root_children
 from ..progress import SILENT, Progress
 from .gml_shapes import GmlTextures, ShapeReader
@@ -115,7 +116,8 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     reference = _reference_of(sources[0], given)
     images: dict[str, Path] = {}
 
-    def buildings() -> Iterator[CityObject]:
+    @reads("CityGML")
+    def buildings(_path) -> Iterator[CityObject]:
         seen: Counter = Counter()
         total = max(sum(source.size for source in sources), 1)
         done = 0
@@ -130,7 +132,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
             done += source.size
             notes.files.append(source.name)
 
-    return CityModel(reference.reference, buildings(), images, title=Path(sources[0].name).stem)
+    return CityModel(reference.reference, buildings(path), images, title=Path(sources[0].name).stem)
 
 
 def _once(building: CityObject, seen: Counter, notes: ReadingNotes) -> CityObject:

@@ -71,13 +71,14 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
     reference = _reference(metadata, path, given)
     images: dict[str, Path] = {}
 
-    def buildings() -> Iterator[CityObject]:
+    @reads("CityJSON")
+    def buildings(_path) -> Iterator[CityObject]:
         seen: set[str] = set()
         for piece in pieces:
             yield from _Piece(piece, head, path, notes, images, reference).buildings(seen)
         notes.files.append(path.name)
 
-    return CityModel(reference, buildings(), images, str(metadata.get("title") or ""),
+    return CityModel(reference, buildings(path), images, str(metadata.get("title") or ""),
                      str(metadata.get("referenceDate") or ""))
 
 
