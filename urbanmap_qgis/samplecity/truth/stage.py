@@ -14,6 +14,7 @@ from ..scene.model import AERIAL, GROUND, FaceKind
 from ..scene.world import Scene
 from .geopackage import Layer, write_geopackage
 from .geotiff import write_mask
+from .lanes import true_lanes
 
 CELL = 0.25
 """Of the raster of the ground, m."""
@@ -23,13 +24,14 @@ BORDER = 30.0
 
 
 def write_truth(scene: Scene, folder: Path) -> dict:
-    """Write truth/markings.gpkg, roofs.gpkg, footprints.gpkg, areas.gpkg and ground.tif below `folder`."""
+    """Write truth/markings.gpkg, roofs.gpkg, footprints.gpkg, areas.gpkg, lanes.gpkg and ground.tif below `folder`."""
     truth = folder / "truth"
     truth.mkdir(parents=True, exist_ok=True)
     write_geopackage(truth / "markings.gpkg", [_markings(scene, AERIAL, "aerial"), _markings(scene, GROUND, "mms")])
     write_geopackage(truth / "roofs.gpkg", [_roofs(scene), _wall_lines(scene)])
     write_geopackage(truth / "footprints.gpkg", [_footprints(scene)])
     write_geopackage(truth / "areas.gpkg", [_areas(scene)])
+    write_geopackage(truth / "lanes.gpkg", [true_lanes(scene)])
     _write_ground(scene, truth / "ground.tif")
     return {"buildings": len(scene.buildings), "roofs": sum(len(building.parts) for building in scene.buildings),
             "markings": len(scene.markings), "trees": len(scene.trees), "vehicles": len(scene.vehicles)}

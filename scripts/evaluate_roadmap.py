@@ -1,0 +1,211 @@
+#!/usr/bin/env python3
+"""Lines, symbols and lanes against the truth of a city: what the road map's algorithms reach from found markings.
+
+    python3 scripts/evaluate_roadmap.py CITY MARKINGS.gpkg [GROUND.tif]
+
+CITY is a sample city or another folder with truth/markings.gpkg, truth/survey_*_trajectory.csv and, for lanes,
+truth/lanes.gpkg. MARKINGS are the polygons found in it. Lines are compared by their painted length; lanes with the true
+trajectories as drives. Needs a Python that sees QGIS's GDAL.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import shapely
+import shapely.ops
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from scripts.demo.checks import read_layer  # noqa: E402
+from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
+from urbanmap_qgis.roadmap.line_work import LineWork, line_work, with_ground_heights  # noqa: E402
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
+from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
+
+LINES = {"centre": "solid", "centre_dash": "dashed", "edge": "solid", "lane": "", "lane_dash": "dashed",
+         "lane_solid": "solid"}
+"""Kinds of truth that are lines of lanes, and their class; the sample's lane lines are dashes where 3 m long."""
+
+OTHER_LINES = {"tactile", "parking", "bay", "sidewalk_dash"}
+"""Paint that is a line too, but none of a lane: finding it is neither asked for nor wrong."""
+
+NEAR, STEP = 0.10, 0.25  # m
+
+
+def axes_of(polygons: np.ndarray) -> np.ndarray:
+    """Middle lines of polygons that are strips of one width, straight or bent."""
+    made = []
+    for polygon in polygons:
+        frame = shapely.minimum_rotated_rectangle(shapely.force_2d(polygon))
+        straight = polygon.area > 0.93 * frame.area
+        ring = shapely.get_coordinates((frame if straight else shapely.get_parts(polygon)[0]).exterior)[:-1]
+        sides = np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1)
+        ends = range(len(ring)) if len(ring) % 2 == 0 else []
+        half = len(ring) // 2
+        # The two ends of a strip lie half a ring apart and are its shortest sides together.
+        first = min(ends, key=lambda k: sides[k] + sides[(k + half) % len(ring)], default=0)
+        ring = np.roll(ring, -first - 1, axis=0)
+        made.append(shapely.LineString((ring[:half] + ring[half:2 * half][::-1]) / 2))
+    return np.array(made, object)
+
+
+def painted(work: LineWork) -> list[tuple[object, shapely.LineString]]:
+    """Painted stretches of the found lines with their line."""
+    made = []
+    for line in work.lines:
+        for start, end in line.dashes if line.kind != "stop line" else ():
+            made.append((line, shapely.ops.substring(line.plan, start, end)))
+    return [(line, stretch) for line, stretch in made if stretch.length > 0.2]
+
+
+def sampled(line: shapely.LineString) -> np.ndarray:
+    return shapely.line_interpolate_point(line, np.arange(STEP / 2, line.length, STEP))
+
+
+def line_figures(work: LineWork, shapes: np.ndarray, kinds: np.ndarray, given: np.ndarray) -> dict[str, float]:
+    """Completeness, correctness, lateral error, class and sigma of the lines."""
+    wanted, other = np.isin(kinds, list(LINES)), np.isin(kinds, list(OTHER_LINES))
+    axes, spare = axes_of(shapes[wanted]), axes_of(shapes[other])
+    classes = np.array([LINES[kind] or ("dashed" if axis.length < 4.0 else "solid")
+                        for kind, axis in zip(kinds[wanted], axes)])
+    found = painted(work)
+    tree, truth, extra = (shapely.STRtree(one) for one in ([stretch for _, stretch in found], axes, spare))
+    places = np.concatenate([sampled(axis) for axis in axes])
+    complete = np.isin(np.arange(len(places)), tree.query(places, predicate="dwithin", distance=NEAR)[0])
+    held = np.isin(np.arange(len(places)),
+                   shapely.STRtree(given).query(places, predicate="dwithin", distance=NEAR)[0])
+    right, total, lateral, within, class_right, class_total = 0, 0, [], [], 0, 0
+    for line, stretch in found:
+        points = sampled(stretch)
+        at, which = truth.query(points, predicate="dwithin", distance=0.25)
+        spared = np.unique(extra.query(points, predicate="dwithin", distance=0.25)[0])
+        hit = np.unique(at[shapely.distance(points[at], axes[which]) <= NEAR])
+        counted = np.setdiff1d(np.arange(len(points)), np.setdiff1d(spared, hit))
+        right, total = right + len(hit), total + len(counted)
+        apart = shapely.distance(points[at], axes[which])
+        lateral += apart.tolist()
+        within += (apart <= 2 * line.sigma).tolist()
+        class_right += int((classes[which] == line.kind).sum())
+        class_total += len(which)
+    return {"lines, completeness": complete.mean(), "lines, share of the paint that the markings hold": held.mean(),
+            "lines, completeness of paint in the markings": complete[held].mean(),
+            "lines, correctness": right / max(total, 1),
+            "lateral RMS, m": float(np.sqrt(np.mean(np.square(lateral)))), "class by length": class_right / class_total,
+            "within two sigma": float(np.mean(within)), **end_figures(work, axes[classes == "dashed"])}
+
+
+def end_figures(work: LineWork, dashes: np.ndarray) -> dict[str, float]:
+    """Errors along at dash ends."""
+    ends = shapely.points(np.concatenate([shapely.get_coordinates(axis) for axis in dashes])) if len(dashes) else []
+    tree, errors = shapely.STRtree(ends), []
+    for line in work.lines:
+        if line.kind != "dashed":
+            continue
+        for place in shapely.line_interpolate_point(line.plan, line.dashes.ravel()):
+            near = tree.query_nearest(place, max_distance=0.6)
+            errors += [shapely.distance(place, ends[k]) for k in near[:1]]
+    return {"dash ends, RMS along, m": float(np.sqrt(np.mean(np.square(errors)))) if errors else np.nan,
+            "dash ends, mean, m": float(np.mean(errors)) if errors else np.nan}
+
+
+def area_figures(work: LineWork, shapes: np.ndarray, kinds: np.ndarray) -> dict[str, float]:
+    """Stop lines, crosswalks and arrows found and right."""
+    figures = {}
+    stops = axes_of(shapes[np.isin(kinds, ["stop", "stop_line"])])
+    found = [line.plan for line in work.lines if line.kind == "stop line"]
+    figures |= _matched("stop lines", [one.buffer(0.2) for one in stops], [one.buffer(0.2) for one in found], 0.5)
+    pairs = [(a, b) for a in stops for b in found if a.distance(b) < 0.3 and b.length > 0.5 * a.length]
+    off = [shapely.distance(sampled(b), shapely.LineString(a)).mean() for a, b in pairs]
+    figures["stop lines, RMS along the road, m"] = float(np.sqrt(np.mean(np.square(off)))) if off else np.nan
+    bars = shapely.force_2d(shapes[kinds == "zebra"])
+    rows = shapely.get_parts(shapely.union_all(shapely.buffer(bars, 0.5)))
+    rows = [shapely.minimum_rotated_rectangle(shapely.union_all(bars[shapely.intersects(bars, row)])) for row in rows]
+    figures |= _matched("crosswalks", rows, [area.polygon for area in work.areas if area.kind == "crosswalk"], 0.7)
+    arrows = [area.polygon for area in work.areas if area.kind.startswith("arrow")]
+    return figures | _matched("arrows (any kind)", list(shapely.force_2d(shapes[kinds == "arrow"])), arrows, 0.4)
+
+
+def _matched(name: str, truth: list, found: list, least: float) -> dict[str, float]:
+    """Shares of truth found and of found that is true, by intersection over union."""
+    tree, hits, real = shapely.STRtree(found), 0, set()
+    for one in truth:
+        for k in tree.query(one, predicate="intersects"):
+            if one.intersection(found[k]).area >= least * one.union(found[k]).area:
+                hits += 1
+                real.add(int(k))
+                break
+    return {f"{name}, complete": hits / max(len(truth), 1), f"{name}, right": len(real) / max(len(found), 1),
+            f"{name}, true": len(truth)}
+
+
+def lane_figures(built: VectorMap, city: Path) -> dict[str, float]:
+    """Share of the true lanes between junctions that lie in a lane of their direction with bounds where they belong."""
+    figures = {f"lanes, {kind}": count for kind, count in Counter(lane.kind for lane in built.lanes).items()}
+    figures |= {f"findings, {kind}": count for kind, count in Counter(one.kind for one in built.findings).items()}
+    if not (city / "truth/lanes.gpkg").is_file():
+        return figures
+    shapes, (left, right, driven) = read_layer(city / "truth/lanes.gpkg", "left", "right", "driven")
+    areas = [built.area(number) for number in range(len(built.lanes))]
+    tree = shapely.STRtree(areas)
+    rows = []
+    for shape, *beside in zip(shapes, left, right):
+        points = sampled(shapely.force_2d(shape))
+        ends = shapely.get_coordinates(shape)
+        course = (ends[-1] - ends[0]) / np.linalg.norm(ends[-1] - ends[0])
+        good = np.zeros(len(points), bool)
+        for point, number in zip(*tree.query(points, predicate="within")):
+            lane = built.lanes[number]
+            chord = lane.centre[-1, :2] - lane.centre[0, :2]
+            sides = [shapely.distance(points[point], shapely.LineString(built.coordinates(number, side)[:, :2]))
+                     for side in ("left", "right")]
+            fits = np.abs(np.subtract(sides, beside)).max() < 0.2
+            good[point] |= lane.kind == "lane" and chord @ course > 0 and fits
+        rows.append((good.mean(), shape.length))
+    share, length = np.array(rows).T
+    on = np.array(driven, bool)
+    figures |= {"true lanes": len(share), "lanes right by length": (share * length).sum() / length.sum(),
+                "lanes right (80 % of length)": (share >= 0.8).mean(), "true lanes on driven roads": int(on.sum()),
+                "on driven roads, right by length": (share * length)[on].sum() / length[on].sum(),
+                "on driven roads, right": (share[on] >= 0.8).mean()}
+    inside = [area for area, lane in zip(areas, built.lanes) if lane.kind == "lane"]
+    true = shapely.union_all(shapely.buffer(shapes, np.array(left) + 0.3, cap_style="square"))
+    return figures | {"area of lanes beside true ones, share": float(
+        shapely.union_all(inside).difference(true).area / max(shapely.union_all(inside).area, 1e-9))}
+
+
+def main() -> None:
+    """Print the figures of one city."""
+    city, found = Path(sys.argv[1]), Path(sys.argv[2])
+    geometries, (colours,) = read_layer(found, "colour")
+    parts, owner = shapely.get_parts(shapely.force_2d(geometries), return_index=True)
+    started = time.process_time()
+    work = line_work(list(parts), [colours[k] or "" for k in owner])
+    if len(sys.argv) > 3:
+        with RasterSampler(sys.argv[3]) as ground:
+            work = with_ground_heights(work, ground.sample)
+    lines_done = time.process_time()
+    drives = [DrivenPath(read_trajectory(path).trajectory.place)
+              for path in sorted((city / "truth").glob("survey_*_trajectory.csv"))]
+    lines = [MapLine(line.points, line.kind, line.colour, line.width, line.sigma, line.chain, line.partner)
+             for line in work.lines]
+    built = build_vector_map(lines, [MapArea(area.polygon, area.kind, area.heading) for area in work.areas], drives)
+    done = time.process_time()
+    shapes, (kinds,) = read_layer(city / "truth/markings.gpkg", "kind", layer="aerial")
+    kinds = np.array(kinds)
+    figures = {**line_figures(work, shapes, kinds, parts), **area_figures(work, shapes, kinds),
+               **lane_figures(built, city),
+               "CPU s, lines": lines_done - started, "CPU s, lanes": done - lines_done,
+               "CPU s a km of lines": (done - started) / (sum(line.plan.length for line in work.lines) / 1000)}
+    for name, value in figures.items():
+        print(f"{name:45s} {value:.3f}" if isinstance(value, float) else f"{name:45s} {value}")
+
+
+if __name__ == "__main__":
+    main()
