@@ -24,6 +24,10 @@ LEAST_LEAD = 0.06
 SHAFT, HEAD = 0.08, 0.38
 """Half widths of an arrow's shaft and of its head, m."""
 
+STROKE, LEAST_HEAD, LONGEST_HEAD = 0.28, 0.03, 2.6
+"""Paint wider than the first (m) is no shaft; what is left of it when so much is taken off its edges is a head where it
+has so much area (m2) and is no longer than the last (m)."""
+
 LENGTHS = (4.0, 5.0, 6.0)
 """Usual lengths of arrows, m."""
 
@@ -116,9 +120,18 @@ def _recognised(paint: shapely.Geometry, members: tuple[int, ...], direction_nea
     scores = sorted(((*_best_match(paint, pattern, along, both), kind) for kind, (pattern, both) in PATTERNS.items()),
                     key=lambda one: -one[0])
     (score, heading, kind), (second, _, _) = scores[:2]
-    if score < LEAST_SCORE or score < second + LEAST_LEAD:
+    if score < LEAST_SCORE or score < second + LEAST_LEAD or (kind.startswith("arrow") and not _has_head(paint)):
         return None
     return Symbol(kind, paint, members, heading, score)
+
+
+def _has_head(paint: shapely.Geometry) -> bool:
+    """Whether a part of the paint, and not all of its length, is too wide for a shaft: a plain stroke is no arrow."""
+    head = paint.buffer(-STROKE / 2.0, quad_segs=2)
+    if head.area < LEAST_HEAD:
+        return False
+    x_min, y_min, x_max, y_max = head.bounds
+    return bool(np.hypot(x_max - x_min, y_max - y_min) < LONGEST_HEAD)
 
 
 def _best_match(paint: shapely.Geometry, pattern: shapely.Geometry, along: np.ndarray, both: bool) -> tuple:
