@@ -19,7 +19,7 @@ from urbanmap_qgis.aerial.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.vehicle_filter import OrthophotoSource
 from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
 from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
-from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
 from urbanmap_qgis.io import gsi_gml, gsi_sources
 from urbanmap_qgis.io.cityjson import read_cityjson
@@ -265,3 +265,17 @@ def test_a_few_trials_of_damage(small_city, tmp_path, name):
     spec.loader.exec_module(fuzz)
     found, lines = fuzz.trial(name, small_city, 15, 7, tmp_path, None)
     assert not lines and sum(found.values()) == 15
+
+
+def test_points_that_find_no_room(tmp_path):
+    """What the compressor says where the disk is full."""
+    from lazrs import LazrsError
+
+    from urbanmap_qgis.io.atomic import written_beside
+
+    with pytest.raises(OutputError, match="make room on its disk"), written_beside(tmp_path / "a.laz") as path:
+        path.write_bytes(b"half")
+        raise LazrsError("IoError: Failed to call write")
+    assert not list(tmp_path.iterdir())
+    with pytest.raises(LazrsError), written_beside(tmp_path / "a.laz"):
+        raise LazrsError("another")

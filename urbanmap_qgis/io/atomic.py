@@ -51,5 +51,10 @@ def written_beside(path: str | os.PathLike) -> Iterator[Path]:
             ) from error
     except OSError as error:
         raise OutputError(f"{shown} cannot be written ({error.strerror}).") from error
+    except RuntimeError as error:
+        # What the compressor of LAZ makes of a file that cannot grow.
+        if type(error).__name__ != "LazrsError" or "call write" not in str(error):
+            raise
+        raise OutputError(f"{shown} cannot be written: make room on its disk, or choose another output.") from error
     finally:
         temporary.unlink(missing_ok=True)
