@@ -23,6 +23,10 @@ from pathlib import Path
 
 import numpy as np
 import shapely
+from evaluate_faults import ATTITUDE_HEADER, FAULTS, DrivenSurvey, Outcome, attitude_row, peak_memory
+from evaluate_faults import HEADER as FAULT_HEADER
+from evaluate_faults import row as fault_row
+from evaluate_faults import run as run_fault
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -256,6 +260,22 @@ class Evaluation:
         if rows:
             self.table("Surveys of the same street: how far they lie apart", ("surveys", "points", *HEADER[1:]), rows)
 
+    def faults(self) -> None:
+        """Steps, ramps, wrong headings and far starts put into the first survey, and its attitude."""
+        survey, rows, attitudes = self.surveys[0], [], []
+        if survey.true is None:
+            return
+        driven = DrivenSurvey(survey.name, survey.markings, survey.trajectory, survey.true)
+        settings = RegistrationSettings(three_d=self.reference.has_heights)
+        for fault in [item for kind in FAULTS.values() for item in kind]:
+            made = run_fault(driven, fault, self.reference, settings)
+            rows.append(fault_row(fault.name, survey.name, made))
+            if isinstance(made, Outcome):
+                attitudes.append(attitude_row(fault.name, survey.name, made))
+        self.table("Faulty trajectories", FAULT_HEADER, rows, peak_memory())
+        if attitudes and self.reference.has_heights:
+            self.table("Faulty trajectories: heights and angles", ATTITUDE_HEADER, attitudes)
+
     def start_errors(self) -> None:
         """Mean errors at control points of trials from given initial errors, for the letter and this program."""
         rng, rows = np.random.default_rng(0), []
@@ -351,7 +371,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--landmarks", type=int, default=15, help="every so many-th control point is a landmark")
     parser.add_argument("--polygons", type=Path, help="marking polygons (GeoPackage): virtual control points")
     parser.add_argument("--trials", type=int, default=8, help="trials from each initial error")
-    parser.add_argument("--tables", default="methods,sensitivity,agreement,heights,start_errors")
+    parser.add_argument("--tables", default="methods,sensitivity,agreement,heights,start_errors,faults")
     parser.add_argument("--output", type=Path, help="Markdown file")
     return parser.parse_args()
 
