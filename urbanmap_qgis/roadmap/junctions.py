@@ -122,6 +122,13 @@ def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> No
                    "virtual", "drive", _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
     built.lanes.append(made)
     number = len(built.lanes) - 1
+    if not built.area(number).is_valid:
+        built.lanes.pop()
+        del built.bounds[-2:]
+        x, y = path[len(path) // 2, :2]
+        built.findings.append(Finding("way not drawn", "A drive leads from one lane to another here, but bounds along "
+                                      "it would cross; no virtual lane was made.", float(x), float(y)))
+        return
     made.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
     built.lanes[one].successors.append(number)
 
