@@ -16,7 +16,7 @@ import numpy as np
 class ConfidenceSettings:
     """What the ground beside paint is like. Each pair is a ramp: no confidence at the first value, full at the second.
 
-    The values were tuned on two drone photographs (SiteB, SiteD of The-DRIFT) and checked on others.
+    The values were tuned on three drone photographs (SiteB, SiteD, SiteF of The-DRIFT) and the labels of a fourth.
 
     Parameters
     ----------
@@ -25,10 +25,14 @@ class ConfidenceSettings:
     max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness that grey ground
     has at most.
     max_step : difference from the mean brightness of such ground within 4 m, as a share of it.
-    beside : share of smooth grey ground within 0.7 m of the paint. around : the same within 5 m. open_ground : as a
+    beside : share of smooth grey ground within 0.7 m of the paint. around : the same within 5 m.
+    both_sides : the same on the poorer of two opposite sides, 0.8 m away: kerbs, rails, roof edges and banks have a
+    road on one side only. worn : times the limits above for that ground: cracks and worn strips. open_ground : as a
     share of all ground; it stands in for `beside` where all is too near to paint to be looked at.
     contrast : of the top-hat, in thresholds; `faint` is the confidence at the first, as worn paint lies there.
     warmer : how much warmer than the ground paint is: white is neutral, yellow warm, asphalt never warmer than either.
+    blue_contrast, blue : contrast and (blue - red) as a share of the brightness from which it may be bluer than the
+    ground, as lines of bus lanes are; less is glass or metal.
     """
 
     max_texture: float = 5.0
@@ -37,12 +41,16 @@ class ConfidenceSettings:
     max_warmth: float = 0.06
     max_green: float = 0.07
     max_step: float = 0.5
+    worn: float = 1.2
     beside: tuple[float, float] = (0.1, 0.5)
+    both_sides: tuple[float, float] = (0.2, 0.55)
     around: tuple[float, float] = (0.25, 0.6)
     open_ground: tuple[float, float] = (0.15, 0.5)
     contrast: tuple[float, float] = (1.4, 4.0)
     faint: float = 0.4
     warmer: tuple[float, float] = (-0.06, -0.01)
+    blue_contrast: tuple[float, float] = (4.5, 7.0)
+    blue: tuple[float, float] = (0.1, 0.15)
 
 
 REACH = 14.0
@@ -50,10 +58,12 @@ REACH = 14.0
 
 _CLEAR_OF_PAINT = 0.2
 _TEXTURE_BOX, _BRIGHTNESS_BOX, _AROUND_BOX, _BESIDE_BOX, _BESIDE, _MEAN_BOX = 1.2, 8.0, 10.0, 2.4, 0.7, 2.5
-_STEP_SLACK = 6.0  # grey values: dark ground may differ by these whatever its share
+_SIDE, _SIDE_BOX = 0.8, 0.6
+_STEP_SLACK = 6  # grey values: dark ground may differ by these whatever its share
 _MIN_PAIRS = 0.02
 _MAX_DIFFERENCE = 100.0  # grey values; keeps sums of squares whole
 _PRIOR = np.float32(0.03)  # share of the box that weighs as much as the stand-in
+_SIDE_PRIOR = np.float32(0.1)  # the same for a side, whose box is small
 
 
 @dataclass(frozen=True)
@@ -62,12 +72,14 @@ class GroundBeside:
 
     Attributes
     ----------
-    clear : float32, 1 where ground is seen and no bright thing is near. smooth : float32, 1 where that is smooth, grey
-        and about as bright as such ground around. brightness : float32, mean of the smooth ground within 4 m.
+    clear : float32, 1 where ground is seen and no bright thing is near. even : float32, 1 where that may be a worn
+        road. smooth : float32, 1 where it is smooth, grey and about as bright as such ground around.
+    brightness : float32, mean of the smooth ground within 4 m.
         warmth : likewise; None for grey images.
     """
 
     clear: np.ndarray
+    even: np.ndarray
     smooth: np.ndarray
     brightness: np.ndarray
     warmth: np.ndarray | None
@@ -108,17 +120,19 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
     """
     clear = clear_of_paint(bright, seen, pixel)
     rough = texture(image, clear, pixel, settings.texture_lag)
-    smooth = clear * (rough < max(settings.max_texture, settings.noise_factor * noise))
+    limit = max(settings.max_texture, settings.noise_factor * noise)
+    smooth, even = clear * (rough < limit), clear * (rough < settings.worn * limit)
     warmth = None
     if len(bands) >= 3:
         warmth, green = colours_of(bands, clear)
         smooth *= (warmth < settings.max_warmth) & (np.abs(green) < settings.max_green)
+        even *= (warmth < settings.worn * settings.max_warmth) & (np.abs(green) < settings.worn * settings.max_green)
     mean = _mean_where(road, smooth, _BRIGHTNESS_BOX, pixel)
     smooth *= np.abs(road - mean) < settings.max_step * np.abs(mean) + _STEP_SLACK
     mean = _mean_where(road, smooth, _BRIGHTNESS_BOX, pixel)
     if warmth is not None:
         warmth = _mean_where(warmth, smooth, _BRIGHTNESS_BOX, pixel, 200)
-    return GroundBeside(clear, smooth, mean, warmth)
+    return GroundBeside(clear, even, smooth, mean, warmth)
 
 
 def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -149,7 +163,9 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
         return 0.5 + 0.5 * contrast
     confidence = settings.faint + (1 - settings.faint) * contrast
     if ground.warmth is not None:
-        confidence *= _ramp(colours_of(bands)[0] - ground.warmth, settings.warmer)
+        warmth = colours_of(bands)[0]
+        blue = np.minimum(_ramp(relief, settings.blue_contrast), _ramp(-warmth, settings.blue))
+        confidence *= np.maximum(_ramp(warmth - ground.warmth, settings.warmer), blue)
     return confidence * _on_road(core, ground, pixel, settings)
 
 
@@ -163,7 +179,32 @@ def _on_road(core: np.ndarray, ground: GroundBeside, pixel: float, settings: Con
     # Between the bars of a crossing no ground is clear: smooth ground around then stands in for what lies beside.
     beside = ((_box(ring * ground.smooth, _BESIDE_BOX, pixel) + _PRIOR * _ramp(smooth, settings.open_ground))
               / (_box(ring, _BESIDE_BOX, pixel) + _PRIOR))
-    return _ramp(beside, settings.beside) * _ramp(around, settings.around)
+    sides = _poorer_side(core, ground, smooth, pixel, settings)
+    return _ramp(beside, settings.beside) * _ramp(around, settings.around) * _ramp(sides, settings.both_sides)
+
+
+def _poorer_side(core: np.ndarray, ground: GroundBeside, around: np.ndarray, pixel: float,
+                 settings: ConfidenceSettings) -> np.ndarray:
+    """Share of smooth ground on the poorer of two opposite sides of bright pixels, in the best of four directions.
+
+    Across a line on a road both sides are road; no direction has that at a kerb. (rows, columns) float32, 0 where no
+    bright pixel is. `around` : share of the box round a pixel that is smooth ground; see `_on_road`.
+    """
+    rows, columns = np.nonzero(core)
+    even, clear = (_box(values, _SIDE_BOX, pixel) for values in (ground.even, ground.clear))
+    stand_in = _SIDE_PRIOR * _ramp(around[rows, columns], settings.open_ground)
+    best = np.zeros(len(rows), np.float32)
+    for angle in np.deg2rad((0, 45, 90, 135)):
+        down, across = round(_SIDE * np.sin(angle) / pixel), round(_SIDE * np.cos(angle) / pixel)
+        sides = []
+        for sign in (1, -1):
+            place = (np.clip(rows + sign * down, 0, core.shape[0] - 1),
+                     np.clip(columns + sign * across, 0, core.shape[1] - 1))
+            sides.append((even[place] + stand_in) / (clear[place] + _SIDE_PRIOR))
+        best = np.maximum(best, np.minimum(*sides))
+    made = np.zeros(core.shape, np.float32)
+    made[rows, columns] = best
+    return made
 
 
 def along_strokes(confidence: np.ndarray, core: np.ndarray, pixel: float) -> np.ndarray:

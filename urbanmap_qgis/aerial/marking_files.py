@@ -41,7 +41,7 @@ from .road_markings import (
 )
 from .worker_resources import WorkerResource, sent_polygons, worker_resource
 
-MIN_PIXEL = 0.05
+MIN_PIXEL = 0.06
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
 
 MAX_PIXEL = 0.5

@@ -24,6 +24,8 @@ class CleanSettings:
     top_hat_ratio : paint is this many thresholds brighter than the ground on both sides.
     min_area : smaller pieces are specks. min_length : shorter pieces too.
     vehicle_width, vehicle_area : widest and smallest bright body that counts as a vehicle.
+    body_ratio, body_width, body_area, rim : nothing is paint within `rim` of a body that is so many thresholds brighter
+    than the ground, so wide and so large: a vehicle's own edges lie there. Arrow heads are narrower.
     vehicle_gap, vehicle_share : short pieces with this share this near to a vehicle belong to it. line_length : longer
     ones are lines beside it.
     wear_gap : flakes of worn paint this near to each other are one piece.
@@ -41,6 +43,10 @@ class CleanSettings:
     vehicle_area: float = 1.0
     vehicle_gap: float = 0.7
     vehicle_share: float = 0.3
+    body_ratio: float = 3.5
+    body_width: float = 1.3
+    body_area: float = 2.0
+    rim: float = 0.5
     line_length: float = 2.5
     wear_gap: float = 0.36
     border_share: float = 0.6
@@ -80,7 +86,7 @@ class Candidates:
 @dataclass(frozen=True)
 class Cleaned:
     """What is paint: `core` (bool), its `confidence` (float32, 0 where no core), the `ground` brightness round it and
-    `vehicles`, where vehicles are near (bool); all (rows, columns)."""
+    `vehicles`, bright bodies wider than paint with their rims (bool); all (rows, columns)."""
 
     core: np.ndarray
     confidence: np.ndarray
@@ -101,22 +107,38 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
                            found.noise, settings.confidence)
     confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence)
-    vehicles = vehicle_zones(found.road, found.threshold, pixel, settings)
+    vehicles, bodies = vehicle_zones(found, ground.brightness, pixel, settings)
+    narrow &= ~bodies
     inner = cv2.erode(found.seen.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
     kept, confidence = filtered_components(narrow, vehicles, found.seen & ~inner, confidence, pixel, settings)
-    return Cleaned(kept, confidence, ground.brightness, vehicles)
+    return Cleaned(kept, confidence, ground.brightness, bodies)
 
 
-def vehicle_zones(road: np.ndarray, threshold: np.ndarray, pixel: float,
-                         settings: CleanSettings) -> np.ndarray:
-    """Bright bodies as large as a vehicle and what is near to them, bool (rows, columns)."""
+def vehicle_zones(found: Candidates, ground: np.ndarray, pixel: float, settings: CleanSettings
+                  ) -> tuple[np.ndarray, np.ndarray]:
+    """What is near to bright bodies as large as a vehicle, and bodies far brighter than the ground with their rims;
+    bool (rows, columns)."""
+    road, threshold = found.road, found.threshold
     around = _opened_coarsely(road, disc_pixel=settings.vehicle_width / pixel)
     bodies = (road - around > settings.top_hat_ratio * threshold).astype(np.uint8)
     _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(bodies, connectivity=4)
     length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
     vehicle = (boxes[:, cv2.CC_STAT_AREA] * pixel ** 2 >= settings.vehicle_area) & (length < settings.max_length)
     vehicle[0] = False
-    return cv2.dilate(vehicle[labels].astype(np.uint8), disc_kernel(2 * settings.vehicle_gap, pixel)) > 0
+    near = cv2.dilate(vehicle[labels].astype(np.uint8), disc_kernel(2 * settings.vehicle_gap, pixel)) > 0
+    # What is not seen holds the mean of the paint beside it.
+    bright = found.seen & (road - np.maximum(around, ground) > settings.body_ratio * threshold)
+    return near, _with_rims(bright, pixel, settings)
+
+
+def _with_rims(bright: np.ndarray, pixel: float, settings: CleanSettings) -> np.ndarray:
+    """Bodies wider than any paint, no longer than vehicles, and their rims, bool (rows, columns)."""
+    wide = cv2.morphologyEx(bright.astype(np.uint8), cv2.MORPH_OPEN, disc_kernel(settings.body_width, pixel))
+    _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(wide, connectivity=4)
+    body = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel < settings.max_length
+    body &= boxes[:, cv2.CC_STAT_AREA] * pixel ** 2 >= settings.body_area
+    body[0] = False
+    return cv2.dilate(body[labels].astype(np.uint8), disc_kernel(2 * settings.rim, pixel)) > 0
 
 
 def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> np.ndarray:

@@ -104,14 +104,16 @@ def image_brightness(bands: np.ndarray, settings: MarkingSettings) -> np.ndarray
 
 
 def paint_brightness(bands: np.ndarray) -> np.ndarray:
-    """Brightness in which white and yellow paint stand out, (rows, columns) float32.
+    """Brightness in which white, yellow and blue paint stand out, (rows, columns) float32.
+
+    Blue paint reflects little red: there the mean of the colours is the brighter.
 
     `bands` is (1, rows, columns) grey or (3 or more, rows, columns) with red, green, blue first.
     """
     if len(bands) < 3:
         return bands[0].astype(np.float32)
-    red, blue = bands[0].astype(np.float32), bands[2].astype(np.float32)
-    return red + YELLOW_WEIGHT * (red - blue)
+    red, green, blue = (band.astype(np.float32) for band in bands[:3])
+    return np.maximum(red + YELLOW_WEIGHT * (red - blue), (red + green + blue) / np.float32(3))
 
 
 def level_adjustment_of(brightness: np.ndarray, min_range: float = MIN_RANGE) -> LevelAdjustment:
@@ -236,11 +238,12 @@ def _mean_of_seen(image: np.ndarray, seen: np.ndarray, pixel: float, block_size:
 
 
 def _green(bands: np.ndarray) -> np.ndarray:
-    """Where an image shows leaves: green above red, over a few pixels because JPEG spreads colours. Bool."""
+    """Where an image shows leaves: green above red and blue, over a few pixels because JPEG spreads colours. Bool."""
     if len(bands) < 3:
         return np.zeros(bands.shape[1:], dtype=bool)
-    red, green = (cv2.blur(bands[band].astype(np.float32), (3, 3), borderType=cv2.BORDER_REPLICATE) for band in (0, 1))
-    return green > GREENNESS * red
+    red, green, blue = (cv2.blur(bands[band].astype(np.float32), (3, 3), borderType=cv2.BORDER_REPLICATE)
+                        for band in (0, 1, 2))
+    return (green > GREENNESS * red) & (green > blue)
 
 
 def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,
