@@ -51,6 +51,8 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
                      speed_limit: float | None = None) -> tuple[OsmFile, MapCoordinates]:
     """A lane map as OSM elements, and the coordinates of its nodes.
 
+    Nodes whose height is not known have no ``ele``.
+
     Parameters
     ----------
     speed_limit : km/h, written to every lane where given.
@@ -73,10 +75,10 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
     coordinates = map_coordinates(places[:, :2], crs_wkt, projector)
     nodes = {}
     for k, number in enumerate(made.node_ids):
-        height = places[k, 2] if np.isfinite(places[k, 2]) else 0.0
+        height = {"ele": f"{places[k, 2]:.4f}"} if np.isfinite(places[k, 2]) else {}
         nodes[number] = OsmNode(number, float(coordinates.latitude[k]), float(coordinates.longitude[k]), {
             "local_x": f"{coordinates.local[k, 0]:.4f}", "local_y": f"{coordinates.local[k, 1]:.4f}",
-            "ele": f"{height:.4f}"})
+            **height})
     return OsmFile(nodes, made.ways, made.relations), coordinates
 
 

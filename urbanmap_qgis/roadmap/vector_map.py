@@ -61,6 +61,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     connect_by_drives(built, drives)
     _refer(built, stops, crosswalks)
     _tell_open_ends(built)
+    _tell_heights(built)
     progress.step(1.0)
     return built
 
@@ -114,6 +115,15 @@ def _refer(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[M
             if shapely.LineString(lane.centre[:, :2]).intersects(area.polygon):
                 lane.crosswalks.append(len(built.crosswalks))
         built.crosswalks.append(area)
+
+
+def _tell_heights(built: VectorMap) -> None:
+    """One finding where nodes have no height."""
+    unknown = [place for place in built.nodes if not np.isfinite(place[2])]
+    if unknown:
+        x, y = unknown[0][:2]
+        built.findings.append(Finding("no height", f"{len(unknown)} of {len(built.nodes)} nodes have no height; give "
+                                      "the marking lines a ground.", float(x), float(y)))
 
 
 def _tell_open_ends(built: VectorMap) -> None:
