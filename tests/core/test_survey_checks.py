@@ -1,5 +1,7 @@
 """Points, trajectory and reference of different places, times and heights are told apart before any work."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shapely
@@ -48,6 +50,24 @@ def test_points_of_the_drive_are_accepted(make_cloud, tmp_path):
 def test_points_of_another_survey_are_refused(make_cloud, tmp_path, change, sentence):
     with pytest.raises(InputError, match=sentence):
         require_survey(cloud(make_cloud, tmp_path, **change), drive())
+
+
+@pytest.mark.parametrize(("factor", "sentence"), [
+    (1000.0, "the trajectory is in millimetres; give it in metres"),
+    (1 / 0.3048, "the trajectory is in feet; give it in metres"),
+    (0.001, "the trajectory is in kilometres; give it in metres"),
+])
+def test_a_trajectory_in_other_units_is_told(make_cloud, tmp_path, factor, sentence):
+    given = drive()
+    with pytest.raises(InputError, match=sentence):
+        require_survey(cloud(make_cloud, tmp_path), replace(given, place=factor * given.place))
+
+
+def test_a_trajectory_in_degrees_is_told(make_cloud, tmp_path):
+    given = drive()
+    place = np.column_stack([139.7 + 1e-5 * np.arange(101.0), np.full(101, 35.6), np.full(101, Z)])
+    with pytest.raises(InputError, match="latitudes and longitudes in degrees"):
+        require_survey(cloud(make_cloud, tmp_path), replace(given, place=place))
 
 
 def polygons(east):

@@ -22,6 +22,8 @@ MEASURED = 200.0
 SEEN_BESIDE = 25.0
 """m to either side of the path within which markings are taken."""
 
+_UNITS = {"millimetres": 1e-3, "centimetres": 1e-2, "feet": 0.3048, "kilometres": 1e3}
+
 _MOST = 0.9  # of the path; less is told
 _SAMPLES = 500
 _OVER_GROUND = 15.0  # m; no body of a vehicle is higher
@@ -57,15 +59,26 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
     name, low, high = cloud.paths[0].name, cloud.minimum, cloud.maximum
     away = _box(low, high).distance(place[:, 0], place[:, 1]).min()
     if away > MEASURED:
-        swapped = _box(low[[1, 0]], high[[1, 0]]).distance(place[:, 0], place[:, 1]).min() <= MEASURED
-        reason = ("x and y are swapped in one of them: swap them" if swapped else
-                  "give both of one survey, in one coordinate reference system")
-        raise InputError(f"{name} lies {_length(away)} from where the vehicle was at its times: {reason}.")
+        raise InputError(f"{name} lies {_length(away)} from where the vehicle was at its times: "
+                         f"{_reason(_box(low, high), place)}.")
     above, below = place[:, 2].min() - high[2], low[2] - place[:, 2].max()
     if above > _ABOVE or below > _BELOW:
         raise InputError(f"All points of {name} lie more than {max(above, below):.0f} m "
                          f"{'below' if above > below else 'above'} the trajectory: heights above the ellipsoid and "
                          "above sea level cannot be mixed; convert one of them (a geoid model can be given for SBET).")
+
+
+def _reason(box: Box, place: np.ndarray) -> str:
+    """Why places (n, 3) of a trajectory may lie far from the box of its points, and what to do."""
+    x, y = place[:, :2].T
+    if box.distance(y, x).min() <= MEASURED:
+        return "x and y are swapped in one of them: swap them"
+    for unit, metres in _UNITS.items():
+        if box.distance(metres * x, metres * y).min() <= MEASURED:
+            return f"the trajectory is in {unit}; give it in metres"
+    if np.abs(x).max() <= 360.0 and np.abs(y).max() <= 360.0 and np.ptp(x) + np.ptp(y) < 1.0:
+        return "the trajectory looks like latitudes and longitudes in degrees; give it in the points' projected system"
+    return "give both of one survey, in one coordinate reference system"
 
 
 def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, reference: Reference,
