@@ -10,13 +10,11 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
-from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Face, Solid
+from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
 from ...geometry.triangulation import triangulate_face
-from .half_edges import HalfEdges, connected_cells, half_edges, trace_rings, whole_metre_origin
+from .face_collector import UNITS, FaceCollector
+from .half_edges import HalfEdges, connected_cells, half_edges, whole_metre_origin
 from .manifold import Height, cut_corners
-
-UNITS = 10_000
-"""Lattice units a metre: coordinates are exact to 0.1 mm."""
 
 LEAST_STEP = 0.05
 """Roofs whose heights at a node differ by less than this (m) meet there."""
@@ -62,19 +60,16 @@ def sloped_solids(cells: Sequence[SlopedCell], base_height: float, least_height:
     for part in connected_cells(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, list(edges.x), list(edges.y), directed)
-        solids.append(_Builder(piece, cells, round(base_height * UNITS), round(least_height * UNITS)).solid())
+        solids.append(_SlopedFaces(piece, cells, round(base_height * UNITS), round(least_height * UNITS)).solid())
     return tuple(solids)
 
 
-class _Builder:
-    """Collects the faces of one part; every vertex is a plan node at a height in lattice units."""
+class _SlopedFaces(FaceCollector):
+    """The faces under sloped roofs."""
 
     def __init__(self, edges: HalfEdges, cells: Sequence[SlopedCell], base: int, least: int):
-        self.edges, self.cells, self.base, self.lowest = edges, cells, base, base + least
-        self.index: dict[tuple[int, int], int] = {}
-        self.faces: list[Face] = []
-        self.types: list[str] = []
-        self.ids: list[Hashable] = []
+        super().__init__(edges, base)
+        self.roofs, self.lowest = cells, base + least
         self.heights: dict[tuple[int, int], int] = {}
         self.areas = [cell.polygon.area for cell in cells]
 
@@ -84,19 +79,16 @@ class _Builder:
         cut, unrepaired = cut_corners(self.edges, self._met_heights(), self.base)
         self._insert_crossings()
         raised = self._meet()
-        self._ground()
+        self.add_ground()
         self._roofs()
         self._walls()
-        nodes, levels = zip(*self.index)
-        vertices = np.empty((len(nodes), 3))
-        vertices[:, :2] = self.edges.coordinates(nodes)
-        vertices[:, 2] = np.array(levels) / UNITS
+        vertices = self.vertices()
         faces, types, ids = self._flat_faces(vertices)
         return Solid(vertices, tuple(faces), tuple(types), tuple(ids), cut, 0, len(unrepaired), raised)
 
     def _height(self, cell: int, node: int) -> int:
         """Height of a cell's plane at a node, lattice units."""
-        own = self.cells[cell]
+        own = self.roofs[cell]
         x = self.edges.origin[0] - own.origin[0] + self.edges.x[node] / UNITS
         y = self.edges.origin[1] - own.origin[1] + self.edges.y[node] / UNITS
         return round((own.plane[0] * x + own.plane[1] * y + own.plane[2]) * UNITS)
@@ -168,32 +160,16 @@ class _Builder:
                 self.heights[cell, node] = level
         return len(raised)
 
-    def _add(self, rings, surface_type: str, roof_id: Hashable) -> None:
-        """Add a face given by rings of (node, height)."""
-        index = self.index
-        self.faces.append(tuple(tuple([index.setdefault(vertex, len(index)) for vertex in ring]) for ring in rings))
-        self.types.append(surface_type)
-        self.ids.append(roof_id)
-
-    def _ground(self) -> None:
-        """One face under the whole part, seen from below; courtyards are its holes."""
-        cell = self.edges.cell
-        for outer, *holes in self._shapes([edge for edge in cell if edge[::-1] not in cell]):
-            self._add([[(node, self.base) for node in reversed(ring)] for ring in (outer, *holes)], GROUND, None)
-
     def _roofs(self) -> None:
         """One face for each cell."""
-        by_cell: dict[int, list[tuple[int, int]]] = {}
-        for edge, cell in self.edges.cell.items():
-            by_cell.setdefault(cell, []).append(edge)
-        for cell in sorted(by_cell):
-            bent = {node for edge in by_cell[cell] for node in edge
+        for cell, directed in self.cells().items():
+            bent = {node for edge in directed for node in edge
                     if abs(self.heights[cell, node] - self._height(cell, node)) > FLAT * UNITS}
-            for outer, *holes in self._shapes(by_cell[cell]):
+            for outer, *holes in self.shapes(directed):
                 corners, outer = self._cut_off(outer, holes, bent)
                 for rings in ([outer, *holes], *([corner] for corner in corners)):
-                    self._add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
-                              self.cells[cell].roof_id)
+                    self.add([[(node, self.heights[cell, node]) for node in ring] for ring in rings], ROOF,
+                              self.roofs[cell].roof_id)
 
     def _cut_off(self, ring: list[int], holes: list[list[int]],
                  bent: set[int]) -> tuple[list[tuple[int, int, int]], list[int]]:
@@ -214,21 +190,6 @@ class _Builder:
             return False
         return all(min(self.edges.twice_area([a, b, other]) for a, b in zip(corner, (*corner[1:], corner[0]))) < 0
                    for other in others if other not in corner)
-
-    def _shapes(self, directed: list[tuple[int, int]]) -> list[list[list[int]]]:
-        """Outer rings, each followed by its holes."""
-        rings = trace_rings(self.edges, directed)
-        outer = [ring for ring in rings if self.edges.twice_area(ring) > 0]
-        holes = [ring for ring in rings if self.edges.twice_area(ring) < 0]
-        if len(outer) == 1:
-            return [[outer[0], *holes]]
-        shells = [shapely.Polygon(self.edges.coordinates(ring)) for ring in outer]
-        shapes = [[ring] for ring in outer]
-        for hole in holes:
-            inside = shapely.Polygon(self.edges.coordinates(hole)).representative_point()
-            home = next((place for place, shell in enumerate(shells) if shell.contains(inside)), 0)
-            shapes[home].append(hole)
-        return shapes
 
     def _walls(self) -> None:
         """One upright face for each plan edge with a step, its sides split where other walls end at the same node."""
@@ -253,8 +214,8 @@ class _Builder:
                              if top > bottom else [(node, top)] if top == bottom else None)
             if None in sides or len(sides[0]) + len(sides[1]) < 3:
                 continue
-            self._add([[*sides[0], *reversed(sides[1])]], OUTER_WALL if low is None else INNER_WALL,
-                      self.cells[high].roof_id)
+            self.add([[*sides[0], *reversed(sides[1])]], OUTER_WALL if low is None else INNER_WALL,
+                      self.roofs[high].roof_id)
 
     def _flat_faces(self, vertices: np.ndarray) -> tuple[list, list, list]:
         """Faces with those roofs cut into triangles that are not flat."""

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Sequence
 
 import numpy as np
 import shapely
 
 from ...errors import InputError
-from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Face, Solid
-from .half_edges import HalfEdges, connected_cells, half_edges, trace_rings, whole_metre_origin
+from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
+from .face_collector import UNITS, FaceCollector
+from .half_edges import HalfEdges, connected_cells, half_edges, whole_metre_origin
 from .manifold import PlanRepair, repair_plan
 from .plan_partition import Cell
 
 MIN_STEP = 0.05
 """Roofs nearer in height than this (m) become one level: no step or inner wall below it is kept. Laser heights do not
 show such steps, and validators join vertices of 1 mm."""
-
-_UNITS = 10_000
-"""Lattice units a metre: coordinates are exact to 0.1 mm."""
 
 
 def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: float = 0.1,
@@ -42,86 +40,52 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
         return ()
     polygons = np.array([cell.polygon for cell in cells], dtype=object)
     try:
-        edges = half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / _UNITS)
+        edges = half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / UNITS)
     except ValueError as error:
         raise InputError("Cells of one building overlap: cut its plan with partition_plan first.") from error
-    base = round(base_height * _UNITS)
+    base = round(base_height * UNITS)
     heights, raised = _levels([cell.height for cell in cells], base, least_height, least_step)
     solids = []
     for part in connected_cells(edges, len(cells)):
         directed = {edge: cell for edge, cell in edges.cell.items() if cell in part}
         piece = HalfEdges(edges.origin, edges.resolution, edges.x, edges.y, directed)
         repair = repair_plan(piece, heights, base)
-        builder = _Builder(piece, heights, base, [cell.roof_id for cell in cells])
-        solids.append(builder.solid(repair, sum(raised[cell] for cell in part)))
+        faces = _LevelFaces(piece, heights, base, [cell.roof_id for cell in cells])
+        solids.append(faces.solid(repair, sum(raised[cell] for cell in part)))
     return tuple(solids)
 
 
 def _levels(heights: Sequence[float], base: int, least_height: float, least_step: float):
     """Heights in lattice units: `least_height` or more over the base, `least_step` or more apart; which were raised."""
-    lowest = base + max(round(least_height * _UNITS), 1)
-    units = [round(height * _UNITS) for height in heights]
+    lowest = base + max(round(least_height * UNITS), 1)
+    units = [round(height * UNITS) for height in heights]
     raised = [unit < lowest for unit in units]
     units = [max(unit, lowest) for unit in units]
     level: dict[int, int] = {}
     last = None
     for unit in sorted(set(units)):
-        if last is None or unit - last >= round(least_step * _UNITS):
+        if last is None or unit - last >= round(least_step * UNITS):
             last = unit
         level[unit] = last
     return [level[unit] for unit in units], raised
 
 
-class _Builder:
-    """Collects the faces of one part; every vertex is a plan node at a height."""
+class _LevelFaces(FaceCollector):
+    """The faces under level roofs."""
 
     def __init__(self, edges: HalfEdges, heights: Sequence[int], base: int, roof_ids: Sequence[Hashable]):
-        self.edges, self.heights, self.base, self.roof_ids = edges, heights, base, roof_ids
-        self.index: dict[tuple[int, int], int] = {}
-        self.faces: list[Face] = []
-        self.types: list[str] = []
-        self.ids: list[Hashable] = []
+        super().__init__(edges, base)
+        self.heights, self.roof_ids = heights, roof_ids
 
     def solid(self, repair: PlanRepair, raised: int) -> Solid:
         """The finished solid: ground, roofs, walls."""
-        self._ground()
-        self._roofs()
+        self.add_ground()
+        for cell, directed in self.cells().items():
+            for rings in self.shapes(directed):
+                self.add([[(node, self.heights[cell]) for node in ring] for ring in rings], ROOF, self.roof_ids[cell])
         self._walls()
-        nodes, levels = zip(*self.index)
-        vertices = np.empty((len(nodes), 3))
-        vertices[:, :2] = self.edges.coordinates(nodes)
-        vertices[:, 2] = np.array(levels) / _UNITS
-        return Solid(vertices, tuple(self.faces), tuple(self.types), tuple(self.ids),
+        return Solid(self.vertices(), tuple(self.faces), tuple(self.types), tuple(self.ids),
                      repair.cut_nodes, repair.levelled_cells, repair.unrepaired_nodes, raised)
-
-    def _add(self, rings: Iterable[Iterable[tuple[int, int]]], surface_type: str, roof_id: Hashable) -> None:
-        """Add a face given by rings of (node, height)."""
-        index = self.index
-        self.faces.append(tuple(tuple([index.setdefault(vertex, len(index)) for vertex in ring])
-                                for ring in rings))
-        self.types.append(surface_type)
-        self.ids.append(roof_id)
-
-    def _ground(self) -> None:
-        """One face under the whole part, seen from below; courtyards are its holes."""
-        cell = self.edges.cell
-        for outer, *holes in self._shapes([edge for edge in cell if edge[::-1] not in cell]):
-            self._add([[(node, self.base) for node in reversed(ring)] for ring in (outer, *holes)], GROUND, None)
-
-    def _roofs(self) -> None:
-        """One face for each cell; the line between two pieces of one cell bounds none."""
-        by_cell: dict[int, list[tuple[int, int]]] = {}
-        for edge, cell in self.edges.cell.items():
-            by_cell.setdefault(cell, []).append(edge)
-        for cell in sorted(by_cell):
-            height = self.heights[cell]
-            for rings in self._shapes(by_cell[cell]):
-                self._add([[(node, height) for node in ring] for ring in rings], ROOF, self.roof_ids[cell])
-
-    def _shapes(self, directed: list[tuple[int, int]]) -> list[list[list[int]]]:
-        """Rings of one connected piece, the outer one first."""
-        rings = trace_rings(self.edges, directed)
-        return [sorted(rings, key=lambda ring: self.edges.twice_area(ring) < 0)]
 
     def _walls(self) -> None:
         """One rectangle for each plan edge, its sides split where other walls end at the same node."""
@@ -139,4 +103,4 @@ class _Builder:
         for a, b, bottom, top, high, surface_type in walls:
             rising = [(b, level) for level in ordered[b] if bottom <= level <= top]
             falling = [(a, level) for level in reversed(ordered[a]) if bottom <= level <= top]
-            self._add([[*rising, *falling]], surface_type, self.roof_ids[high])
+            self.add([[*rising, *falling]], surface_type, self.roof_ids[high])
