@@ -17,7 +17,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
     NAME = "Road markings from orthophoto"
     SOURCE = "Javanmardi 2018, 3.2.2 and 4.1"
     KEYWORDS = ("road", "marking", "lane", "zebra", "crossing", "paint", "adaptive threshold", "aerial", "orthophoto")
-    REQUIRES = ("numpy", "shapely", "pyproj", "rasterio", "cv2", "skimage")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (
         "Finds painted road markings, white and yellow, in an orthophoto: a mask on the orthophoto's pixels and "
         "polygons whose outlines are finer than the pixels.\n"

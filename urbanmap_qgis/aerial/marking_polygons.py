@@ -16,9 +16,9 @@ from rasterio.features import rasterize
 from rasterio.transform import Affine
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
-from skimage.measure import find_contours
 
 from ..io.raster import RasterSampler, own_gdal
+from .marching_squares import zero_lines
 from .road_markings import Markings
 from .stored_polygons import StoredPolygons, StoredRows, batches
 
@@ -98,14 +98,16 @@ def tile_polygons(markings: Markings, window: tuple[slice, slice], rows: slice, 
     field = markings.field[crop]
     field = np.where(np.abs(field) < _OFF_CENTRE, np.copysign(_OFF_CENTRE, field), field)
     field = np.pad(field, 1, constant_values=_OUTSIDE)
-    rings = [np.round(ring[:, ::-1] - 1, _DECIMALS) for ring in find_contours(field, 0.0) if len(ring) > 3]
-    polygons = _polygons_of_rings(rings)
+    points, counts = zero_lines(field)
+    polygons = _polygons_of_rings(np.round(points[:, ::-1] - 1, _DECIMALS), counts)
     last_row, last_column = markings.field[crop].shape[0] - 1, markings.field[crop].shape[1] - 1
     bounds = shapely.bounds(polygons).reshape(-1, 4)
     at_seam = ((bounds[:, 0] <= 0) | (bounds[:, 1] <= 0) | (bounds[:, 2] >= last_column)
                | (bounds[:, 3] >= last_row))
     # Pixel centres on a seam lie on the outline: widened a hair, it holds them.
-    labels = _labels(np.where(at_seam, shapely.buffer(polygons, 0.01), polygons), (height, width))
+    widened = polygons.copy()
+    widened[at_seam] = shapely.buffer(polygons[at_seam], 0.01)
+    labels = _labels(widened, (height, width))
     own = np.s_[top:top + height, left:left + width]
     count = len(polygons) + 1
     inside = markings.mask[own]
@@ -130,38 +132,57 @@ def _simplified(polygons: np.ndarray) -> np.ndarray:
     return np.where(shapely.get_type_id(outlines) == 3, outlines, polygons)
 
 
-def _polygons_of_rings(rings: Sequence[np.ndarray]) -> np.ndarray:
-    """Polygons with holes from closed lines round high and round low ground."""
-    rings = [ring for ring in rings if len(np.unique(ring, axis=0)) > 2]
-    area = np.array([_signed_area(ring) for ring in rings])
-    outer = [ring for ring, value in zip(rings, area) if value > 0]
-    holes = [ring for ring, value in zip(rings, area) if value < 0]
-    polygons = np.array([shapely.Polygon(ring) for ring in outer], dtype=object)
-    if not holes or not len(polygons):
+def _polygons_of_rings(points: np.ndarray, counts: np.ndarray) -> np.ndarray:
+    """Polygons with holes from closed lines round high and round low ground, (n, 2) points one line after the other."""
+    ends = np.cumsum(counts)
+    area = _signed_areas(points, ends - counts, ends)
+    rings = shapely.linearrings(points, indices=np.repeat(np.arange(len(counts)), counts))
+    outer, holes = rings[area > 0], rings[area < 0]
+    polygons = shapely.polygons(outer)
+    if not len(holes) or not len(polygons):
         return polygons
-    inside: list[list[np.ndarray]] = [[] for _ in outer]
-    tree = shapely.STRtree(polygons)
-    hole_polygons = np.array([shapely.Polygon(ring) for ring in holes], dtype=object)
-    hole, around = tree.query(shapely.point_on_surface(hole_polygons), predicate="within")
-    size = shapely.area(polygons)
-    for number in np.unique(hole):
-        candidates = around[hole == number]
-        inside[candidates[np.argmin(size[candidates])]].append(holes[number])
-    return np.array([shapely.Polygon(ring, within) for ring, within in zip(outer, inside)], dtype=object)
+    inner = shapely.point_on_surface(shapely.polygons(holes))
+    hole, around = shapely.STRtree(polygons).query(inner, predicate="within")
+    order = np.lexsort((shapely.area(polygons)[around], hole))  # the smallest polygon round each hole
+    hole, first = np.unique(hole[order], return_index=True)
+    owner = np.concatenate([np.arange(len(outer)), around[order][first]])
+    parts = np.concatenate([outer, holes[hole]])
+    turn = np.argsort(owner, kind="stable")  # the outline before its holes
+    return shapely.polygons(parts[turn], indices=owner[turn])
 
 
-def _signed_area(ring: np.ndarray) -> float:
-    """Twice the area in (column, row); positive round high ground, as `find_contours` turns."""
-    x, y = ring[:, 0], ring[:, 1]
-    return float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1]))
+def _signed_areas(points: np.ndarray, starts: np.ndarray, ends: np.ndarray) -> np.ndarray:
+    """Twice the areas of closed lines in (column, row); positive round high ground, as `zero_lines` turns."""
+    if not len(starts):
+        return np.empty(0)
+    x, y = points.T
+    cross = np.append(x[:-1] * y[1:] - x[1:] * y[:-1], 0)
+    cross[ends - 1] = 0
+    areas = np.add.reduceat(cross, starts)
+    for line in np.nonzero(np.abs(areas) < 1e-6)[0]:  # rounding decides: it must not depend on the other lines
+        areas[line] = np.sum(cross[starts[line]:ends[line] - 1])
+    return areas
 
 
 def _labels(polygons: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """Number (from 1) of the polygon that each pixel centre lies in; 0 for none."""
     if not len(polygons):
         return np.zeros(shape, dtype=np.int32)
-    return rasterize([(polygon, number) for number, polygon in enumerate(polygons, 1)], shape,
+    return rasterize(zip(_outlines(polygons), range(1, len(polygons) + 1)), shape,
                      transform=Affine.translation(-0.5, -0.5), dtype="int32")
+
+
+def _outlines(polygons: np.ndarray) -> Iterator[dict | shapely.Geometry]:
+    """Polygons as `rasterize` takes them; its own way to get there, point by point, is slow."""
+    rings, owner = shapely.get_rings(polygons, return_index=True)
+    points = shapely.get_coordinates(rings).tolist()
+    ends = np.cumsum(shapely.get_num_coordinates(rings))
+    starts = np.append(0, ends)[:-1]
+    first, beyond = np.searchsorted(owner, [np.arange(len(polygons)), np.arange(1, len(polygons) + 1)])
+    plain = (shapely.get_type_id(polygons) == 3) & ~shapely.is_empty(polygons)
+    for number, polygon in enumerate(polygons):
+        yield {"type": "Polygon", "coordinates": [points[starts[ring]:ends[ring]] for ring in
+                                                  range(first[number], beyond[number])]} if plain[number] else polygon
 
 
 def merge_tile_polygons(pieces: Iterable[TilePolygons], transform: Affine, metres_per_unit: float, min_area: float,
