@@ -153,58 +153,68 @@ def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, 
                        roads: np.ndarray | None, pixel: float, settings: ConfidenceSettings) -> np.ndarray:
     """Confidence, 0 to 1, that bright pixels are paint on a road, (rows, columns) float32.
 
+    Without known roads it is 0 where no bright pixel is: bright ones are few, and only they are worked out.
+
     Parameters
     ----------
     core : bool, pixels that may be paint. relief : their top-hat in thresholds. ground : round them. roads : bool,
     known roads, in which the ground needs no proof; None for unknown.
     """
-    contrast = _ramp(relief, settings.contrast)
     if roads is not None:
-        return 0.5 + 0.5 * contrast
-    confidence = settings.faint + (1 - settings.faint) * contrast
+        return 0.5 + 0.5 * _ramp(relief, settings.contrast)
+    inside = np.flatnonzero(core)
+    relief = relief.take(inside)
+    confidence = settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
     if ground.warmth is not None:
-        warmth = colours_of(bands)[0]
+        warmth = colours_of(bands)[0].take(inside)
         blue = np.minimum(_ramp(relief, settings.blue_contrast), _ramp(-warmth, settings.blue))
-        confidence *= np.maximum(_ramp(warmth - ground.warmth, settings.warmer), blue)
-    return confidence * _on_road(core, ground, pixel, settings)
+        confidence *= np.maximum(_ramp(warmth - ground.warmth.take(inside), settings.warmer), blue)
+    confidence *= _on_road(core, inside, ground, pixel, settings)
+    made = np.zeros(core.shape, np.float32)
+    made.ravel()[inside] = confidence
+    return made
 
 
-def _on_road(core: np.ndarray, ground: GroundBeside, pixel: float, settings: ConfidenceSettings) -> np.ndarray:
-    """Confidence that bright pixels lie on a road, by the smooth grey ground beside and around them."""
+def _on_road(core: np.ndarray, inside: np.ndarray, ground: GroundBeside, pixel: float, settings: ConfidenceSettings
+             ) -> np.ndarray:
+    """Confidence (n,) that bright pixels, `inside` by their place in the flat image, lie on a road, by the smooth grey
+    ground beside and around them."""
     side = 2 * max(round(_BESIDE / pixel), 1) + 1
     ring = cv2.dilate(core.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))) > 0
     ring = ring * ground.clear
-    smooth = _box(ground.smooth, _AROUND_BOX, pixel)
-    around = smooth / np.maximum(_box(ground.clear, _AROUND_BOX, pixel), np.float32(0.05))
+
+    def near(values: np.ndarray, side: float) -> np.ndarray:
+        return _box(values, side, pixel).take(inside)
+
+    smooth = near(ground.smooth, _AROUND_BOX)
+    around = smooth / np.maximum(near(ground.clear, _AROUND_BOX), np.float32(0.05))
     # Between the bars of a crossing no ground is clear: smooth ground around then stands in for what lies beside.
-    beside = ((_box(ring * ground.smooth, _BESIDE_BOX, pixel) + _PRIOR * _ramp(smooth, settings.open_ground))
-              / (_box(ring, _BESIDE_BOX, pixel) + _PRIOR))
-    sides = _poorer_side(core, ground, smooth, pixel, settings)
+    stand_in = _ramp(smooth, settings.open_ground)
+    beside = ((near(ring * ground.smooth, _BESIDE_BOX) + _PRIOR * stand_in) / (near(ring, _BESIDE_BOX) + _PRIOR))
+    sides = _poorer_side(inside, ground, stand_in, pixel)
     return _ramp(beside, settings.beside) * _ramp(around, settings.around) * _ramp(sides, settings.both_sides)
 
 
-def _poorer_side(core: np.ndarray, ground: GroundBeside, around: np.ndarray, pixel: float,
-                 settings: ConfidenceSettings) -> np.ndarray:
-    """Share of smooth ground on the poorer of two opposite sides of bright pixels, in the best of four directions.
+def _poorer_side(inside: np.ndarray, ground: GroundBeside, stand_in: np.ndarray, pixel: float) -> np.ndarray:
+    """Share (n,) of smooth ground on the poorer of two opposite sides of bright pixels, in the best of four directions.
 
-    Across a line on a road both sides are road; no direction has that at a kerb. (rows, columns) float32, 0 where no
-    bright pixel is. `around` : share of the box round a pixel that is smooth ground; see `_on_road`.
+    Across a line on a road both sides are road; no direction has that at a kerb. `inside` : see `_on_road`.
+    `stand_in` : (n,) share for sides where all is too near to paint.
     """
-    rows, columns = np.nonzero(core)
+    height, width = ground.clear.shape
+    rows, columns = np.divmod(inside, width)
     even, clear = (_box(values, _SIDE_BOX, pixel) for values in (ground.even, ground.clear))
-    stand_in = _SIDE_PRIOR * _ramp(around[rows, columns], settings.open_ground)
-    best = np.zeros(len(rows), np.float32)
+    stand_in = _SIDE_PRIOR * stand_in
+    best = np.zeros(len(inside), np.float32)
     for angle in np.deg2rad((0, 45, 90, 135)):
         down, across = round(_SIDE * np.sin(angle) / pixel), round(_SIDE * np.cos(angle) / pixel)
         sides = []
         for sign in (1, -1):
-            place = (np.clip(rows + sign * down, 0, core.shape[0] - 1),
-                     np.clip(columns + sign * across, 0, core.shape[1] - 1))
-            sides.append((even[place] + stand_in) / (clear[place] + _SIDE_PRIOR))
+            place = (np.clip(rows + sign * down, 0, height - 1) * width
+                     + np.clip(columns + sign * across, 0, width - 1))
+            sides.append((even.take(place) + stand_in) / (clear.take(place) + _SIDE_PRIOR))
         best = np.maximum(best, np.minimum(*sides))
-    made = np.zeros(core.shape, np.float32)
-    made[rows, columns] = best
-    return made
+    return best
 
 
 def along_strokes(confidence: np.ndarray, core: np.ndarray, pixel: float) -> np.ndarray:
