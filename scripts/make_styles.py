@@ -434,10 +434,12 @@ def marking_mask(layer) -> None:
 
 
 def frame_shifts(layer) -> None:
-    """Shifts between overlapping frames: arrows a hundred times as long, red where the pair is apart."""
+    """Shifts between overlapping frames: arrows a hundred times as long, red where the pair is apart, grey where
+    heights may displace it."""
     line = "make_line($geometry, translate($geometry, 100 * \"east\", 100 * \"north\"))"
     entries = []
-    for label, status, colour in (("agree to a pixel", "agree", "#1a9850"), ("apart", "apart", "#d73027")):
+    for label, status, colour in (("agree to half a pixel", "agree", "#1a9850"), ("apart", "apart", "#d73027"),
+                                  ("displaced by heights", "height", "#8c8c8c")):
         symbol = marker(colour, 1.2)
         symbol.insertSymbolLayer(0, arrow_along(line, colour))
         entries.append((label, f"\"status\" = '{status}'", symbol))

@@ -17,13 +17,15 @@ class FrameShiftsOutput:
         self.add_layer_output(
             "OUTPUT_SHIFTS", "Shifts between images", "Points on road markings that two overlapping images show, with "
             "the shift of the second against the first in metres (east, north; sigma of one place), and the median of "
-            "the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.", optional=True)
+            "the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” "
+            "where only the height of what stands there may displace them, as no surface (DSM) tells.", optional=True)
         self.add_number_output("LARGEST_SHIFT", "Maximum shift", "Largest distance between the same road markings in "
-                               "two overlapping images, median over their places; no value where none are seen.", "m")
+                               "two overlapping images that no height of what they show explains, median over their "
+                               "places; no value where none are seen.", "m")
 
     def write_shifts(self, parameters, context, shifts, pixel, crs, progress) -> dict:
         """Write the layer where it is wanted; the results to hand out."""
-        results = {"LARGEST_SHIFT": max(shift.length for shift in shifts)} if shifts else {}
+        results = {"LARGEST_SHIFT": max(shift.unexplained[0] for shift in shifts)} if shifts else {}
         if parameters.get("OUTPUT_SHIFTS"):
             import shapely
 

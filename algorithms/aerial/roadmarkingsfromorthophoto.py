@@ -165,7 +165,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
             raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
                 table.label, missing[0]))
         rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
-        return [PairShift(*row[:-1], row[-1] == "apart") for row in rows]
+        return [PairShift(*row[:-1], row[-1] == "apart", row[-1] == "height") for row in rows]
 
     def _polygons(self, parameters, name, context, progress):
         """Polygons of a layer in any projected CRS, repaired where invalid; None where none was given."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.frame_shifts import apart, frame_shifts, shift_columns
+from urbanmap_qgis.aerial.frame_shifts import apart, frame_shifts, shift_columns, status_of
 from urbanmap_qgis.aerial.mosaic import GroundView
 from urbanmap_qgis.geometry.grid import Grid
 
@@ -17,6 +17,9 @@ class Painted:
 
     def __init__(self, name, east=0.0, north=0.0, light=150.0):
         self.name, self.bounds, self._shift, self._light = name, GRID.bounds, (east, north), light
+
+    def lean(self, _x, _y):
+        return None
 
     def view(self, grid):
         x, y = grid.centres()
@@ -63,3 +66,62 @@ def test_shifts_are_in_metres_whatever_the_unit_of_the_grid():
 
 def test_frames_without_markings_say_nothing():
     assert frame_shifts([Painted("a", light=0.0), Painted("b", light=0.0)], GRID) == []
+
+
+class Standing(Painted):
+    """As `Painted`, but in the west of `edge` (m) each spot stands 4 to 6 m high and leans `lean` m a metre to the
+    north; the surface tells so, or there is none."""
+
+    def __init__(self, name, lean, error=(0.0, 0.0), edge=25.0, surface=True):
+        super().__init__(name, *error)
+        self._lean, self._edge, self._surface = lean, edge, surface
+
+    def lean(self, x, _y):
+        return np.tile((0.0, self._lean), (len(x), 1))
+
+    def view(self, grid):
+        x, y = grid.centres()
+        level = np.broadcast_to(x >= self._edge, grid.shape) if self._surface else None
+        x, y = np.meshgrid(x - self._shift[0], y - self._shift[1])
+        rng = np.random.default_rng(2)
+        image = np.full(grid.shape, 60.0)
+        for spot_x, spot_y in rng.uniform((0, 60), (50, 100), (150, 2)):
+            height = rng.uniform(4.0, 6.0) if spot_x < self._edge else 0.0
+            covered = [np.clip((0.35 - np.abs(offset)) / grid.cell + 0.5, 0, 1)
+                       for offset in (x - spot_x, y - spot_y - self._lean * height)]
+            image = np.maximum(image, 60.0 + 150.0 * covered[0] * covered[1])
+        seen = np.ones(grid.shape, bool)
+        return GroundView(image.astype(np.float32)[..., None], seen, seen, np.zeros(grid.shape, np.float32), level)
+
+
+@pytest.mark.parametrize("error", [(0.0, 0.0), (0.1, 0.0), (0.0, 0.1)])
+def test_only_bare_ground_tells_of_the_orientation(error):
+    """Most spots stand 5 m high and are displaced by 0.3 m; the paint on the ground tells the error of 0.1 m."""
+    [shift] = frame_shifts([Standing("a", 0.0, edge=32.0), Standing("b", 0.06, error, edge=32.0)], GRID)
+    assert (shift.east, shift.north) == pytest.approx(error, abs=0.02) and shift.on_ground
+    assert shift.places[:, 0].min() > 32.0
+    assert status_of(shift, 0.1) == ("apart" if any(error) else "agree")
+
+
+@pytest.mark.parametrize(("error", "status"), [((0.0, 0.0), "height"), ((0.1, 0.0), "apart"), ((0.0, 0.1), "height"),
+                                               ((0.0, -0.6), "apart")])
+def test_without_a_surface_only_what_heights_do_not_explain_is_told(error, status):
+    """All spots stand: the shift along the base is their height; no thing stands 5 m below the ground."""
+    [shift] = frame_shifts([Standing("a", 0.0, edge=99.0, surface=False),
+                            Standing("b", 0.06, error, edge=99.0, surface=False)], GRID)
+    assert shift.north == pytest.approx(0.3 + error[1], abs=0.05) and not shift.on_ground
+    assert status_of(shift, 0.1) == status
+    if shift.explained:
+        assert shift.unexplained[0] == pytest.approx(abs(error[0]), abs=0.02)
+
+
+def test_one_place_is_no_evidence():
+    """Ten patches that overlap all see the same thing, which moved."""
+    class Spot(Standing):
+        def view(self, grid):
+            view = super().view(grid)
+            x, y = np.meshgrid(*grid.centres())
+            view.values[(np.abs(x - 20) > 1.5) | (np.abs(y - 80) > 2.5)] = 60.0
+            return view
+
+    assert frame_shifts([Spot("a", 0.0), Spot("b", 0.0, (0.3, 0.0))], GRID) == []

@@ -31,7 +31,8 @@ _ONE_VIEW = 0.2
 
 @dataclass(frozen=True)
 class PairShift:
-    """Median shift between the images of a pair, m, over `patches` places; `apart` if it is more than a pixel."""
+    """Median shift between the images of a pair, m, over `patches` places; `apart` if it is more than half a pixel, and
+    `height` if only the height of what stands there may make it so."""
 
     first: str
     second: str
@@ -40,6 +41,7 @@ class PairShift:
     sigma: float
     patches: int
     apart: bool
+    height: bool = False
 
 
 @dataclass(frozen=True)
@@ -157,10 +159,10 @@ def _agreement(report: Report, evidence: OrthophotoQuality) -> None:
         return
     report.section("Shifts between overlapping frames")
     report.paragraph("The same markings in two frames, the second against the first, median over the places. A good "
-                     "block agrees to a pixel.")
+                     "block agrees to half a pixel. “height”: without a surface, heights may explain the shift.")
     report.table(("first", "second", "east (m)", "north (m)", "sigma (m)", "places", "status"),
                  [(pair.first, pair.second, pair.east, pair.north, pair.sigma, pair.patches,
-                   "apart" if pair.apart else "agree") for pair in evidence.pairs])
+                   "apart" if pair.apart else "height" if pair.height else "agree") for pair in evidence.pairs])
 
 
 def _pictures(report: Report, orthophoto: Path, found: MarkingResult) -> None:

@@ -47,12 +47,14 @@ class GroundView:
     seen : (rows, columns), True where these are values of the ground.
     reached : True where they would be if nothing stood in the way; False where a building covers the ground.
     tangent : of the angle between the ray and the vertical, float32.
+    level : True where nothing stands on the ground; None where no surface tells.
     """
 
     values: np.ndarray
     seen: np.ndarray
     reached: np.ndarray
     tangent: np.ndarray
+    level: np.ndarray | None = None
 
 
 class ViewSource(Protocol):
@@ -60,6 +62,9 @@ class ViewSource(Protocol):
 
     name: str
     bounds: tuple[float, float, float, float] | None
+
+    def lean(self, x: np.ndarray, y: np.ndarray) -> np.ndarray | None:
+        """How far what stands at places is displaced, m east and north a metre of height, (n, 2); None if unknown."""
 
     def view(self, grid: Grid) -> GroundView | None:
         """Its pixels on a grid; None where it shows nothing of it."""

@@ -33,6 +33,7 @@ from .worker_resources import sent_polygons
 _SURELY_SEEN = 0.99  # of the line-of-sight cells round a pixel: roof edges in the image cost more than half a cell
 _MAX_OPEN_FILES = 64  # image files
 _MAX_CELLS = 6000  # side of the raster in which a frame's lines of sight are followed
+_LEVEL = 0.5  # m: what a surface of bare ground may differ from the ground
 _BLOCK = 2048
 _MARGIN = 3  # pixels round a window that the bicubic kernel reaches
 _BLACK = 0.012  # of the full scale
@@ -152,9 +153,9 @@ class Terrain:
                            transform=_affine(grid), dtype=np.float32)
         return np.fmax(ground if surface is None else surface, np.where(height > 0, ground + height, -np.inf))
 
-    def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Ground heights, where outlines lie, and where those, a tree or a bridge cover the ground (`at` remembers the
-        last grids)."""
+    def _at(self, grid: Grid) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray | None]:
+        """Ground heights, where outlines lie, where those, a tree or a bridge cover the ground, and where nothing
+        stands on it (None without a DSM). `at` remembers the last grids."""
         ground, surface = self.heights(grid)
         outlined = np.zeros(grid.shape, bool)
         near = np.sort(self._tree.query(shapely.box(*grid.bounds)))
@@ -162,7 +163,11 @@ class Terrain:
             outlined = rasterize(self._outlines[near], grid.shape, transform=_affine(grid),
                                  dtype=np.uint8).astype(bool)
         covered = outlined if surface is None else outlined | off_ground(surface, ground, self.threshold)
-        return ground, outlined, covered
+        if self.surface is None:
+            return ground, outlined, covered, None
+        with np.errstate(invalid="ignore"):
+            level = ~outlined & (np.abs(surface - ground) <= _LEVEL)
+        return ground, outlined, covered, level
 
 
 def _affine(grid: Grid) -> Affine:
@@ -228,7 +233,7 @@ class OrthorectifiedFrame:
         """The frame's pixels on a grid; None where it shows nothing of it."""
         if self.bounds is None or _common(self.bounds, grid.bounds) is None:
             return None
-        ground, outlined, covered = self.terrain.at(grid)
+        ground, outlined, covered, level = self.terrain.at(grid)
         x, y = np.meshgrid(*grid.centres())
         points = np.stack((x, y, ground), axis=-1)
         camera, pose = self.pixels.camera, self.frame.pose
@@ -246,7 +251,13 @@ class OrthorectifiedFrame:
             seen = inside & ~outlined & ~self._masked(column, row, inside)
         with np.errstate(divide="ignore", invalid="ignore"):
             tangent = np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)
-        return GroundView(values, seen, inside & ~covered, tangent.astype(np.float32))
+        return GroundView(values, seen, inside & ~covered, tangent.astype(np.float32), level)
+
+    def lean(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """How far what stands at places is displaced in the view, m east and north a metre of its height, (n, 2)."""
+        pose = self.frame.pose
+        drop = pose.z - self.terrain.ground.sample(x, y)
+        return np.stack([x - pose.x, y - pose.y], axis=-1) / drop[:, None]
 
     def _resampled(self, column: np.ndarray, row: np.ndarray, inside: np.ndarray, ratio: float
                    ) -> tuple[np.ndarray, np.ndarray]:

@@ -70,6 +70,9 @@ class OrthophotoSource:
         self._view.close()
         self._file.close()
 
+    def lean(self, _x: np.ndarray, _y: np.ndarray) -> None:
+        """None: the file does not say from where its pixels were taken."""
+
     def view(self, grid: Grid) -> GroundView | None:
         """The orthophoto's pixels on a window of its grid, which may reach beyond it."""
         top = round((self.grid.y_max - grid.y_max) / grid.cell)
