@@ -198,7 +198,7 @@ class BuildingModels(UrbanMapAlgorithm):
                  for name, path in results.items() if path and name != "OUTPUT_MESH"}
         names = building_names(table)
         if "OUTPUT_CITYJSON" in paths:
-            reference = city_reference(stated_wkt(table.crs))
+            reference = city_reference(table.stated or stated_wkt(table.crs))
             write_model_cityjson(paths["OUTPUT_CITYJSON"], CityModel(reference, objects_of_models(
                 models, {**table.columns, **columns}, names.of), title="UrbanMap building models"), progress)
         if "OUTPUT_REPORT" in paths:

@@ -30,12 +30,19 @@ def crs_from(crs: QgsCoordinateReferenceSystem | str | None) -> QgsCoordinateRef
 
 
 def _from_wkt(wkt: str) -> QgsCoordinateReferenceSystem:
-    """A QGIS CRS that keeps the heights: QGIS 3.22 knows of EPSG's compound systems the horizontal part only."""
+    """A QGIS CRS that keeps the heights where QGIS can.
+
+    QGIS 3.22 knows of EPSG's compound systems the horizontal part only: they are spelt out for it. Releases that know
+    vertical systems (3.38 and later) take compound systems by their codes; layers in one without a code come back from
+    a GeoPackage with an empty CRS there, so of such a system only the horizontal part is taken.
+    """
     from ...urbanmap_qgis.io.height_systems import stating_heights
 
     found = QgsCoordinateReferenceSystem.fromWkt(known_wkt(wkt))
     if not _COMPOUND.match(wkt) or not found.isValid():
         return found
+    if hasattr(found, "verticalCrs"):
+        return QgsCoordinateReferenceSystem(found.authid()) if found.authid() else found.horizontalCrs()
     stated = heights(wkt)
     if not stated.known or heights(wkt_of(found)) == stated:
         return found

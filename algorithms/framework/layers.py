@@ -76,6 +76,7 @@ class VectorTable:
     fields : the fields, without GeoPackage's own ``fid``.
     columns : values by field name; None where there is none.
     problems : by row, a sentence on what is wrong with its geometry (also where it was repaired).
+    stated : WKT of the CRS with a height system that was found elsewhere, also where QGIS cannot keep it; else empty.
     """
 
     label: str
@@ -85,6 +86,7 @@ class VectorTable:
     fields: QgsFields
     columns: Mapping[str, list]
     problems: Mapping[int, str] = field(default_factory=dict)
+    stated: str = ""
 
     @property
     def crs_wkt(self) -> str:

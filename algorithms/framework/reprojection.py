@@ -95,4 +95,4 @@ def with_heights_of_points(table, cloud):
     if cloud is None or not cloud.crs_wkt:
         return table
     stated = stating_heights_of(table.crs_wkt, cloud.crs_wkt)
-    return table if stated == table.crs_wkt else replace(table, crs=crs_from(stated))
+    return table if stated == table.crs_wkt else replace(table, crs=crs_from(stated), stated=stated)

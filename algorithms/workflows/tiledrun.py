@@ -100,10 +100,10 @@ class TiledRun(UrbanMapAlgorithm):
         merged = merge_results(folder, tiles, records, inputs.outputs, progress.part(0.9, 0.97))
         for name, path in merged.items():
             progress.message(tr("{0}: {1}").format(name, path))
-        self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept)
+        report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept)
         layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
-        return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "TILES": len(tiles), "DONE": count[DONE],
-                "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}
+        return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
+                "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}
 
     def _stage(self, parameters, context):
         name = self.parameterAsString(parameters, "ALGORITHM", context)
@@ -135,12 +135,13 @@ class TiledRun(UrbanMapAlgorithm):
 
         path = self.output_path(parameters, "OUTPUT_REPORT", context)
         if path is None:
-            return
+            return None
         estimate = {}
         if len(records) < len(inputs.tiles):
             estimate = extrapolated(records, len(inputs.tiles), self.parameterAsInt(parameters, "WORKERS", context))
         write_tiles_report(path, tr("{0}, tile by tile").format(inputs.stage.displayName()), inputs.shown, inputs.grid,
                            inputs.tiles, records, kept, estimate)
+        return str(path)
 
     def _write(self, parameters, context, inputs, tiles, records, progress):
         rows = [records[tile.name] for tile in tiles]

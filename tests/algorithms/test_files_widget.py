@@ -67,8 +67,11 @@ def test_a_batch_file_is_read_and_its_rows_run(run, qgis_app, make_cloud, tmp_pa
     axis = np.arange(0.0, 40.0, 0.4)
     x, y = (grid.ravel() for grid in np.meshgrid(axis, axis))
     clouds = [str(make_cloud(tmp_path / f"{name}.laz", x, y, 0.01 * x)) for name in "ab"]
-    rows = [{"PARAMETERS": {"POINTS": repr(clouds[:count + 1])},
+    later = hasattr(batch.BatchPanel, "CURRENT_FORMAT")  # values as they are instead of their text
+    rows = [{"PARAMETERS": {"POINTS": clouds[:count + 1] if later else repr(clouds[:count + 1])},
              "OUTPUTS": {"OUTPUT": str(tmp_path / f"ground {count}.laz")}} for count in range(2)]
+    if later:
+        rows = {batch.BatchPanel.FORMAT: batch.BatchPanel.CURRENT_FORMAT, batch.BatchPanel.ROWS: rows}
     saved = tmp_path / "batch.json"
     saved.write_text(json.dumps(rows), encoding="utf-8")
     monkeypatch.setattr(batch.QFileDialog, "getOpenFileName", lambda *_: (str(saved), ""))
