@@ -19,7 +19,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
     KEYWORDS = ("road", "marking", "lane", "zebra", "crossing", "paint", "adaptive threshold", "aerial", "orthophoto")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (
-        "Finds painted road markings, white and yellow, in an orthophoto: a mask on the orthophoto's pixels and "
+        "Finds painted road markings, white, yellow and blue, in an orthophoto: a mask on the orthophoto's pixels and "
         "polygons whose outlines are finer than the pixels.\n"
         "After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the "
         "block round them (in shade in proportion less). Then goes what is no paint: what is as bright on one side "
