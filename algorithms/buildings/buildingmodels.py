@@ -80,7 +80,7 @@ class BuildingModels(UrbanMapAlgorithm):
         roof_table = self._roof_table(parameters, context, progress)
         self.same_crs("ROOFS", roof_table.crs, "FOOTPRINTS", buildings.crs)
         cloud = open_points(self, parameters, context, buildings, progress, may_be_empty=True)
-        buildings = with_heights_of_points(buildings, cloud)
+        buildings = with_heights_of_points(buildings, cloud, progress)
         base = self._base_heights(parameters, context, buildings, footprints, progress)
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             models = build_models(footprints, self._roofs(roof_table), base, cloud, executor, progress.part(0.0, 0.85),

@@ -75,7 +75,7 @@ class Mesh25D(UrbanMapAlgorithm):
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
-        table = with_heights_of_points(table, cloud)
+        table = with_heights_of_points(table, cloud, progress)
         base = numbers(table, "ground")
         base = np.full(len(footprints), np.nan) if base is None else base
         ground = self.ground_heights(parameters, "GROUND", context, "FOOTPRINTS", table, progress)

@@ -66,7 +66,7 @@ class SegmentBuildings(UrbanMapAlgorithm):
         table = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
         footprints = footprints_of(table, progress)
         cloud = open_points(self, parameters, context, table, progress)
-        table = with_heights_of_points(table, cloud)
+        table = with_heights_of_points(table, cloud, progress)
         settings = SegmentationParameters(
             self.parameterAsDouble(parameters, "EXPANSION", context),
             self.parameterAsDouble(parameters, "MIN_HEIGHT", context),

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import SILENT, Progress
-from .crs import crs_from, crs_name, require_projected, same_plan, wkt_of
+from .crs import crs_from, crs_name, heights, require_projected, same_plan, wkt_of
 from .parameters import tr
 
 POINTS = "POINTS"
@@ -88,11 +88,20 @@ def raster_in(path, label: str, target_wkt: str, bounds, progress: Progress = SI
         return resampled(source, transform, bounds)
 
 
-def with_heights_of_points(table, cloud):
-    """The outlines with the height system that the points state in their CRS: what is made of both states it."""
-    from ...urbanmap_qgis.io.height_systems import stating_heights_of
+def with_heights_of_points(table, cloud, progress: Progress = SILENT):
+    """The outlines with the height system that the points state in their CRS: what is made of both states it.
+
+    Where QGIS has no way to keep it in layers, that is told.
+    """
+    from ...urbanmap_qgis.io.height_systems import heights_of, stating_heights_of
 
     if cloud is None or not cloud.crs_wkt:
         return table
     stated = stating_heights_of(table.crs_wkt, cloud.crs_wkt)
-    return table if stated == table.crs_wkt else replace(table, crs=crs_from(stated), stated=stated)
+    if stated == table.crs_wkt:
+        return table
+    made = replace(table, crs=crs_from(stated), stated=stated)
+    if not heights(made.crs).known:
+        progress.warn(tr("The points' heights are in {0}, which this release of QGIS cannot state in layers; files "
+                         "of city models state it.").format(heights_of(stated)))
+    return made
