@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from urbanmap_qgis.io.osm import OsmFile, OsmNode, OsmRelation, OsmWay
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.io.osm import OsmFile, OsmNode, OsmRelation, OsmWay, read_osm
 from urbanmap_qgis.roadmap.map_check import check_map
 
 LANE = {"type": "lanelet", "subtype": "road", "location": "urban", "one_way": "yes", "speed_limit": "40"}
@@ -112,3 +113,13 @@ def test_fault_has_the_place_of_its_element():
                 if fault.rule == "mandatory tag"]
     assert (fault.severity, fault.element) == ("warning", "lanelet 200")
     assert [fault.longitude * 111319.49, fault.latitude * 110574.0] == pytest.approx([40.0, 6.0], abs=0.01)
+
+
+@pytest.mark.parametrize(("name", "value"), [("local_x", "abc"), ("local_y", "nan"), ("ele", "inf"), ("lat", "nan")])
+def test_coordinates_that_are_no_numbers_are_refused(tmp_path, name, value):
+    tags = {"local_x": "1", "local_y": "2", "ele": "3", "lat": "35.0"} | {name: value}
+    inner = "".join(f'<tag k="{key}" v="{tags[key]}"/>' for key in ("local_x", "local_y", "ele"))
+    path = tmp_path / "map.osm"
+    path.write_text(f'<osm version="0.6"><node id="7" lat="{tags["lat"]}" lon="139.0">{inner}</node></osm>')
+    with pytest.raises(InputError, match=r"map\.osm"):
+        read_osm(path)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -75,10 +76,18 @@ def read_osm(path: str | os.PathLike) -> OsmFile:
     return OsmFile(found["node"], found["way"], found["relation"], tuple(repeated))
 
 
+_NUMBERS = ("local_x", "local_y", "ele")
+"""Tags of a node that are coordinates, m."""
+
+
 def _element(element: ElementTree.Element, identifier: int) -> OsmNode | OsmWay | OsmRelation:
     tags = {tag.attrib["k"]: tag.attrib["v"] for tag in element.iter("tag")}
     if element.tag == "node":
-        return OsmNode(identifier, float(element.attrib["lat"]), float(element.attrib["lon"]), tags)
+        latitude, longitude = float(element.attrib["lat"]), float(element.attrib["lon"])
+        others = [float(tags[name]) for name in _NUMBERS if name in tags]
+        if not all(map(math.isfinite, (latitude, longitude, *others))):
+            raise ValueError(f"node {identifier} has a coordinate that is not finite")
+        return OsmNode(identifier, latitude, longitude, tags)
     if element.tag == "way":
         return OsmWay(identifier, tuple(int(part.attrib["ref"]) for part in element.iter("nd")), tags)
     members = tuple((part.attrib["type"], int(part.attrib["ref"]), part.get("role", ""))
