@@ -152,11 +152,17 @@ class _Ours:
 _OURS = _Ours()
 
 
+_LOADED_AND_RIGHT: dict[str, object] = {}
+"""Modules by name that were loaded when they were looked at and are of a version that works: that does not change."""
+
+
 def find_missing(import_names: Iterable[str] = tuple(PACKAGES)) -> list[Missing]:
     """Packages among `import_names` that are not there or too old or too new; nothing is imported."""
     missing = []
     for name in import_names:
         package = PACKAGES[name]
+        if name in _LOADED_AND_RIGHT and sys.modules.get(name) is _LOADED_AND_RIGHT[name]:
+            continue
         if importlib.util.find_spec(name) is None:
             missing.append(Missing(package))
             continue
@@ -166,6 +172,8 @@ def find_missing(import_names: Iterable[str] = tuple(PACKAGES)) -> list[Missing]
             missing.append(Missing(package, *loaded))
         elif not _fits(package, version):
             missing.append(Missing(package, version))
+        elif name in sys.modules:
+            _LOADED_AND_RIGHT[name] = sys.modules[name]
     return missing
 
 

@@ -72,7 +72,8 @@ def _libraries() -> list[ctypes.CDLL]:
     """OpenBLAS where it is loaded: by Linux's list of what is, elsewhere where wheels of numpy and scipy hold it."""
     maps = Path("/proc/self/maps")
     if maps.exists():
-        fields = (line.split(maxsplit=5) for line in maps.read_text(encoding="utf-8", errors="replace").splitlines())
+        lines = maps.read_text(encoding="utf-8", errors="replace").splitlines()
+        fields = (line.split(maxsplit=5) for line in lines if "blas" in line)  # of thousands of lines
         names = {field[5] for field in fields if len(field) == 6 and "blas" in Path(field[5]).name}
     else:
         names = {str(path) for package in ("numpy", "scipy") if package in sys.modules

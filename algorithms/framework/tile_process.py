@@ -21,6 +21,8 @@ def start_application(prefix: str, plugins: str, packages: str, package: str) ->
     start_worker(packages)
     import_apart(PACKAGES_WITH_LIBRARIES)
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    # A tile is on the disk when it is published: GDAL need not wait for the disk at every step before.
+    os.environ.setdefault("OGR_SQLITE_SYNCHRONOUS", "OFF")
     application = QgsApplication([], False)
     application.setPrefixPath(prefix, True)
     application.initQgis()

@@ -129,9 +129,12 @@ def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str
 
 
 def _cut_points(job: TileJob, inputs: Path, parameters: dict) -> None:
-    from ...urbanmap_qgis.tiling.point_pieces import write_tile_points
+    from ...urbanmap_qgis.tiling.point_pieces import all_inside, write_tile_points
 
     for name, files in job.points.items():
+        if all_inside(files, job.tile):  # files that are tiles already are read as they are
+            parameters[name] = [str(file.path) for file in files]
+            continue
         path = inputs / f"{name}{POINTS_SUFFIX}"
         if not write_tile_points(files, job.tile, path):
             raise EmptyTile(tr("There are no points in this tile."))
@@ -239,6 +242,7 @@ def keep_own_features(path: Path, tile: GridTile, own: Mapping[str, int] | None)
     data.changeAttributeValues({number: {place: tile.name} for number in rest})
     del data, layer
     with closing(sqlite3.connect(path, isolation_level=None)) as database:
+        database.execute("PRAGMA synchronous = OFF")  # a published tile is on the disk
         database.execute("VACUUM")  # what was deleted goes, and the same features give the same bytes
     without_times(path)
 

@@ -68,8 +68,25 @@ def offline(tmp_path, monkeypatch):
     return ["--no-index", "--find-links", str(wheels)]
 
 
+@pytest.fixture(autouse=True)
+def looked_at_anew(monkeypatch):
+    """Packages that other tests have loaded are looked at again."""
+    monkeypatch.setattr(dependencies, "_LOADED_AND_RIGHT", {})
+
+
 def test_packages_that_are_there_are_not_missing():
     assert find_missing(["numpy", "shapely"]) == []
+
+
+def test_a_package_that_is_loaded_and_right_is_looked_at_once(monkeypatch):
+    import numpy
+
+    assert find_missing(["numpy"]) == []
+    monkeypatch.setattr(dependencies, "installed_version", lambda package: "0.1")
+    assert find_missing(["numpy"]) == []
+    monkeypatch.setitem(dependencies._LOADED_AND_RIGHT, "numpy", pytest)  # another copy took its place
+    assert len(find_missing(["numpy"])) == 1
+    assert numpy is sys.modules["numpy"]
 
 
 def test_absent_package_is_missing(monkeypatch):

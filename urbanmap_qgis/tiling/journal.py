@@ -73,11 +73,19 @@ def new_tile_folder(run_folder: Path, tile: GridTile):
 
 
 def publish(run_folder: Path, tile: GridTile, record: TileRecord, made: Path) -> None:
-    """Put a tile's results, all whole, in the place of those of an earlier run."""
+    """Put a tile's results, all whole and on the disk, in the place of those of an earlier run."""
     write_record(made, record)
+    for file in filter(Path.is_file, made.iterdir()):
+        _to_disk(file)
     place = tile_folder(run_folder, tile)
     shutil.rmtree(place, ignore_errors=True)
     os.replace(made, place)
+
+
+def _to_disk(path: Path) -> None:
+    """Wait until a file is on the disk: a machine that loses power must not leave a record of results that it lost."""
+    with path.open("r+b") as file:
+        os.fsync(file.fileno())
 
 
 def write_record(folder: Path, record: TileRecord) -> None:

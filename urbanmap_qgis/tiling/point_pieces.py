@@ -82,6 +82,13 @@ def sorted_into_pieces(file: PointFile, grid: TileGrid, folder: Path, progress: 
     return pieces
 
 
+def all_inside(files: Sequence[PointFile], tile: GridTile) -> bool:
+    """Whether there are files, and all their points lie in the tile and its buffer."""
+    x_min, y_min, x_max, y_max = tile.outer
+    return bool(files) and all(file.bounds[0] >= x_min and file.bounds[1] >= y_min and file.bounds[2] < x_max
+                               and file.bounds[3] < y_max for file in files)
+
+
 def write_tile_points(files: Sequence[PointFile], tile: GridTile, path: str | os.PathLike) -> int:
     """Write the points of the tile and its buffer to one file; their number. Nothing is written where there are none.
 
