@@ -8,26 +8,26 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
 from ..framework.parameters import tr
 from ..framework.trajectories import trajectory_exists, trajectory_of
+from .map_outputs import DATUMS, write_map_files, write_map_layers
 
 TRAFFIC = ("auto", "left", "right")
 PROJECTORS = ("TransverseMercator", "MGRS")
-DATUMS = ("not stated", "WGS84", "EGM2008")
 OSM_FILTER = "Lanelet2 (*.osm)"
+XODR_FILTER = "OpenDRIVE (*.xodr)"
 
 
 class VectorMap(UrbanMapAlgorithm):
     ID = "vectormap"
     NAME = "Lane map"
     SOURCE = "Javanmardi 2018, 6.2"
-    KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "Autoware", "lanelet", "automated driving", "road")
+    KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "OpenDRIVE", "Autoware", "automated driving", "road")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
     HELP = (
         "Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, "
-        "successors, neighbours, stop lines and crosswalks; as layers and as Lanelet2 file with the tags that Autoware "
-        "expects.\n"
+        "successors, neighbours, stop lines and crosswalks; as layers, as Lanelet2 file with the tags that Autoware "
+        "expects, and as OpenDRIVE file.\n"
         "Lines side by side are a road section. A lane is made between two lines at a lane's width, where a drive, an "
         "arrow or a stop line shows its direction, or a lane across a dashed line or across a yellow or double centre "
         "line does. Nothing else becomes a lane: strips without evidence, open ends, bounds that were not seen and "
@@ -77,6 +77,9 @@ class VectorMap(UrbanMapAlgorithm):
                              "tags.", OSM_FILTER, optional=True)
         self.add_file_output("OUTPUT_PROJECTOR", "Projector file", "Autoware's map_projector_info.yaml of the Lanelet2 "
                              "file.", "YAML (*.yaml)", optional=True)
+        self.add_file_output("OUTPUT_OPENDRIVE", "OpenDRIVE file", "Roads, junctions, road marks, stop lines and "
+                             "crosswalks as ASAM OpenDRIVE 1.7; coordinates are those of the CRS less the header's "
+                             "offset.", XODR_FILTER, optional=True)
         self.add_layer_output("OUTPUT_FINDINGS", "Findings", "Points: kind and a sentence on what is missing or "
                               "contradicts.", optional=True, by_default=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)
@@ -112,7 +115,10 @@ class VectorMap(UrbanMapAlgorithm):
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
                                  progress.part(0.1, 0.8))
         self._tell(built, drives, progress)
-        results = self._write(parameters, context, built, table)
+        results = write_map_layers(self, parameters, context, built, table.crs)
+        results |= write_map_files(self, parameters, context, built, table.crs_wkt,
+                                   self._limit(parameters, context), progress)
+        results = {name: place for name, place in results.items() if place}
         return {**results, "LANES": len(built.lanes), "FINDINGS": len(built.findings), "LENGTH": built.driven_length()}
 
     def _lines(self, table, kind_field):
@@ -135,6 +141,10 @@ class VectorMap(UrbanMapAlgorithm):
             raise InputError(tr("{0} has no fields class and heading; give the areas of “Lines from road "
                                 "markings”.").format(table.label))
         return areas_of(table.geometries, table.columns)
+
+    def _limit(self, parameters, context):
+        given = parameters.get("SPEED_LIMIT") not in (None, "")
+        return self.parameterAsDouble(parameters, "SPEED_LIMIT", context) if given else None
 
     def _drive_files(self, parameters, context):
         return [text for text in self.parameterAsFileList(parameters, "TRAJECTORY", context) if text]
@@ -161,57 +171,3 @@ class VectorMap(UrbanMapAlgorithm):
         if drives and not any(lane.kind == "lane" for lane in built.lanes):
             progress.warn(tr("No lane was made: the drives run beside all lines; check that both are of one place, in "
                              "one CRS, and that the trajectories are corrected."))
-
-    def _write(self, parameters, context, built, table):
-        """Write all outputs that are wanted; their places."""
-        import shapely
-
-        from ...urbanmap_qgis.roadmap.map_tables import bound_columns, lane_columns
-
-        high = built.has_heights()
-        suffix = "Z" if high else ""
-        shown = [shapely.linestrings(lane.centre if high else lane.centre[:, :2]) for lane in built.lanes]
-        columns = lane_columns(built)
-        fields = make_fields(("lane_id", "int"), ("kind", "text"), ("evidence", "text"), ("width", "real"),
-                             ("narrowest", "real"), ("length", "real"), ("turn", "text"), ("arrows", "text"),
-                             ("successors", "text"), ("left", "int"), ("right", "int"), ("opposite", "int"),
-                             ("stop_lines", "text"), ("crosswalks", "text"))
-        results = {"OUTPUT_LANES": self.write_layer(
-            parameters, "OUTPUT_LANES", context, fields, columns, table.crs,
-            [built.area(number) for number in range(len(built.lanes))], "Polygon", style="lanes")}
-        results["OUTPUT_CENTRES"] = self.write_layer(
-            parameters, "OUTPUT_CENTRES", context, make_fields(("lane_id", "int"), ("kind", "text"), ("width", "real")),
-            {name: columns[name] for name in ("lane_id", "kind", "width")}, table.crs, shown, f"LineString{suffix}",
-            style="lane_centres")
-        results["OUTPUT_BOUNDS"] = self.write_layer(
-            parameters, "OUTPUT_BOUNDS", context, make_fields(
-                ("bound_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
-                ("double", "bool"), ("unseen", "real"), ("lanes", "int")), bound_columns(built), table.crs,
-            [shapely.linestrings(built.bound_points(bound)[:, :3 if high else 2]) for bound in built.bounds],
-            f"LineString{suffix}", style="lane_bounds")
-        results["OUTPUT_FINDINGS"] = self.write_layer(
-            parameters, "OUTPUT_FINDINGS", context, make_fields(("kind", "text"), ("text", "text")),
-            {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, table.crs,
-            [shapely.points(one.x, one.y) for one in built.findings], "Point", style="map_findings")
-        results |= self._write_lanelet2(parameters, context, built, table)
-        return {name: place for name, place in results.items() if place}
-
-    def _write_lanelet2(self, parameters, context, built, table):
-        from ...urbanmap_qgis.io.osm import write_osm
-        from ...urbanmap_qgis.roadmap.lanelet_map import META, lanelet_elements
-        from ...urbanmap_qgis.roadmap.map_projection import write_projector
-
-        path = self.output_path(parameters, "OUTPUT_LANELET2", context)
-        projector = self.output_path(parameters, "OUTPUT_PROJECTOR", context)
-        if (path is None and projector is None) or not built.lanes:
-            return {}
-        limit = parameters.get("SPEED_LIMIT")
-        limit = self.parameterAsDouble(parameters, "SPEED_LIMIT", context) if limit not in (None, "") else None
-        elements, coordinates = lanelet_elements(built, table.crs_wkt,
-                                                 self.parameterAsString(parameters, "PROJECTOR", context), limit)
-        datum = self.parameterAsString(parameters, "VERTICAL_DATUM", context)
-        if path is not None:
-            write_osm(path, elements, META)
-        if projector is not None:
-            write_projector(projector, coordinates, "" if datum == DATUMS[0] else datum)
-        return {"OUTPUT_LANELET2": path and str(path), "OUTPUT_PROJECTOR": projector and str(projector)}

@@ -55,7 +55,7 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
 
     Parameters
     ----------
-    speed_limit : km/h, written to every lane where given.
+    speed_limit : km/h, for lanes that have none of their own.
     """
     made = _Elements()
     numbers = [made.node(place) for place in built.nodes]
@@ -99,8 +99,9 @@ def _bound_tags(bound: Bound) -> dict[str, str]:
 def _add_lane(made: _Elements, lane, bounds: list[int], rules: dict, speed_limit: float | None) -> None:
     """A lanelet; Lanelet2 turns bounds round by itself where they run against each other's lanelets."""
     tags = {"type": "lanelet", "subtype": "road", "location": "urban", "one_way": "yes", "participant:vehicle": "yes"}
-    if speed_limit is not None:
-        tags["speed_limit"] = f"{speed_limit:g}"
+    limit = lane.speed_limit if np.isfinite(lane.speed_limit) else speed_limit
+    if limit is not None:
+        tags["speed_limit"] = f"{limit:g}"
     if lane.turn:
         tags["turn_direction"] = lane.turn
     members = [("way", bounds[lane.left], "left"), ("way", bounds[lane.right], "right")]

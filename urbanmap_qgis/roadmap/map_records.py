@@ -87,6 +87,7 @@ class MapLane:
     turn : "straight", "left" or "right" of a virtual lane. arrows : kinds of the arrows in it.
     successors, left_neighbour, right_neighbour : numbers of lanes, -1 where there is none; neighbours have the same
         direction, `opposite` is the neighbour across the line that has the other one.
+    speed_limit : km/h, NaN where unknown.
     """
 
     left: int
@@ -106,6 +107,7 @@ class MapLane:
     opposite: int = -1
     stop_lines: list[int] = field(default_factory=list)
     crosswalks: list[int] = field(default_factory=list)
+    speed_limit: float = np.nan
 
 
 @dataclass

@@ -23,7 +23,8 @@ def lane_columns(built: VectorMap) -> dict[str, list]:
             "right": [_known(lane.right_neighbour) for lane in lanes],
             "opposite": [_known(lane.opposite) for lane in lanes],
             "stop_lines": [_listed(lane.stop_lines) for lane in lanes],
-            "crosswalks": [_listed(lane.crosswalks) for lane in lanes]}
+            "crosswalks": [_listed(lane.crosswalks) for lane in lanes],
+            "speed_limit": [lane.speed_limit for lane in lanes]}
 
 
 def bound_columns(built: VectorMap) -> dict[str, list]:

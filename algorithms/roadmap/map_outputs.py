@@ -1,0 +1,70 @@
+"""Layers and files of a lane map."""
+
+from __future__ import annotations
+
+from ..framework.layers import make_fields
+
+DATUMS = ("not stated", "WGS84", "EGM2008")
+
+LANE_FIELDS = (("lane_id", "int"), ("kind", "text"), ("evidence", "text"), ("width", "real"), ("narrowest", "real"),
+               ("length", "real"), ("turn", "text"), ("arrows", "text"), ("successors", "text"), ("left", "int"),
+               ("right", "int"), ("opposite", "int"), ("stop_lines", "text"), ("crosswalks", "text"),
+               ("speed_limit", "real"))
+BOUND_FIELDS = (("bound_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
+                ("double", "bool"), ("unseen", "real"), ("lanes", "int"))
+
+
+def write_map_layers(stage, parameters, context, built, crs) -> dict[str, str | None]:
+    """Write lanes, centre lines, bounds and findings as layers; their places by output."""
+    import shapely
+
+    from ...urbanmap_qgis.roadmap.map_tables import bound_columns, lane_columns
+
+    high = built.has_heights()
+    suffix = "Z" if high else ""
+    columns = lane_columns(built)
+    results = {"OUTPUT_LANES": stage.write_layer(
+        parameters, "OUTPUT_LANES", context, make_fields(*LANE_FIELDS), columns, crs,
+        [built.area(number) for number in range(len(built.lanes))], "Polygon", style="lanes")}
+    shown = ("lane_id", "kind", "width")
+    results["OUTPUT_CENTRES"] = stage.write_layer(
+        parameters, "OUTPUT_CENTRES", context, make_fields(*(field for field in LANE_FIELDS if field[0] in shown)),
+        {name: columns[name] for name in shown}, crs,
+        [shapely.linestrings(lane.centre if high else lane.centre[:, :2]) for lane in built.lanes],
+        f"LineString{suffix}", style="lane_centres")
+    results["OUTPUT_BOUNDS"] = stage.write_layer(
+        parameters, "OUTPUT_BOUNDS", context, make_fields(*BOUND_FIELDS), bound_columns(built), crs,
+        [shapely.linestrings(built.bound_points(bound)[:, :3 if high else 2]) for bound in built.bounds],
+        f"LineString{suffix}", style="lane_bounds")
+    results["OUTPUT_FINDINGS"] = stage.write_layer(
+        parameters, "OUTPUT_FINDINGS", context, make_fields(("kind", "text"), ("text", "text")),
+        {name: [getattr(one, name) for one in built.findings] for name in ("kind", "text")}, crs,
+        [shapely.points(one.x, one.y) for one in built.findings], "Point", style="map_findings")
+    return results
+
+
+def write_map_files(stage, parameters, context, built, crs_wkt, speed_limit, progress) -> dict[str, str | None]:
+    """Write the files for other programs that are wanted: Lanelet2 with its projector, OpenDRIVE."""
+    from ...urbanmap_qgis.io.osm import write_osm
+    from ...urbanmap_qgis.roadmap.lanelet_map import META, lanelet_elements
+    from ...urbanmap_qgis.roadmap.map_projection import write_projector
+    from ...urbanmap_qgis.roadmap.opendrive_map import opendrive_tree, write_opendrive
+
+    names = ("OUTPUT_LANELET2", "OUTPUT_PROJECTOR", "OUTPUT_OPENDRIVE")
+    places = {name: stage.output_path(parameters, name, context) for name in names}
+    if not built.lanes or not any(places.values()):
+        return {}
+    if places["OUTPUT_LANELET2"] or places["OUTPUT_PROJECTOR"]:
+        elements, coordinates = lanelet_elements(built, crs_wkt,
+                                                 stage.parameterAsString(parameters, "PROJECTOR", context), speed_limit)
+        if places["OUTPUT_LANELET2"]:
+            write_osm(places["OUTPUT_LANELET2"], elements, META)
+        if places["OUTPUT_PROJECTOR"]:
+            datum = stage.parameterAsString(parameters, "VERTICAL_DATUM", context)
+            write_projector(places["OUTPUT_PROJECTOR"], coordinates, "" if datum == DATUMS[0] else datum)
+    if places["OUTPUT_OPENDRIVE"]:
+        tree, notes = opendrive_tree(built, crs_wkt, speed_limit)
+        for note in notes:
+            progress.warn(note)
+        write_opendrive(places["OUTPUT_OPENDRIVE"], tree)
+    return {name: place and str(place) for name, place in places.items()}

@@ -1,0 +1,232 @@
+"""OpenDRIVE files, read back by a reader of the tests and compared with the lanes they were made of."""
+
+from __future__ import annotations
+
+import importlib.util
+import sys
+from pathlib import Path
+
+import numpy as np
+import pyproj
+import pytest
+import shapely
+
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
+from urbanmap_qgis.roadmap.opendrive_map import opendrive_tree, write_opendrive
+from urbanmap_qgis.roadmap.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
+from urbanmap_qgis.roadmap.road_layout import road_layout
+from urbanmap_qgis.roadmap.vector_map import build_vector_map
+
+
+def beside(name):
+    """A module of helpers that lies beside this one."""
+    spec = importlib.util.spec_from_file_location(name, Path(__file__).with_name(f"{name}.py"))
+    sys.modules[name] = module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+roads, reader = beside("laid_out_roads"), beside("opendrive_reader")
+WKT = pyproj.CRS.from_epsg(6677).to_wkt()
+CLOSE = 0.05  # m
+
+
+def built_crossing(mirrored=False):
+    """The avenue before and behind a junction, driven both ways; mirrored for traffic on the right."""
+    sign = -1.0 if mirrored else 1.0
+    lines = [*roads.avenue(0, 60), *roads.avenue(90, 150), roads.stop(60.3, sign * 0.1, sign * 6.9)]
+    drives = [roads.drive((-10, sign * 5.2), (160, sign * 5.2)), roads.drive((160, -sign * 5.2), (-10, -sign * 5.2))]
+    return build_vector_map(lines, [roads.zebra(63, 67, -7, 7)], drives)
+
+
+def built_bend():
+    """A road of two lanes each way that bends by 70 degrees with its heights, and goes straight on."""
+    turn = np.linspace(0.0, 1.2, 60)
+
+    def bent(radius):
+        arc = np.column_stack([radius * np.sin(turn), 40.0 - radius * np.cos(turn)])
+        ahead = arc[-1] + np.arange(1.0, 30.0, 3.0)[:, None] * [np.cos(1.2), np.sin(1.2)]
+        return roads.place(np.vstack([arc, ahead]))
+
+    lines = [MapLine(bent(r), kind, "yellow" if r == 40.0 else "white") for r, kind in (
+        (33.5, "solid"), (36.75, "dashed"), (40.0, "solid"), (43.25, "dashed"), (46.5, "solid"))]
+    return build_vector_map(lines, (), [DrivenPath(bent(35.0)), DrivenPath(bent(45.0)[::-1])])
+
+
+MAPS = {"crossing": built_crossing, "right-hand": lambda: built_crossing(True), "bend": built_bend}
+
+
+@pytest.fixture(scope="module", params=MAPS)
+def case(request, tmp_path_factory):
+    """A map and its file, read back."""
+    built = MAPS[request.param]()
+    path = tmp_path_factory.mktemp("map") / "map.xodr"
+    tree, notes = opendrive_tree(built, WKT, 50.0)
+    assert not notes
+    write_opendrive(path, tree)
+    return built, path, *reader.read_roads(path)
+
+
+def offset_of(root):
+    header = root.find("header/offset")
+    return np.array([float(header.get("x")), float(header.get("y"))])
+
+
+def test_axes_and_borders_lie_on_the_bounds_of_the_lanes(case):
+    built, _, root, read = case
+    layout = road_layout(built)
+    assert sorted(lane for road in layout.roads for lane in road.lanes) == list(range(len(built.lanes)))
+    for number, road in enumerate(layout.roads):
+        written = read[str(number + 1)]
+        for place, bound in enumerate(road.bounds):
+            lane = place - road.axis
+            truth = shapely.LineString(built.bound_points(built.bounds[bound])[:, :2] - offset_of(root))
+            s = np.linspace(0.0, written.length, 41)
+            places = np.array([written.border(lane, one) for one in s])
+            assert shapely.distance(shapely.points(places), truth).max() < CLOSE
+            back = shapely.points(shapely.get_coordinates(truth))
+            assert shapely.distance(back, shapely.LineString(places)).max() < CLOSE
+
+
+def test_heights_are_those_of_the_axis(case):
+    built, _, _, read = case
+    for number, road in enumerate(road_layout(built).roads):
+        axis = built.bound_points(built.bounds[road.bounds[road.axis]])
+        written = read[str(number + 1)]
+        assert written.height(0.0) == pytest.approx(axis[0, 2], abs=0.02)
+        assert written.height(written.length) == pytest.approx(axis[-1, 2], abs=0.02)
+
+
+def test_sides_of_the_lanes_follow_the_rule_of_the_road(case):
+    built, _, _, read = case
+    assert built.left_hand is not None
+    for number, road in enumerate(road_layout(built).roads):
+        written = read[str(number + 1)]
+        assert written.element.get("rule") == ("LHT" if built.left_hand else "RHT")
+        for place, lane in enumerate(road.lanes):
+            identifier = road.lane_id(place)
+            along = (identifier > 0) == built.left_hand  # what the format says of this lane's direction
+            _x, _y, heading = written.axis(written.length / 2)
+            chord = built.lanes[lane].centre[-1, :2] - built.lanes[lane].centre[0, :2]
+            assert (chord @ [np.cos(heading), np.sin(heading)] > 0) == along
+
+
+def test_linked_lanes_meet_and_all_successors_are_in_the_file(case):
+    built, _, root, read = case
+    assert reader.widest_gap(root, read) < 0.01
+    layout = road_layout(built)
+    for number, lane in enumerate(built.lanes):
+        road, place = layout.of_lane[number]
+        for follower in lane.successors:
+            other, at = layout.of_lane[follower]
+            ids = layout.roads[road].lane_id(place), layout.roads[other].lane_id(at)
+            if layout.roads[other].junction >= 0:
+                linked = {(one.get("incomingRoad"), link.get("from"), one.get("connectingRoad"), link.get("to"))
+                          for one in root.iter("connection") for link in one.iter("laneLink")}
+                assert (str(road + 1), str(ids[0]), str(other + 1), str(ids[1])) in linked
+            else:
+                kind = "successor" if layout.roads[road].ahead[place] else "predecessor"
+                assert read[str(road + 1)].lanes[ids[0]].find(f"link/{kind}").get("id") == str(ids[1])
+
+
+def test_file_is_valid_by_the_schema_of_the_standard(case):
+    found = importlib.util.find_spec("qc_opendrive")
+    etree = pytest.importorskip("lxml.etree", reason="lxml is not installed")
+    if found is None:
+        pytest.skip("asam-qc-opendrive, which brings the schema, is not installed")
+    schema = Path(found.origin).parent / "schema" / "1.7.0" / "opendrive_17_core.xsd"
+    etree.XMLSchema(etree.parse(str(schema))).assertValid(etree.parse(str(case[1])))
+
+
+def test_header_tells_where_the_map_lies_and_marks_what_is_painted(tmp_path):
+    built = built_crossing()
+    tree, _ = opendrive_tree(built, WKT, 50.0)
+    root = tree.getroot()
+    header = root.find("header")
+    assert (header.get("revMajor"), header.get("revMinor")) == ("1", "7")
+    reference = pyproj.CRS.from_user_input(header.find("geoReference").text)
+    assert reference.is_projected and reference.to_dict()["lat_0"] == 36
+    low = np.array(built.nodes)[:, :2].min(axis=0)
+    assert (low - offset_of(root) >= 0).all() and (low - offset_of(root) < 100).all()
+    marks = {(mark.get("type"), mark.get("color")) for mark in root.iter("roadMark")}
+    assert marks == {("solid", "white"), ("solid", "yellow"), ("broken", "white"), ("none", "standard")}
+    (signal,) = root.iter("signal")
+    assert (signal.get("type"), signal.get("orientation")) == ("294", "+")
+    assert float(signal.get("width")) == pytest.approx(6.8, abs=0.01)
+    validity = signal.find("validity")
+    assert sorted(map(int, (validity.get("fromLane"), validity.get("toLane")))) == [1, 2]
+    (walk,) = root.iter("object")
+    assert walk.get("type") == "crosswalk" and len(list(walk.iter("cornerLocal"))) == 4
+    assert {float(one.get("max")) for one in root.iter("speed")} == {50.0}
+
+
+def test_crosswalk_corners_come_back_where_they_were():
+    built = built_crossing()
+    tree, _ = opendrive_tree(built, WKT)
+    root = tree.getroot()
+    element = next(road for road in root.findall("road") if road.find("objects") is not None)
+    (section,) = element.iter("laneSection")
+    read = reader.ReadRoad(element, {int(lane.get("id")): lane for lane in section.iter("lane")})
+    walk = element.find("objects/object")
+    x, y, heading = read.axis(float(walk.get("s")))
+    t = float(walk.get("t"))
+    base = np.array([x - t * np.sin(heading), y + t * np.cos(heading)]) + offset_of(root)
+    turned = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
+    corners = np.array([[float(c.get("u")), float(c.get("v"))] for c in walk.iter("cornerLocal")]) @ turned + base
+    truth = shapely.get_coordinates(built.crosswalks[0].polygon.exterior)[:-1, :2]
+    assert np.abs(corners - truth).max() < 0.02
+
+
+def test_junctions_hold_the_ways_that_were_driven():
+    root = opendrive_tree(built_crossing(), WKT)[0].getroot()
+    assert len(root.findall("junction")) == 1 and len(list(root.iter("connection"))) == 2
+    connecting = [road for road in root.findall("road") if road.get("junction") != "-1"]
+    assert len(connecting) == 2
+    for road in connecting:
+        assert {end.get("elementType") for end in road.find("link")} == {"road"} and len(road.find("link")) == 2
+
+
+def test_heights_that_are_unknown_are_left_out():
+    lines = [MapLine(np.column_stack([one.points[:, :2], np.full(len(one.points), np.nan)]), one.kind, one.colour)
+             for one in roads.avenue(0, 60)]
+    built = build_vector_map(lines, (), [roads.drive((-10, 5.2), (70, 5.2))], MapSettings(traffic="left"))
+    root = opendrive_tree(built, WKT)[0].getroot()
+    assert built.lanes and not list(root.iter("elevation"))
+    assert "nan" not in " ".join(value for element in root.iter() for value in element.attrib.values())
+
+
+def test_plan_of_line_arc_and_curve_is_told_as_such():
+    straight = np.column_stack([np.arange(0.0, 50.0, 5.0), np.zeros(10)])
+    assert [one.kind for one in fit_plan_view(straight)] == ["line"]
+    turn = np.linspace(0.0, 1.0, 80)
+    circle = np.column_stack([30 * np.sin(turn), 30 * (1 - np.cos(turn))])
+    (arc,) = fit_plan_view(circle)
+    assert arc.kind == "arc" and arc.curvature == pytest.approx(1 / 30.0, rel=0.01)
+    wave = np.column_stack([np.arange(0.0, 60.0), 3.0 * np.sin(np.arange(0.0, 60.0) / 9.0)])
+    elements = fit_plan_view(wave)
+    assert {one.kind for one in elements} >= {"cubic"}
+    places, heading = along_plan(elements, np.linspace(0.0, plan_length(elements), 500))
+    assert shapely.distance(shapely.points(places), shapely.LineString(wave)).max() < 0.03
+    assert np.abs(np.diff(np.unwrap(heading))).max() < 0.02  # no kink
+    assert plan_length(elements) == pytest.approx(shapely.LineString(places).length, abs=0.01)
+
+
+def test_profile_keeps_its_ends_and_its_tolerance():
+    s = np.linspace(0.0, 40.0, 81)
+    values = 3.0 + 0.2 * np.sin(s / 5.0)
+    pieces = fit_profile(s, values, 0.005)
+    held = []
+    for one in s:
+        piece = [p for p in pieces if p.s <= one + 1e-9][-1]
+        ds = one - piece.s
+        held.append(piece.a + ds * (piece.b + ds * (piece.c + ds * piece.d)))
+    assert np.abs(np.array(held) - values).max() <= 0.006
+    assert held[0] == values[0] and held[-1] == pytest.approx(values[-1])
+    assert len(fit_profile(s, np.full(81, 3.0))) == 1
+
+
+def test_plane_without_a_proj_string_is_refused():
+    local = pyproj.CRS.from_wkt('LOCAL_CS["site",UNIT["metre",1]]').to_wkt()
+    with pytest.raises(InputError, match="PROJ"):
+        opendrive_tree(built_crossing(), local)
