@@ -103,9 +103,22 @@ GEOREFERENCE_MMS = (
          outputs={"OUTPUT": "Georeferenced survey", "OUTPUT_IMAGES": "Corrected image poses"}),
 )
 
+LANE_MAP = (
+    Step("markinglines", "1. Makes line work of the markings: lines, stop lines, crosswalks and arrows.",
+         named={"OUTPUT": "OUTPUT_LINES", "MAX_WIDTH": "MAX_LINE_WIDTH"},
+         outputs={"OUTPUT": "Marking lines", "OUTPUT_AREAS": "Marking areas"}),
+    Step("vectormap", "2. Makes lanes of the lines and the drives, and tells what is missing.",
+         made={"LINES": ("markinglines", "OUTPUT"), "AREAS": ("markinglines", "OUTPUT_AREAS")},
+         outputs={"OUTPUT_LANES": "Lanes", "OUTPUT_CENTRES": "Centre lines of lanes",
+                  "OUTPUT_BOUNDS": "Bounds of lanes", "OUTPUT_FINDINGS": "Findings",
+                  "OUTPUT_LANELET2": "Lanelet2 file", "OUTPUT_PROJECTOR": "Projector file",
+                  "OUTPUT_OPENDRIVE": "OpenDRIVE file"}),
+)
+
 CHAINS = (("buildings_from_als", "Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS),
           ("aerial_markings", "Road markings from aerial frames (model)", "aerialmarkings", AERIAL_MARKINGS),
-          ("georeference_mms", "Georeference mobile survey (model)", "georeferencemms", GEOREFERENCE_MMS))
+          ("georeference_mms", "Georeference mobile survey (model)", "georeferencemms", GEOREFERENCE_MMS),
+          ("lane_map", "Lane map from markings and drives (model)", "lanemap", LANE_MAP))
 """File, name, algorithm with the same chain, and steps of each model."""
 
 

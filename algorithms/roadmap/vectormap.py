@@ -9,7 +9,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.parameters import tr
-from ..framework.trajectories import trajectory_exists, trajectory_of
+from .driven_paths import check_drives, read_drives
 from .map_outputs import DATUMS, write_map_files, write_map_layers
 
 TRAFFIC = ("auto", "left", "right")
@@ -91,10 +91,7 @@ class VectorMap(UrbanMapAlgorithm):
         source = self.parameterAsSource(parameters, "LINES", context)
         if source is not None:
             self.require_projected("LINES", source.sourceCrs())
-        for text in self._drive_files(parameters, context):
-            if not trajectory_exists(text, context):
-                raise InputError(tr("{0}: the file {1} does not exist; check its name.").format(
-                    self.label_of("TRAJECTORY"), text))
+        check_drives(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.roadmap.map_records import MapSettings
@@ -107,7 +104,7 @@ class VectorMap(UrbanMapAlgorithm):
         if edges is not None:
             self.same_crs("LINES", table.crs, "EDGES", edges.crs)
             lines += self._lines(edges, None)
-        drives = self._drives(parameters, context, table.crs_wkt, progress)
+        drives = read_drives(self, parameters, context, table.crs_wkt, progress)
         settings = MapSettings(self.parameterAsDouble(parameters, "MIN_WIDTH", context),
                                self.parameterAsDouble(parameters, "MAX_WIDTH", context),
                                traffic=self.parameterAsString(parameters, "TRAFFIC", context),
@@ -133,7 +130,7 @@ class VectorMap(UrbanMapAlgorithm):
     def _areas(self, parameters, context, lines):
         from ...urbanmap_qgis.roadmap.map_records import areas_of
 
-        table = self.read_polygons(parameters, "AREAS", context)
+        table = self.read_vector(parameters, "AREAS", context)  # a road without symbols has none
         if table is None:
             return []
         self.same_crs("LINES", lines.crs, "AREAS", table.crs)
@@ -145,22 +142,6 @@ class VectorMap(UrbanMapAlgorithm):
     def _limit(self, parameters, context):
         given = parameters.get("SPEED_LIMIT") not in (None, "")
         return self.parameterAsDouble(parameters, "SPEED_LIMIT", context) if given else None
-
-    def _drive_files(self, parameters, context):
-        return [text for text in self.parameterAsFileList(parameters, "TRAJECTORY", context) if text]
-
-    def _drives(self, parameters, context, crs_wkt, progress):
-        from ...urbanmap_qgis.roadmap.map_records import DrivenPath
-
-        drives = []
-        for text in self._drive_files(parameters, context):
-            read = trajectory_of(text, self.label_of("TRAJECTORY"), context, crs_wkt)
-            if read.crs_wkt:
-                self.same_crs("LINES", crs_wkt, "TRAJECTORY", read.crs_wkt)
-            for note in read.notes:
-                progress.warn(note)
-            drives.append(DrivenPath(read.trajectory.place))
-        return drives
 
     def _tell(self, built, drives, progress):
         for kind, count in sorted(Counter(finding.kind for finding in built.findings).items()):

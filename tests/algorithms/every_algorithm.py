@@ -53,6 +53,7 @@ RECIPES: dict[str, dict] = {
     "loadgsidem": {"INPUT": "made:FG-GML-5339-46-11-DEM5A-20161001.xml", "CRS": "EPSG:6677"},
     "markinglines": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"]},
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
+    "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},
     "convertheights": {"POINTS": ["city:als/als.laz"], "SOURCE_HEIGHTS": "JGD2011", "TARGET_HEIGHTS": "JGD2024",
                        "CHANGE": 0.05, "OUTPUT_RASTER": None, "OUTPUT_LAYER": None},

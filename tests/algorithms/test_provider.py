@@ -21,7 +21,8 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "segmentbuildings", "segmentroofs", "roofpolygons",
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
             "buildingsfromals", "tiledrun",
-            "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap")
+            "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
+            "lanemap")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

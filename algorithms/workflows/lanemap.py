@@ -1,0 +1,64 @@
+"""urbanmap:lanemap."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..roadmap.driven_paths import check_drives
+from ..roadmap.markinglines import MarkingLines
+from ..roadmap.vectormap import VectorMap
+
+LINE_SETTINGS = ("SIGMA", "MIN_LENGTH", "MAX_LINE_WIDTH")
+MAP_INPUTS = ("TRAJECTORY", "EDGES")
+MAP_SETTINGS = ("TRAFFIC", "SPEED_LIMIT")
+MAP_ADVANCED = ("MIN_WIDTH", "MAX_WIDTH", "BRIDGE", "PROJECTOR", "VERTICAL_DATUM")
+LAYERS = ("OUTPUT_LANES", "OUTPUT_CENTRES", "OUTPUT_BOUNDS", "OUTPUT_FINDINGS")
+FILES = ("OUTPUT_LANELET2", "OUTPUT_PROJECTOR", "OUTPUT_OPENDRIVE")
+FIGURES = ("LANES", "LENGTH", "FINDINGS")
+
+
+class LaneMap(UrbanMapAlgorithm):
+    ID = "lanemap"
+    NAME = "Lane map from markings and drives"
+    SOURCE = "Javanmardi 2018, 6.2"
+    KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "OpenDRIVE", "Autoware", "marking", "workflow")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio")
+    HELP = (
+        "Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then "
+        "lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as "
+        "OpenDRIVE file.\n"
+        "Markings and ground are what “Road markings from aerial frames” makes; trajectories are what “Georeference "
+        "mobile survey” makes. What is missing for a lane is a finding with its place: look at them, for no lane is "
+        "made without evidence."
+    )
+
+    def declare(self):
+        self.add_from(MarkingLines, "MARKINGS", "GROUND")
+        self.add_from(VectorMap, *MAP_INPUTS, *MAP_SETTINGS)
+        self.add_from(MarkingLines, "SIGMA", "MIN_LENGTH", advanced=True)
+        self.add_from(MarkingLines, MAX_LINE_WIDTH="MAX_WIDTH", advanced=True)
+        self.add_from(VectorMap, *MAP_ADVANCED, advanced=True)
+        self.add_from(VectorMap, *LAYERS)
+        self.add_from(MarkingLines, OUTPUT_LINES="OUTPUT", optional=True, by_default=True)
+        self.add_from(MarkingLines, "OUTPUT_AREAS", optional=True, by_default=True)
+        self.add_from(VectorMap, *FILES, *FIGURES)
+
+    def check(self, parameters, context):
+        check_drives(self, parameters, context)
+
+    def compute(self, parameters, context, feedback):
+        given = {name: parameters[name] for name in parameters if parameters[name] is not None}
+
+        def pick(*names):
+            return {name: given[name] for name in names if name in given}
+
+        renamed = {"MAX_WIDTH": given["MAX_LINE_WIDTH"]} if "MAX_LINE_WIDTH" in given else {}
+        run = self.child_runner(context, feedback, 2)
+        lines = run("markinglines", **pick("MARKINGS", "GROUND", "SIGMA", "MIN_LENGTH"), **renamed,
+                    OUTPUT=given.get("OUTPUT_LINES") or "TEMPORARY_OUTPUT",
+                    OUTPUT_AREAS=given.get("OUTPUT_AREAS") or "TEMPORARY_OUTPUT")
+        made = run("vectormap", **pick(*MAP_INPUTS, *MAP_SETTINGS, *MAP_ADVANCED, *LAYERS, *FILES),
+                   LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"])
+        results = {name: made[name] for name in (*LAYERS, *FILES, *FIGURES) if name in made}
+        results |= {name: lines[stage] for name, stage in (("OUTPUT_LINES", "OUTPUT"), ("OUTPUT_AREAS", "OUTPUT_AREAS"))
+                    if name in given}
+        return results
