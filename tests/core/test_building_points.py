@@ -26,7 +26,9 @@ def test_buckets_keep_the_order_in_memory_and_on_disk(limit):
             buckets.add(keys[start:start + 130], records[start:start + 130])
         for key in range(5):
             assert np.array_equal(buckets.read(key)["n"], np.flatnonzero(keys == key))
-        assert len(buckets.read(99)) == 0
+            assert np.array_equal(buckets.take(key)["n"], np.flatnonzero(keys == key))
+            assert len(buckets.read(key)) == 0
+        assert len(buckets.read(99)) == 0 and len(buckets.take(99)) == 0
 
 
 def test_blocks_give_each_building_its_points_whatever_the_order(tmp_path, make_cloud):
@@ -79,7 +81,7 @@ def test_plan_index_finds_what_a_full_search_finds():
     triangle = shapely.Polygon([(-20, 1010), (60, 1030), (10, 1090)])
     expected = np.flatnonzero(shapely.contains_xy(triangle, x, y))
     assert np.array_equal(PlanIndex(x, y).inside(triangle), expected)
-    assert not len(PlanIndex(x, y).in_box(500, 500, 600, 600))
+    assert not len(PlanIndex(x, y).inside(shapely.box(500, 500, 600, 600)))
     assert not len(PlanIndex(x[:0], y[:0]).inside(triangle))
 
 

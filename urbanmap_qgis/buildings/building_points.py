@@ -8,7 +8,7 @@ import laspy
 import numpy as np
 
 from ..errors import InputError
-from ..io.point_buckets import PointBuckets
+from ..io.point_buckets import PointBuckets, stable_order
 from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 
@@ -29,30 +29,34 @@ def require_dimension(cloud: PointCloud, name: str, maker: str) -> None:
 
 
 def iter_building_blocks(cloud: PointCloud, layout: PointLayout, ids: np.ndarray,
-                         progress: Progress = SILENT) -> Iterator[tuple[np.ndarray, list[np.ndarray]]]:
+                         progress: Progress = SILENT, *, shape_only: bool = False
+                         ) -> Iterator[tuple[np.ndarray, list[np.ndarray]]]:
     """Give the records of the buildings `ids`, a block of buildings at a time.
 
     Yields the rows of `ids` in the block and, for each, its records (of `layout`) in file order.
-    Points of other buildings, noise and withheld points are left out.
+    Points of other buildings, noise and withheld points are left out. `shape_only`: see `iter_chunks`.
     """
     order = np.argsort(ids, kind="stable")
+    known = ids[order]
     with PointBuckets(layout.dtype) as buckets:
-        for chunk in iter_chunks(cloud, progress):
+        for chunk in iter_chunks(cloud, progress, shape_only=shape_only):
             building = np.asarray(chunk["building_id"]).astype(np.int64)
-            place = np.minimum(np.searchsorted(ids[order], building), len(ids) - 1)
-            keep = (ids[order][place] == building) & valid_points(chunk)
+            place = np.minimum(np.searchsorted(known, building), len(ids) - 1)
+            keep = (known[place] == building) & valid_points(chunk)
             buckets.add(place[keep] // BUILDINGS_AT_ONCE, layout.adapt(chunk, keep))
         for block in range((len(ids) + BUILDINGS_AT_ONCE - 1) // BUILDINGS_AT_ONCE):
             rows = order[block * BUILDINGS_AT_ONCE:(block + 1) * BUILDINGS_AT_ONCE]
-            yield rows, _split(buckets.read(block), ids[rows])
+            yield rows, _split(buckets.take(block), ids[rows])
 
 
 def _split(records: np.ndarray, ids: np.ndarray) -> list[np.ndarray]:
     """Records of each building of a block; `ids` ascending."""
-    sequence = np.argsort(records["building_id"], kind="stable")
-    records = records[sequence]
-    starts = np.searchsorted(records["building_id"], ids, side="left")
-    ends = np.searchsorted(records["building_id"], ids, side="right")
+    building = np.ascontiguousarray(records["building_id"])
+    if (building[1:] < building[:-1]).any():
+        sequence = stable_order(building)
+        records, building = records[sequence], building[sequence]
+    starts = np.searchsorted(building, ids, side="left")
+    ends = np.searchsorted(building, ids, side="right")
     return [records[start:end] for start, end in zip(starts, ends)]
 
 

@@ -203,7 +203,7 @@ def _blocks(footprints: Footprints, base: np.ndarray, cloud: PointCloud | None, 
     for name in ("building_id", "roof_id"):
         require_dimension(cloud, name, "Segment roofs")
     layout = PointLayout(cloud)
-    for rows, blocks in iter_building_blocks(cloud, layout, footprints.ids, progress):
+    for rows, blocks in iter_building_blocks(cloud, layout, footprints.ids, progress, shape_only=True):
         yield rows, [_fit_points(layout, records, footprints.polygons[row], base[row])
                      for row, records in zip(rows, blocks)]
 

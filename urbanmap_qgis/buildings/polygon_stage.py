@@ -132,7 +132,8 @@ def cloud_roof_polygons(cloud: PointCloud, footprints: Footprints, parameters: P
     beside = _neighbours(footprints.polygons) if parameters.method == POINTS else None
     blocks = (PolygonBlock(layout, footprints.ids[rows], records, footprints.polygons[rows],
                            [beside[row] for row in rows] if beside else [[]] * len(rows), parameters)
-              for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.0, 0.2)))
+              for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.0, 0.2),
+                                                       shape_only=True))
     done = 0
     for count, part in in_order(_block_polygons, blocks, executor, progress.check):
         table.extend(part)

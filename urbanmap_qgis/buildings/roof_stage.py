@@ -94,7 +94,7 @@ def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footpri
                      progress: Progress = SILENT) -> float:
     """Median over the buildings of the points inside the outline a m2 of its area (J's d)."""
     densities = []
-    for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress):
+    for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress, shape_only=True):
         for row, own in zip(rows, records):
             polygon = footprints.polygons[row]
             if polygon is None or not len(own):

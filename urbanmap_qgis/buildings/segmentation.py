@@ -21,7 +21,7 @@ from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
-from ..io.point_buckets import PointBuckets
+from ..io.point_buckets import PointBuckets, stable_order
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from ..terrain.surface import ground_raster
@@ -163,7 +163,7 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
             keep = valid_points(chunk) & np.isfinite(chunk.x) & np.isfinite(chunk.y)
             records = layout.adapt(chunk, keep)
             for keys, members in tiles.keys(np.asarray(chunk.x)[keep], np.asarray(chunk.y)[keep]):
-                buckets.add(keys, records[members])
+                buckets.add(keys, records if len(members) == len(records) else records[members])
                 near += len(members)
         if not near:
             raise InputError("No sound point lies near any outline: check that points and outlines are of the same "
@@ -212,10 +212,11 @@ class _Tiling:
         spans = math.ceil(2 * BUFFER / self.side) + 1
         for right, up in itertools.product(range(spans), repeat=2):
             column, row = first[0] + right, first[1] + up
-            key = row * self.columns + column
             members = np.flatnonzero((column <= last[0]) & (row <= last[1]) & (column >= 0) & (row >= 0)
-                                     & (column < self.columns) & np.isin(key, self.names))
-            yield key[members], members
+                                     & (column < self.columns))
+            key = row[members] * self.columns + column[members]
+            wanted = np.isin(key, self.names)
+            yield key[wanted], members[wanted]
 
     def near(self, name: int) -> np.ndarray:
         """Rows of the outlines that reach into the tile or its buffer."""
@@ -235,7 +236,7 @@ def _tiles(tiles: _Tiling, buckets: PointBuckets, layout: PointLayout, footprint
         rows = tiles.rows[near]
         part = Footprints(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows])
         own = tiles.tile_of_row[near] == name
-        yield Tile(layout, buckets.read(int(name)), part, rows, own, tiles.density, parameters,
+        yield Tile(layout, buckets.take(int(name)), part, rows, own, tiles.density, parameters,
                    _ground_part(ground, part.polygons))
 
 
@@ -266,14 +267,14 @@ def _segment_tile(tile: Tile, progress: Progress = SILENT) -> tuple[np.ndarray, 
         outlines[:] = with_courtyards(outlines, x, y, above < ON_GROUND, tile.density)
     several = np.asarray(points.number_of_returns) > 1
     assignment = _assign_candidates(x, y, z, classes, above, several, outlines, tile.parameters)
-    records = tile.records.copy()
-    own = np.isin(assignment.owner, np.flatnonzero(tile.own))
-    records["building_id"][own] = tile.footprints.ids[assignment.owner[own]]
-    order = np.flatnonzero(own)[np.argsort(assignment.owner[own], kind="stable")]
+    own = np.flatnonzero((assignment.owner >= 0) & tile.own[assignment.owner])
+    order = own[stable_order(assignment.owner[own])]
+    records = tile.records[order]
+    records["building_id"] = tile.footprints.ids[assignment.owner[order]]
     _count_points(table, assignment, outlines, ground)
     table.open_share[:] = _open_shares(tile.footprints.polygons, outlines)
     mine = SegmentedBuildings(*(getattr(table, name)[tile.own] for name in table.__dataclass_fields__))
-    return tile.rows[tile.own], mine, records[order]
+    return tile.rows[tile.own], mine, records
 
 
 def _open_shares(given: np.ndarray, outlines: np.ndarray) -> np.ndarray:
@@ -340,7 +341,9 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
     """Owners of the points that can be building: by class where it can be trusted, else by height."""
     owner = np.full(len(x), -1, np.int64)
     primary = np.zeros(len(x), bool)
-    high = np.flatnonzero(~np.isin(classes, (*NOT_BUILDING, BUILDING_CLASS)) & ~(above < parameters.minimum_height))
+    open_to_all = np.ones(256, bool)
+    open_to_all[[*NOT_BUILDING, BUILDING_CLASS]] = False
+    high = np.flatnonzero(open_to_all[classes] & ~(above < parameters.minimum_height))
 
     def take(candidates: np.ndarray, wanted: np.ndarray) -> Assignment:
         found = assign_points(x[candidates], y[candidates], z[candidates], wanted, parameters.expansion)
@@ -349,18 +352,29 @@ def _assign_candidates(x: np.ndarray, y: np.ndarray, z: np.ndarray, classes: np.
         return found
 
     classed = np.flatnonzero(classes == BUILDING_CLASS)
+    if not len(classed):
+        take(high, outlines)
+        return Assignment(owner, primary & (owner >= 0))
     found = take(classed, outlines)
     others = assign_points(x[high], y[high], np.zeros(len(high)), outlines, 0.0)
     trusted = _trusted_classes(found, others, len(outlines))
-    owner[np.isin(owner, np.flatnonzero(~trusted))] = -1
+    owner[(owner >= 0) & ~trusted[owner]] = -1
+    other_rows, found_rows = (_rows_by_owner(claims.owner, len(outlines)) for claims in (others, found))
     for row in np.flatnonzero(trusted):
-        mine, known = high[others.owner == row], classed[found.owner == row]
-        density = np.count_nonzero(found.primary[found.owner == row]) / outlines[row].area
+        mine, known = high[other_rows[row]], classed[found_rows[row]]
+        density = np.count_nonzero(found.primary[found_rows[row]]) / outlines[row].area
         roof = mine[unclassified_roof_points(x[mine], y[mine], z[mine], several[mine], x[known], y[known],
                                              outlines[row], max(density, 0.1))]
         owner[roof], primary[roof] = row, True
     take(high, np.where(trusted, None, outlines))
     return Assignment(owner, primary & (owner >= 0))
+
+
+def _rows_by_owner(owner: np.ndarray, count: int) -> list[np.ndarray]:
+    """Ascending numbers of the points of each of `count` buildings; `owner` (n,) is -1 where there is none."""
+    order = stable_order(owner + 1)
+    ends = np.cumsum(np.bincount(owner + 1, minlength=count + 1))
+    return [order[start:end] for start, end in zip(ends, ends[1:])]
 
 
 def _trusted_classes(found: Assignment, others: Assignment, count: int) -> np.ndarray:

@@ -11,6 +11,14 @@ MEMORY_LIMIT = 300_000_000
 """Bytes of records held in memory before the buckets move to disk."""
 
 
+def stable_order(keys: np.ndarray) -> np.ndarray:
+    """Order (n,) that sorts whole numbers, equal ones as they came; numbers of 16 bits are sorted by their digits."""
+    low, high = (int(keys.min()), int(keys.max())) if len(keys) else (0, 0)
+    if low >= 0 and high < 2**16:
+        keys = keys.astype(np.uint16)
+    return np.argsort(keys, kind="stable")
+
+
 class PointBuckets:
     """Records grouped by an integer key, each group in the order of arrival.
 
@@ -40,12 +48,14 @@ class PointBuckets:
             self._folder.cleanup()
 
     def add(self, keys: np.ndarray, records: np.ndarray) -> None:
-        """Put records (n,) into the buckets that `keys` (n,) name."""
+        """Put records (n,) into the buckets that `keys` (n,) name; they must not be changed after that."""
         if not len(records):
             return
-        order = np.argsort(keys, kind="stable")
-        names, starts = np.unique(keys[order], return_index=True)
-        for name, piece in zip(names.tolist(), np.split(records[order], starts[1:])):
+        if (keys[1:] < keys[:-1]).any():
+            order = stable_order(keys)
+            keys, records = keys[order], records[order]
+        starts = np.flatnonzero(keys[1:] != keys[:-1]) + 1
+        for name, piece in zip(keys[np.r_[0, starts]].tolist(), np.split(records, starts)):
             self._pieces.setdefault(name, []).append(piece)
         self._held += records.nbytes
         if self._held > self.memory_limit:
@@ -57,6 +67,16 @@ class PointBuckets:
         pieces = [np.fromfile(stored, dtype=self.dtype)] if stored and stored.exists() else []
         pieces += self._pieces.get(key, [])
         return np.concatenate(pieces) if pieces else np.zeros(0, dtype=self.dtype)
+
+    def take(self, key: int) -> np.ndarray:
+        """All records of a bucket as `read` gives them; the bucket is empty after that."""
+        held, stored = self._pieces.get(key, []), self._path(key)
+        alone = len(held) == 1 and not (stored and stored.exists())
+        records = held[0] if alone else self.read(key)
+        self._held -= sum(piece.nbytes for piece in self._pieces.pop(key, []))
+        if stored:
+            stored.unlink(missing_ok=True)
+        return records
 
     def _path(self, key: int) -> Path | None:
         return Path(self._folder.name, str(key)) if self._folder else None

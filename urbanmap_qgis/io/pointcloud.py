@@ -29,6 +29,10 @@ CHUNK_POINTS = 1_000_000
 NOISE_CLASSES = (7, 18)
 """LAS classes of low and high noise."""
 
+_SHAPE = (laspy.DecompressionSelection.base() | laspy.DecompressionSelection.Z
+          | laspy.DecompressionSelection.CLASSIFICATION | laspy.DecompressionSelection.FLAGS
+          | laspy.DecompressionSelection.ALL_EXTRA_BYTES)
+
 _READ_ERRORS = (laspy.errors.LaspyException, LazrsError, OSError, ValueError, EOFError, RuntimeError)
 
 
@@ -150,20 +154,24 @@ def same_plan_crs(first: CRS, second: CRS) -> bool:
     return code is not None and code == second.to_epsg(min_confidence=70)
 
 
-def iter_chunks(cloud: PointCloud, progress: Progress = SILENT,
-                chunk_points: int = CHUNK_POINTS) -> Iterator[laspy.ScaleAwarePointRecord]:
+def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: int = CHUNK_POINTS, *,
+                shape_only: bool = False) -> Iterator[laspy.ScaleAwarePointRecord]:
     """Give the cloud's points in chunks, file after file, reporting the share read.
+
+    With `shape_only` times, intensities and colours may be 0: of LAZ of the point formats from 6 on these layers are
+    not decoded. Coordinates, returns, classes, flags and extra attributes are there.
 
     Raises
     ------
     InputError : a file ends before the number of points that its header promises.
     """
+    layers = _SHAPE if shape_only else laspy.DecompressionSelection.all()
     done = 0
     total = max(cloud.point_count, 1)
     for path, header in zip(cloud.paths, cloud.headers):
         read = 0
         try:
-            with decoding(path), laspy.open(path) as reader:
+            with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
                 for chunk in reader.chunk_iterator(chunk_points):
                     read += len(chunk)
                     yield chunk

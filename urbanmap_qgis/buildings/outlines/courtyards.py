@@ -42,16 +42,18 @@ def with_courtyards(outlines: np.ndarray, x: np.ndarray, y: np.ndarray, low: np.
     x, y : (n,) all points. low : (n,) bool, whether a point lies on the ground. density : points a m2.
     """
     result = outlines.copy()
-    index = PlanIndex(x, y)
+    on_ground = np.flatnonzero(low)
+    ground_index, index = PlanIndex(x[on_ground], y[on_ground]), None
     cell = max(math.sqrt(POINTS_PER_CELL / density), 0.5)
     least = LEAST_AREA / cell**2
     for row in np.flatnonzero(~shapely.is_missing(outlines)):
         inner = shapely.buffer(outlines[row], -INSIDE)
         if inner.area < LEAST_AREA:
             continue
-        near = index.inside(inner)
-        if np.count_nonzero(low[near]) < least:  # at least one point in each cell of the smallest courtyard
+        if len(ground_index.inside(inner)) < least:  # at least one point in each cell of the smallest courtyard
             continue
+        index = index or PlanIndex(x, y)
+        near = index.inside(inner)
         courts = _courtyards(inner, x[near], y[near], low[near], cell)
         if courts:
             result[row] = shapely.difference(outlines[row], shapely.union_all(courts), grid_size=0.001)

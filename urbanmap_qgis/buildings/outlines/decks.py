@@ -30,16 +30,29 @@ def ground_without_decks(outlines: np.ndarray, x: np.ndarray, y: np.ndarray, z: 
     x, y, z : (n,) all points, m. ground : (n,) height of the ground as filtered, m. density : points a m2.
     """
     result = ground.copy()
-    index = PlanIndex(x, y)
-    for outline in outlines[~shapely.is_missing(outlines)]:
-        inside = index.inside(outline)
-        rest = index.inside(shapely.difference(shapely.buffer(outline, STREET_WIDTH), outline))
-        street = ground[rest][np.abs(z[rest] - ground[rest]) < MAX_RISE]
-        if not len(street):
-            continue
-        level = float(np.quantile(street, STREET_SHARE))
+    outlines = outlines[~shapely.is_missing(outlines)]
+    levels = _street_levels(outlines, x, y, ground, np.abs(z - ground) < MAX_RISE)
+    if np.isnan(levels).all():
+        return result
+    high = np.flatnonzero(ground > np.nanmin(levels) + MAX_RISE)
+    index = PlanIndex(x[high], y[high])
+    for outline, level in zip(outlines, levels.tolist()):
+        inside = high[index.inside(outline)]
         raised = inside[ground[inside] > level + MAX_RISE]
         seen = np.count_nonzero(np.abs(z[raised] - ground[raised]) < MAX_RISE)
-        if seen >= MIN_AREA * density:
+        if len(raised) and seen >= MIN_AREA * density:
             result[raised] = level
     return result
+
+
+def _street_levels(outlines: np.ndarray, x: np.ndarray, y: np.ndarray, ground: np.ndarray,
+                   on_ground: np.ndarray) -> np.ndarray:
+    """Height (k,) of the street round each outline from the points on the ground (n,), m; NaN without any."""
+    points = np.flatnonzero(on_ground)
+    index = PlanIndex(x[points], y[points])
+    levels = np.full(len(outlines), np.nan)
+    for row, strip in enumerate(shapely.difference(shapely.buffer(outlines, STREET_WIDTH), outlines)):
+        street = ground[points[index.inside(strip)]]
+        if len(street):
+            levels[row] = np.quantile(street, STREET_SHARE)
+    return levels

@@ -14,7 +14,8 @@ import shapely
 from ...geometry.grid import Grid
 
 FINE_PIECE, COARSE_PIECE = 0.1, 0.25  # m, longest piece of boundary taken as lying in one row of cells
-LOOKUPS = 2_000_000  # raster lookups at a time: bounds the memory
+LOOKUPS = 2_000_000  # raster lookups that are added up together: bounds the memory
+CACHED = 30_000  # raster lookups whose arrays fit into the processor's cache
 
 
 @dataclass(frozen=True)
@@ -92,22 +93,31 @@ def sums_inside(pieces: Pieces, shifts: np.ndarray, sums: np.ndarray, grid: Grid
     result = np.zeros((n, k))
     at_once = max(1, LOOKUPS // max(k, 1))
     for first in range(0, len(pieces.owner), at_once):
-        part = slice(first, first + at_once)
-        owner = pieces.owner[part]
-        x = pieces.x[part, None] + shifts[owner, :, 0]
-        row = np.floor((grid.y_max - pieces.y[part, None] - shifts[owner, :, 1]) / grid.cell).astype(np.int64)
-        place = np.clip((x - grid.x_min) / grid.cell, 0, grid.columns)
-        column = np.minimum(place.astype(np.int64), grid.columns - 1)
-        place -= column
-        inside = (row >= 0) & (row < grid.rows)
-        flat = np.where(inside, row, 0) * sums.shape[1] + column
-        left = sums.reshape(-1)[flat]
-        value = left + place * (sums.reshape(-1)[flat + 1] - left)
-        _add_by_owner(result, owner, value * inside * pieces.dy[part, None])
+        part = Pieces(*(getattr(pieces, name)[first:first + at_once] for name in Pieces.__dataclass_fields__))
+        starts = np.flatnonzero(np.r_[True, part.owner[1:] != part.owner[:-1]])
+        # A few shifts at a time, so that the arrays stay in the processor's cache.
+        several = max(1, CACHED // len(part.owner))
+        for begin in range(0, k, several):
+            shift = shifts[:, begin:begin + several].transpose(2, 1, 0)
+            values = _along_boundary(part, shift[:, :, part.owner], sums, grid)
+            result[part.owner[starts], begin:begin + several] += np.add.reduceat(values, starts, axis=1).T
     return result
 
 
-def _add_by_owner(result: np.ndarray, owner: np.ndarray, values: np.ndarray) -> None:
-    """Add rows of values (m, k), sorted by owner, to the owners' rows of the result (n, k)."""
-    first = np.flatnonzero(np.r_[True, owner[1:] != owner[:-1]])
-    result[owner[first]] += np.add.reduceat(values, first, axis=0)
+def _along_boundary(pieces: Pieces, shift: np.ndarray, sums: np.ndarray, grid: Grid) -> np.ndarray:
+    """Share (k, m) of each piece in the integral over its outline, at each of its shifts (2, k, m) in m."""
+    row = np.floor((grid.y_max - pieces.y - shift[1]) / grid.cell).astype(np.int64)
+    place = np.clip((pieces.x + shift[0] - grid.x_min) / grid.cell, 0, grid.columns)
+    column = np.minimum(place.astype(np.int64), grid.columns - 1)
+    place -= column
+    inside = (row >= 0) & (row < grid.rows)
+    flat = np.where(inside, row, 0) * sums.shape[1] + column
+    left = sums.reshape(-1)[flat]
+    flat += 1
+    value = sums.reshape(-1)[flat]
+    value -= left
+    value *= place
+    value += left
+    value *= inside
+    value *= pieces.dy
+    return value

@@ -136,14 +136,16 @@ def max_sum_belief(single: np.ndarray, pairs: np.ndarray, score: Callable[[slice
     receiver = np.concatenate((first, second))
     order = np.argsort(receiver, kind="stable")
     begin = np.flatnonzero(np.r_[True, np.diff(receiver[order]) > 0])
+    sums = np.empty((min(len(pairs), PAIRS_AT_ONCE), single.shape[1], single.shape[1]), np.float32)
     for _ in range(ROUNDS):
         new_second, new_first = np.empty_like(to_second), np.empty_like(to_first)
         for part in parts:
             table = score(part).astype(np.float32) if held is None else held
             of_first = belief[first[part]] - to_first[part]
             of_second = belief[second[part]] - to_second[part]
-            new_second[part] = (of_first[:, :, None] + table).max(1)
-            new_first[part] = (of_second[:, None, :] + table).max(2)
+            both = sums[:len(table)]
+            np.add(of_first[:, :, None], table, out=both).max(1, out=new_second[part])
+            np.add(of_second[:, None, :], table, out=both).max(2, out=new_first[part])
         to_second = _damped(to_second, new_second)
         to_first = _damped(to_first, new_first)
         belief = single.copy()
