@@ -593,7 +593,46 @@ def satellite_visibility_area(layer) -> None:
     layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
 
 
+LOCALISATION = (("good", "good", "#1a9850"), ("usable", "usable", "#fee08b"), ("poor", "poor", "#d73027"))
+
+
+def localisation_accuracy(layer) -> None:
+    """Places by class, with their error ellipses ten times as large as on the ground and turned as they lie."""
+    entries = []
+    for label, kind, colour in LOCALISATION:
+        symbol = marker(colour, 1.2)
+        ellipse = fill(colour, "#333333", 0.1)
+        ellipse.setOpacity(0.35)
+        drawn = QgsGeometryGeneratorSymbolLayer.create({"SymbolType": "Fill", "geometryModifier": (
+            "make_ellipse($geometry, 10 * \"major\", 10 * \"minor\", \"weakest\")")})
+        drawn.setSubSymbol(ellipse)
+        symbol.insertSymbolLayer(0, drawn)
+        entries.append((label, f"\"class\" = '{kind}'", symbol))
+    rules(layer, (*entries, ("nothing can be said", "ELSE", marker("#8c8c8c", 1.4, shape="cross2"))))
+    layer.setMapTipTemplate(
+        "<b>[% \"class\" %]</b>: [% \"status\" %]<br>along [% round(\"sigma_along\", 2) %] m, across "
+        "[% round(\"sigma_across\", 2) %] m, heading [% round(\"sigma_heading\", 2) %]°<br>walls [% \"n_walls\" %], "
+        "horizon [% round(100 * \"horizon\") %] %, sky hidden [% round(100 * \"sky\") %] %<br>"
+        "[% if(\"alias_share\" > 0.01, format('other place in %1 m: %2 %', round(\"alias_distance\"), "
+        "round(100 * \"alias_share\")), '') %]<br>(ellipses 10 times enlarged)")
+
+
+def localisation_raster(layer) -> None:
+    """Cells by the sigma of the weakest direction, as traffic lights."""
+    classes = ((0.1, "below 10 cm", "#1a9850"), (0.3, "10 to 30 cm", "#91cf60"), (0.5, "30 to 50 cm", "#fee08b"),
+               (1.0, "50 cm to 1 m", "#fc8d59"), (1e6, "above 1 m", "#d73027"))
+    shade = QgsColorRampShader(0, 1000, None, QgsColorRampShader.Type.Discrete)
+    shade.setColorRampItemList([QgsColorRampShader.ColorRampItem(high, QColor(colour), label)
+                                for high, label, colour in classes])
+    shader = QgsRasterShader()
+    shader.setRasterShaderFunction(shade)
+    layer.setRenderer(QgsSingleBandPseudoColorRenderer(layer.dataProvider(), 1, shader))
+
+
 FIELDS = {
+    localisation_accuracy: ("PointZ", "class:string status:string sigma_along:double sigma_across:double "
+                            "sigma_heading:double major:double minor:double weakest:double n_walls:integer "
+                            "horizon:double sky:double alias_share:double alias_distance:double"),
     satellite_visibility: ("PointZ", "time:double satellites:integer gps:integer glonass:integer galileo:integer "
                            "beidou:integer qzss:integer above:integer pdop:double"),
     segmented_buildings: ("MultiPolygon", "building_id:integer status:string shift_status:string shift_x:double "
@@ -677,7 +716,7 @@ def main() -> None:
     engine.Qgs3D.initialize()
     for style in FIELDS:
         print(write(style).relative_to(STYLES.parent.parent))
-    for style in (marking_mask, satellite_visibility_area):
+    for style in (marking_mask, satellite_visibility_area, localisation_raster):
         print(write_raster_style(style).relative_to(STYLES.parent.parent))
     application.exitQgis()
 

@@ -55,6 +55,8 @@ RECIPES: dict[str, dict] = {
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},
+    "localisationaccuracy": {"BUILDINGS": SKY["BUILDINGS"], "MARKINGS": MAP["MARKINGS"],
+                             "NAVIGATION": SKY["NAVIGATION"], "TRAJECTORY": [TRUTH["TRAJECTORY"][0]], "SPACING": 10},
     "convertheights": {"POINTS": ["city:als/als.laz"], "SOURCE_HEIGHTS": "JGD2011", "TARGET_HEIGHTS": "JGD2024",
                        "CHANGE": 0.05, "OUTPUT_RASTER": None, "OUTPUT_LAYER": None},
     "groundfrommms": {"POINTS": DRIVE["POINTS"]},

@@ -89,8 +89,8 @@ def visible_satellites(obstacles: WallObstacles, navigation: Navigation, place: 
     times, first = np.unique(step[order], return_index=True)
     done = 0
     for time, rows in zip(times, np.split(order, first[1:])):
-        satellites, direction = _sky(navigation, frame, place[rows[len(rows) // 2]], time * SKY_STEP, systems,
-                                     elevation_mask)
+        satellites, direction = satellites_above(navigation, frame, place[rows[len(rows) // 2]], time * SKY_STEP,
+                                                 systems, elevation_mask)
         seen.update(satellites.tolist())
         above[rows] = len(satellites)
         width = max(_RAYS // max(len(satellites), 3), 1)
@@ -185,9 +185,14 @@ def level_ground(walls: WallPieces) -> float:
     return float(np.median(low))
 
 
-def _sky(navigation: Navigation, frame: MapFrame, place: np.ndarray, time: float, systems: str,
-         elevation_mask: float) -> tuple[np.ndarray, np.ndarray]:
-    """Names (s,) and directions (s, 3) in the map's axes of the satellites above the mask."""
+def satellites_above(navigation: Navigation, frame: MapFrame, place: np.ndarray, time: float, systems: str,
+                     elevation_mask: float) -> tuple[np.ndarray, np.ndarray]:
+    """Names (s,) and directions (s, 3) in the map's axes of the satellites above the mask at a place (3,).
+
+    Raises
+    ------
+    InsufficientDataError : no satellite has an ephemeris then.
+    """
     here = frame.places(place[None])
     names, vectors = sky_at(navigation, time, here.earth_fixed[0], systems)
     if not len(names):

@@ -1,0 +1,108 @@
+"""What measurements against an inaccurate map tell of a place: the sandwich of information and the map's errors.
+
+A measurement i of a surface with the normal n at r from the vehicle sees a small movement (east, north, turn) of the
+vehicle through its row a = [n_x, n_y, r_x n_y - r_y n_x]. A matcher that weighs it with u solves
+
+    H x = sum u a e,   H = sum u a a^T + P,
+
+P the information of what was known before. What e holds is the noise of the measurement, of its own in every row, and
+displacements of the map that many rows share: a wall that stands s_w beside its place moves all its points. With
+b_g = sum of u a f over the rows of a group g, f the share of the displacement in each row,
+
+    C = H^-1 (sum u^2 s^2 a a^T + sum_g s_g^2 b_g b_g^T + P) H^-1.
+
+With u = 1 / s^2, no groups and no P this is H^-1, which grows smaller with every point; the groups' part does not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class SharedError:
+    """A displacement that groups of rows share.
+
+    Attributes
+    ----------
+    group : (m,) number of the displaced thing, -1 for none.  factor : (m,) share of it in each row.
+    sigma : (m,) standard deviation, m, the same in all rows of a group.
+    """
+
+    group: np.ndarray
+    factor: np.ndarray
+    sigma: np.ndarray
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """Rows of measurements at places.
+
+    Attributes
+    ----------
+    of : (m,) row of the place.  row : (m, 3) derivatives by east, north (per m) and turn (per radian).
+    weight : (m,) with which the matcher weighs them, 1/m2.  noise : (m,) standard deviation of their own, m.
+    shared : displacements of the map.
+    """
+
+    of: np.ndarray
+    row: np.ndarray
+    weight: np.ndarray
+    noise: np.ndarray
+    shared: tuple[SharedError, ...] = ()
+
+
+def surface_rows(normal: np.ndarray, offset: np.ndarray) -> np.ndarray:
+    """Rows (m, 3) of surfaces with normals (m, 2) at offsets (m, 2), m, from the vehicle."""
+    turn = offset[:, 0] * normal[:, 1] - offset[:, 1] * normal[:, 0]
+    return np.column_stack([normal, turn])
+
+
+def information(evidence: Evidence, count: int) -> np.ndarray:
+    """(count, 3, 3) sum of u a a^T at each place."""
+    return _summed(evidence.of, evidence.row, evidence.weight, count)
+
+
+def covariance(evidence: Evidence, count: int, prior: np.ndarray) -> np.ndarray:
+    """(count, 3, 3) covariance of east, north (m2) and turn (rad2) at each place; `prior` (3, 3) is P."""
+    h = information(evidence, count) + prior
+    middle = _summed(evidence.of, evidence.row, (evidence.weight * evidence.noise) ** 2, count) + prior
+    for error in evidence.shared:
+        middle += _shared(evidence, error, count)
+    inverse = np.linalg.inv(h)
+    return inverse @ middle @ inverse
+
+
+def fused(covariances: Sequence[np.ndarray], prior: np.ndarray) -> np.ndarray:
+    """(n, 3, 3) covariance of several independent sources together, each of which holds the prior."""
+    total = np.broadcast_to(prior, covariances[0].shape).copy()
+    for each in covariances:
+        gained = np.linalg.inv(each) - prior
+        values, vectors = np.linalg.eigh((gained + np.swapaxes(gained, 1, 2)) / 2)
+        # A source never takes away what was known before.
+        total += np.einsum("nij,nj,nkj->nik", vectors, np.maximum(values, 0.0), vectors)
+    return np.linalg.inv(total)
+
+
+def _summed(of: np.ndarray, row: np.ndarray, weight: np.ndarray, count: int) -> np.ndarray:
+    total = np.zeros((count, 3, 3))
+    for i in range(3):
+        for j in range(i, 3):
+            total[:, i, j] = total[:, j, i] = np.bincount(of, weight * row[:, i] * row[:, j], count)
+    return total
+
+
+def _shared(evidence: Evidence, error: SharedError, count: int) -> np.ndarray:
+    rows = np.flatnonzero(error.group >= 0)
+    if not len(rows):
+        return np.zeros((count, 3, 3))
+    width = int(error.group.max()) + 1
+    key, first, number = np.unique(evidence.of[rows] * width + error.group[rows], return_index=True,
+                                   return_inverse=True)
+    number = number.ravel()
+    scaled = evidence.weight[rows] * error.factor[rows]
+    b = np.column_stack([np.bincount(number, scaled * evidence.row[rows, axis]) for axis in range(3)])
+    return _summed(key // width, b, error.sigma[rows[first]] ** 2, count)

@@ -1,0 +1,65 @@
+"""What a scan of walls tells of a place, by NDT or ICP (J 6.2)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .evidence import Evidence, SharedError, surface_rows
+from .localisation_settings import LocalisationSettings
+from .wall_cells import PlanWallCells
+from .wall_map import WallMap
+from .wall_scan import WallScan
+
+
+def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells,
+                  settings: LocalisationSettings) -> Evidence:
+    """Rows of the points of a scan from places (n, 3).
+
+    An NDT weighs a point with the inverse covariance of its cell along the normal, u = n^T S^-1 n; an ICP weighs all
+    alike. Displacements are shared by all points of a wall, and by all walls of a building.
+    """
+    pieces = walls.walls
+    normal, wall = pieces.normal[scan.piece], pieces.wall[scan.piece]
+    sigma = walls.sigma[wall]
+    rays = scan.weight * (1.0 - settings.scanner.hidden)
+    weight = rays * _point_weights(walls, scan, sensor, cells, settings)
+    noise = settings.scanner.noise / np.sqrt(np.maximum(rays, 1e-6))
+    shared = [SharedError(wall, np.ones(len(wall)), sigma)]
+    if settings.common_sigma > 0:
+        common = np.full(len(wall), settings.common_sigma)
+        shared += [SharedError(pieces.building[scan.piece], normal[:, axis], common) for axis in range(2)]
+    return Evidence(scan.of, surface_rows(normal, scan.offset[:, :2]), weight, noise, tuple(shared))
+
+
+def _point_weights(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells,
+                   settings: LocalisationSettings) -> np.ndarray:
+    normal, sigma = walls.walls.normal[scan.piece], walls.sigma[walls.walls.wall[scan.piece]]
+    if settings.matcher == "ICP":
+        return np.full(len(normal), 1.0 / (np.median(walls.sigma) ** 2 + settings.scanner.noise ** 2))
+    number = cells.of(sensor[scan.of, :2] + scan.offset[:, :2])
+    inverse = cells.ndt.inverse[np.maximum(number, 0)]
+    along_normal = np.einsum("mi,mij,mj->m", normal, inverse, normal)
+    # Walls that no cell holds, such as those above a podium, are weighed by their own accuracy.
+    return np.where(number >= 0, along_normal, 1.0 / (sigma ** 2 + settings.scanner.noise ** 2))
+
+
+def representation(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells, count: int
+                   ) -> tuple[np.ndarray, np.ndarray]:
+    """How well cells stand for the walls seen from each place.
+
+    Returns
+    -------
+    rms : (count,) m, root mean square distance of the walls from the plane through their cell's mean, beyond the
+        walls' own sigma.
+    two : (count,) share of the points in cells where two surfaces meet. Both NaN where nothing is seen.
+    """
+    number = cells.of(sensor[scan.of, :2] + scan.offset[:, :2])
+    seen = np.flatnonzero(number >= 0)
+    number, of = number[seen], scan.of[seen]
+    normal = walls.walls.normal[scan.piece[seen]]
+    spread = np.linalg.inv(cells.ndt.inverse[number])
+    beyond = np.einsum("mi,mij,mj->m", normal, spread, normal) - walls.sigma[walls.walls.wall[scan.piece[seen]]] ** 2
+    points = np.bincount(of, minlength=count).astype(float)
+    points[points == 0] = np.nan
+    return (np.sqrt(np.bincount(of, np.maximum(beyond, 0.0), count) / points),
+            np.bincount(of, cells.two[number], count) / points)
