@@ -34,7 +34,7 @@ def test_lanes_bounds_findings_and_files(run, read_layer, lines, drive, tmp_path
         OUTPUT_LANELET2=str(tmp_path / "map.osm"), OUTPUT_PROJECTOR=str(tmp_path / "map_projector_info.yaml"))})
     lanes = [row.attributes for row in read_layer(results["OUTPUT_LANES"])]
     assert results["LANES"] == 2 and results["LENGTH"] == pytest.approx(120.0, abs=0.1)
-    assert sorted(lane["evidence"] for lane in lanes) == ["beside a dashed line", "drive, arrow or stop line"]
+    assert sorted(lane["evidence"] for lane in lanes) == ["beside a dashed line", "drive"]
     driven = next(lane for lane in lanes if lane["evidence"].startswith("drive"))
     assert driven["width"] == pytest.approx(3.25) and driven["right"] == 1 - driven["lane_id"]
     assert len(read_layer(results["OUTPUT_BOUNDS"])) == 3

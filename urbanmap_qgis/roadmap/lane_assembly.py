@@ -45,9 +45,7 @@ def _bound(built: VectorMap, track: BoundTrack, strip: Strip, number: int, nodes
     points = _needed(track, strip, inner)
     middle = [_node(built, point) for point in points]
     line, seen = _main_line(track, strip)
-    kind = line.kind if line else "virtual"
-    built.bounds.append(Bound([ends[0], *middle, ends[1]], kind, line.colour if line else "",
-                              line.width if line else np.nan, line.sigma if line else np.nan, track.double,
+    built.bounds.append(Bound([ends[0], *middle, ends[1]], line.kind, line.colour, line.width, line.sigma, track.double,
                               float(strip.end - strip.start - seen)))
     unseen = strip.end - strip.start - seen
     if unseen > 1.0:
@@ -83,9 +81,9 @@ def _node(built: VectorMap, place: np.ndarray) -> int:
     return len(built.nodes) - 1
 
 
-def _main_line(track: BoundTrack, strip: Strip) -> tuple[MapLine | None, float]:
-    """The line that makes most of a stretch of a track, and the length that any line is seen on it."""
-    best, most, seen = None, 0.0, 0.0
+def _main_line(track: BoundTrack, strip: Strip) -> tuple[MapLine, float]:
+    """The line that makes most of a stretch of a track, else the nearest one, and the length that any is seen on it."""
+    best, most, seen = track.nearest_line((strip.start + strip.end) / 2.0), 0.0, 0.0
     length: dict[str, float] = {}
     for start, end, line in track.pieces:
         overlap = min(strip.end, end) - max(strip.start, start)

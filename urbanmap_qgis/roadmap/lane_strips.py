@@ -16,8 +16,23 @@ SNAP = 9.0
 COVER = 0.6
 """Share of a cell that both bounds of a lane must cover."""
 
+ONE_LANE = 4.0
+"""Between two lines no farther apart there is one lane at the most, m."""
+
 STOP_REACH = 6.0
 """A stop line belongs to a lane that ends so near, m."""
+
+CLEAR_DRIVE = 15.0
+"""Drives in one direction over so many metres are believed more than paint."""
+
+AT_LINE = 0.6
+"""A stop line ends at a line that lies so near to its end, m."""
+
+AWAY = 6.0
+"""What a stop line on the other side of the road weighs, m driven: less than any evidence in the lane itself."""
+
+MOSTLY_SEEN = 0.5
+"""The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line."""
 
 DRIVE_ANGLE = np.radians(25.0)
 LEAST_UNDRIVEN = 25.0
@@ -36,7 +51,7 @@ class Strip:
     right, left : numbers of the tracks (left of the axis' direction is `left`).
     start, end : chainages, m. width, narrowest : m.
     forward, backward : evidence for the direction, in metres driven (an arrow or a stop line counts as 10 m).
-    driven : length of the drives in it, m.
+    driven : length of the drives in it along and against the axis, m.
     sign : 1 along the axis, -1 against it, 0 where unknown. source : what the direction comes from.
     arrows : kinds of the arrows in it.
     """
@@ -49,7 +64,7 @@ class Strip:
     narrowest: float
     forward: float = 0.0
     backward: float = 0.0
-    driven: float = 0.0
+    driven: tuple[float, float] = (0.0, 0.0)
     sign: int = 0
     source: str = ""
     arrows: list[str] = field(default_factory=list)
@@ -91,7 +106,8 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
               settings: MapSettings) -> dict[tuple[int, int], np.ndarray]:
     """For each pair (right, left) of neighbouring tracks at lane width, the mask of stations (n,) where they are so.
 
-    A short track between two others that leaves no lane on either side (an arrow, a scar) is passed over.
+    A short track between two others that leaves no lane on either side (an arrow, a scar) is passed over, and so is
+    one that leaves a lane on one side only within what is no more than one lane.
     """
     length = np.array([track.end - track.start for track in tracks])
     found: dict[tuple[int, int], np.ndarray] = {}
@@ -100,8 +116,7 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
         place = offset[:, station]
         while True:
             drop = [here[n] for n in range(1, len(here) - 1)
-                    if place[here[n]] - place[here[n - 1]] < settings.min_width
-                    and place[here[n + 1]] - place[here[n]] < settings.min_width
+                    if _too_narrow(place[here[n - 1]], place[here[n]], place[here[n + 1]], settings)
                     and settings.min_width <= place[here[n + 1]] - place[here[n - 1]] <= settings.max_width
                     and length[here[n]] < 0.7 * min(length[here[n - 1]], length[here[n + 1]])]
             if not drop:
@@ -111,6 +126,12 @@ def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
             if settings.min_width <= place[left] - place[right] <= settings.max_width:
                 found.setdefault((right, left), np.zeros(offset.shape[1], bool))[station] = True
     return found
+
+
+def _too_narrow(right: float, middle: float, left: float, settings: MapSettings) -> bool:
+    """Whether a bound between two others leaves no lane on either side, or none on one within one lane's width."""
+    narrow = (middle - right < settings.min_width, left - middle < settings.min_width)
+    return all(narrow) or (any(narrow) and left - right <= ONE_LANE)
 
 
 def _spans(mask: np.ndarray) -> np.ndarray:
@@ -176,9 +197,9 @@ def add_drives(strips: Sequence[Strip], section: RoadSection, drives: Sequence[D
             right, left = section.tracks[strip.right], section.tracks[strip.left]
             inside &= (offset > right.at(chainage)) & (offset < left.at(chainage))
             inside &= ~(np.abs(drive.places[:, 2] - _height(right, chainage)) > settings.height_gap + 2.0)
-            strip.forward += float(length[inside & (cosine > 0)].sum())
-            strip.backward += float(length[inside & (cosine < 0)].sum())
-            strip.driven += float(length[inside].sum())
+            ways = [float(length[inside & (sign * cosine > 0)].sum()) for sign in (1, -1)]
+            strip.forward, strip.backward = strip.forward + ways[0], strip.backward + ways[1]
+            strip.driven = (strip.driven[0] + ways[0], strip.driven[1] + ways[1])
 
 
 def _height(track: BoundTrack, chainage: np.ndarray) -> np.ndarray:
@@ -199,8 +220,12 @@ def add_arrows(strips: Sequence[Strip], section: RoadSection, areas: Sequence[Ma
                 strip.backward += 10.0 * float(area.heading @ along[0] < -0.7)
 
 
-def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.ndarray]) -> None:
-    """Count stop lines at the strips' ends that do not go across the whole road: traffic comes towards them."""
+def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.ndarray],
+              left_hand: bool | None) -> None:
+    """Count stop lines at the strips' ends that do not go across the whole road: traffic comes towards them.
+
+    Where the side of the traffic is known, it leads away in the strip across the solid line at which a stop line ends.
+    """
     for stop in stops:
         chainage, offset = section.axis.local(stop[:, :2])
         low, high = offset.min(), offset.max()
@@ -215,6 +240,22 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             at_end = abs(strip.end - level) < abs(strip.start - level)
             strip.forward += 10.0 * at_end
             strip.backward += 10.0 * (not at_end)
+            away = _across_solid(section, strip, others, (low, high), at_end == left_hand)
+            if left_hand is not None and away is not None:
+                away.forward += AWAY * (not at_end)
+                away.backward += AWAY * at_end
+
+
+def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], reach: tuple[float, float],
+                  to_right: bool) -> Strip | None:
+    """The strip to the right or left of one, across a solid line at which a stop line (two offsets) ends."""
+    track = section.tracks[strip.right if to_right else strip.left]
+    beside = [one for one in others if one.start == strip.start
+              and (one.left == strip.right if to_right else one.right == strip.left)]
+    kinds = _kinds(track, strip.start, strip.end)
+    at = np.interp((strip.start + strip.end) / 2.0, track.chainage, track.offset)
+    ends = abs(reach[0 if to_right else 1] - at) < AT_LINE
+    return beside[0] if beside and ends and set(kinds) == {"solid"} else None
 
 
 def _middle(section: RoadSection, strip: Strip, chainage: float) -> float:
@@ -231,18 +272,13 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
     yellow or double line lies the other direction, where the rule of the road allows it.
     """
     findings = []
-    for pair in {(strip.right, strip.left) for strip in strips}:
+    for pair in {(strip.right, strip.left): None for strip in strips}:
         members = [strip for strip in strips if (strip.right, strip.left) == pair]
-        forward, backward = sum(one.forward for one in members), sum(one.backward for one in members)
-        least = min(LEAST_DRIVE, sum(one.end - one.start for one in members) / 2.0)
-        if min(forward, backward) > 0.3 * max(forward, backward):
-            findings.append(_finding(section, members[0], "direction contradicts",
-                                     "Drives, arrows or stop lines contradict each other about the direction here."))
-        elif max(forward, backward) >= least and (
-                sum(one.driven for one in members) > 0 or sum(one.end - one.start for one in members) > LEAST_UNDRIVEN):
-            for one in members:
-                one.sign = 1 if forward > backward else -1
-                one.source = "drive, arrow or stop line"
+        sign, source, contradicts = _own_direction(members)
+        if contradicts:
+            findings.append(_finding(section, members[0], "direction contradicts", contradicts))
+        for one in members:
+            one.sign, one.source = sign, source
     changed = True
     while changed:
         changed = False
@@ -252,6 +288,23 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
                 if sign:
                     strip.sign, strip.source, changed = sign, source, True
     return findings
+
+
+def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
+    """Direction of the strips between two bounds by what is in them, its source, and what contradicts it."""
+    ways = [sum(one.driven[way] for one in members) for way in (0, 1)]
+    forward, backward = sum(one.forward for one in members), sum(one.backward for one in members)
+    length = sum(one.end - one.start for one in members)
+    contradicts = min(forward, backward) > 0.3 * max(forward, backward)
+    if max(ways) >= CLEAR_DRIVE and min(ways) <= 0.1 * max(ways):
+        return 1 if ways[0] > ways[1] else -1, "drive", (
+            "Arrows or stop lines contradict the drives about the direction here; that of the drives was taken."
+            if contradicts else "")
+    if contradicts:
+        return 0, "", "Drives, arrows or stop lines contradict each other about the direction here."
+    if max(forward, backward) >= min(LEAST_DRIVE, length / 2.0) and (max(ways) > 0 or length > LEAST_UNDRIVEN):
+        return 1 if forward > backward else -1, "drive" if max(ways) > 0 else "arrow or stop line", ""
+    return 0, "", ""
 
 
 def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> tuple[int, str]:
@@ -268,7 +321,8 @@ def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection
             continue
         line = section.tracks[shared]
         kinds = _kinds(line, strip.start, strip.end)
-        if kinds and max(kinds, key=kinds.get) == "dashed" and _colour(line) != "yellow" and not line.double:
+        if (max(kinds, key=kinds.get) == "dashed" and _colour(line) != "yellow" and not line.double
+                and _is_bounded(strip, shared, section)):
             return other.sign, "beside a dashed line"
         # With traffic on the left, what lies to the right of a lane is the other direction.
         to_right = (shared == strip.left) == (other.sign > 0)
@@ -277,14 +331,25 @@ def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection
     return 0, ""
 
 
+def _is_bounded(strip: Strip, shared: int, section: RoadSection) -> bool:
+    """Whether the far bound of a strip has another beyond it, or is seen well: no lane is made of scraps beside one."""
+    far = section.tracks[strip.left if shared == strip.right else strip.right]
+    at = np.array([(strip.start + strip.end) / 2.0])
+    beyond = [track.at(at)[0] for track in section.tracks if track is not far]
+    place, near = far.at(at)[0], section.tracks[shared].at(at)[0]
+    if any((one > place) == (place > near) for one in beyond if np.isfinite(one)):
+        return True
+    return far.seen >= MOSTLY_SEEN * section.tracks[shared].seen
+
+
 def _kinds(track: BoundTrack, start: float, end: float) -> dict[str, float]:
-    """Length of each kind of line along a stretch of a track, m."""
+    """Length of each kind of line along a stretch of a track, m; of the nearest line where none is seen there."""
     found: dict[str, float] = {}
     for first, last, line in track.pieces:
         overlap = min(end, last) - max(start, first)
         if overlap > 0 and line is not None:
             found[line.kind] = found.get(line.kind, 0.0) + overlap
-    return found
+    return found or {track.nearest_line((start + end) / 2.0).kind: 0.0}
 
 
 def _colour(track: BoundTrack) -> str:

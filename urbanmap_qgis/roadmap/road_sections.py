@@ -48,9 +48,19 @@ class BoundTrack:
     def end(self) -> float:
         return float(self.chainage[-1])
 
+    @property
+    def seen(self) -> float:
+        """Length of its lines, m."""
+        return sum(end - start for start, end, line in self.pieces if line is not None)
+
     def at(self, chainage: np.ndarray) -> np.ndarray:
         """Offsets at chainages (m,); NaN beyond the ends."""
         return np.interp(chainage, self.chainage, self.offset, left=np.nan, right=np.nan)
+
+    def nearest_line(self, chainage: float) -> MapLine:
+        """The line whose seen piece is nearest to a chainage."""
+        seen = [piece for piece in self.pieces if piece[2] is not None]
+        return min(seen, key=lambda piece: max(piece[0] - chainage, chainage - piece[1], 0.0))[2]
 
     def place(self, chainage: float) -> np.ndarray:
         """Place (3,) at a chainage; straight on beyond the ends."""

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..progress import SILENT, Progress
+from .bound_continuation import continued
 from .junctions import connect_by_drives
 from .lane_assembly import add_section
 from .lane_strips import (
@@ -39,11 +40,12 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     stops = [line.points for line in lines if line.kind == "stop line"]
     crosswalks = [area for area in areas if area.kind == "crosswalk"]
     arrows = [area for area in areas if area.kind.startswith("arrow")]
-    sections = road_sections([line for line in lines if line.kind in BOUNDS], [area.polygon for area in crosswalks],
-                             settings)
+    barriers = [area.polygon for area in crosswalks]
+    sections = road_sections([line for line in lines if line.kind in BOUNDS], barriers, settings)
     progress.step(0.4)
     worked = []
     for section in sections:
+        section.tracks = continued(section.tracks, section.axis, barriers, settings)
         near = [stop for stop in stops if _belongs(section, stop)]
         strips = lane_strips(section, near, settings)
         add_drives(strips, section, drives, settings)
@@ -53,7 +55,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     progress.step(0.7)
     for section, strips, near in worked:
         add_arrows(strips, section, arrows)
-        add_stops(strips, section, near)
+        add_stops(strips, section, near, built.left_hand)
         built.findings += settle_directions(strips, section, built.left_hand is not False)
         add_section(built, section, strips)
     if not drives:
