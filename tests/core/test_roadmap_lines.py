@@ -112,8 +112,38 @@ def test_zebra_is_a_crosswalk_with_its_bounds_and_lines_do_not_run_through():
 def test_three_bars_or_bars_at_random_distances_are_no_crosswalk():
     places = np.cumsum([0.0, 0.7, 1.7, 1.0, 1.4, 0.75, 1.65, 0.9, 1.3])
     few = [shapely.box(0, y, 4.0, y + 0.45) for y in (0.0, 0.9, 1.8)]
-    assert not find_crosswalks(all_strokes(few))
-    assert len(find_crosswalks(all_strokes([shapely.box(0, y, 4.0, y + 0.3) for y in places]))) == 0
+    at_random = [shapely.box(0, y, 4.0, y + 0.3) for y in places]
+    assert find_crosswalks(all_strokes(few), few) == []
+    assert find_crosswalks(all_strokes(at_random), at_random) == []
+
+
+def zebra_of(bars):
+    return [area for area in work_of(bars).areas if area.kind == "crosswalk"]
+
+
+def overlap(one, other):
+    return one.intersection(other).area / one.union(other).area
+
+
+def test_bars_cut_by_a_shadow_are_one_crosswalk_of_their_whole_length():
+    lit = [shapely.box(0.0, y, 1.5, y + 0.45) for y in np.arange(-4.0, 4.0, 0.9)]
+    shaded = [shapely.box(1.7, y, 4.0, y + 0.45) for y in np.arange(-4.0, 4.0, 0.9)]
+    (zebra,) = zebra_of([*lit, *shaded])
+    assert overlap(zebra.polygon, placed([shapely.box(0.0, -4.0, 4.0, 3.65)])[0]) > 0.9
+
+
+def test_worn_bars_are_counted_and_hidden_ones_bridged():
+    whole = [shapely.box(0.0, y, 4.0, y + 0.45) for y in np.arange(0.0, 12.0, 0.9)]
+    flakes = [shapely.box(x, y, x + 0.9, y + 0.4) for y in np.arange(2.7, 4.5, 0.9) for x in (0.3, 2.2)]
+    (zebra,) = zebra_of([*whole[:3], *flakes, *whole[7:]])
+    assert overlap(zebra.polygon, placed([shapely.box(0.0, 0.0, 4.0, 12.15)])[0]) > 0.9
+    assert zebra.score < 0.9
+
+
+def test_strip_some_way_beyond_the_bars_is_no_part_of_the_crosswalk():
+    bars = [shapely.box(0.0, y, 4.0, y + 0.45) for y in np.arange(0.0, 8.0, 0.9)]
+    (zebra,) = zebra_of([*bars, shapely.box(-20.0, 10.8, 20.0, 11.1)])
+    assert overlap(zebra.polygon, placed([shapely.box(0.0, 0.0, 4.0, 7.65)])[0]) > 0.9
 
 
 def test_bar_across_the_end_of_lines_is_a_stop_line_one_across_their_course_is_not():

@@ -10,6 +10,7 @@ import shapely
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from .crosswalk_extent import BarRow, extended, joined_rows
 from .strokes import Stroke
 
 BAR_WIDTH = (0.25, 0.85)
@@ -20,8 +21,11 @@ PITCH = (0.65, 1.75)
 """Distance of neighbouring bars' centre lines, m."""
 
 PARALLEL = np.radians(12.0)
-FEWEST = 4
-"""Bars of a crosswalk."""
+FEWEST, SEED = 4, 3
+"""Bars of a crosswalk, and of a row that may be part of one."""
+
+LEAST_MEAN_FILL = 0.35
+"""The bars' places hold so much more paint than those between them, 0 to 1."""
 
 REGULAR = 0.6
 """Share of the distances between bars that must be multiples of the pitch, to a quarter of it."""
@@ -35,8 +39,9 @@ class Crosswalk:
     ----------
     area : polygon from the first bar to the last, along and across.
     strokes : numbers of its bars' strokes.
-    pitch : distance of the bars, m. bars : number of them that were seen.
+    pitch : distance of the bars, m. bars : number of them from the first to the last.
     direction : unit vector along the bars (2,), the direction of the traffic that it crosses.
+    fill : share of paint at the bars' places less that between them, 0 to 1.
     """
 
     area: shapely.Polygon
@@ -44,23 +49,51 @@ class Crosswalk:
     pitch: float
     bars: int
     direction: np.ndarray
+    fill: float
 
 
-def find_crosswalks(strokes: Sequence[Stroke]) -> list[Crosswalk]:
-    """All rows of at least four bars with regular distances."""
+def find_crosswalks(strokes: Sequence[Stroke], polygons: Sequence[shapely.Polygon]) -> list[Crosswalk]:
+    """All rows of at least four bars with regular distances, also where shadow or wear cuts a row or its bars.
+
+    Three bars with regular distances are enough to start from: where paint lies at the places of further bars, and
+    not between them, the row goes on.
+
+    Parameters
+    ----------
+    polygons : the markings that the strokes were taken from.
+    """
     numbers = np.array([n for n, stroke in enumerate(strokes) if BAR_WIDTH[0] <= stroke.width <= BAR_WIDTH[1]
                         and BAR_LENGTH[0] <= stroke.length <= BAR_LENGTH[1]], np.int64)
-    if len(numbers) < FEWEST:
+    if len(numbers) < SEED:
         return []
     start = np.array([strokes[n].axis[0] for n in numbers])
     end = np.array([strokes[n].axis[-1] for n in numbers])
-    found = []
     width = np.array([strokes[n].width for n in numbers])
+    paint = shapely.STRtree(polygons)
+    made = []
     for group in _groups(start, end):
-        made = _crosswalk(start[group], end[group], numbers[group], width[group])
-        if made is not None:
-            found.append(made)
-    return found
+        row = _bar_row(start[group], end[group], width[group])
+        if row is not None:
+            made.append((len(group), extended(row, paint)))
+    rows = [row for _, row in sorted(made, key=lambda one: -one[0])
+            if row.count >= FEWEST and row.fill >= LEAST_MEAN_FILL]
+    middles = shapely.points((start + end) / 2.0)
+    rows = joined_rows(_apart(rows))
+    return [_crosswalk(row, numbers[shapely.intersects(row.area.buffer(0.2), middles)]) for row in rows]
+
+
+def _crosswalk(row: BarRow, numbers: np.ndarray) -> Crosswalk:
+    return Crosswalk(row.area, tuple(int(n) for n in numbers), row.pitch, row.count, row.direction, row.fill)
+
+
+def _apart(rows: Sequence[BarRow]) -> list[BarRow]:
+    """The rows without those that are mostly part of one before them (two pieces of one crosswalk grow to the same)."""
+    kept: list[BarRow] = []
+    for row in rows:
+        area = row.area
+        if not any(area.intersection(other.area).area > 0.3 * min(area.area, other.area.area) for other in kept):
+            kept.append(row)
+    return kept
 
 
 def _groups(start: np.ndarray, end: np.ndarray) -> list[np.ndarray]:
@@ -80,11 +113,11 @@ def _groups(start: np.ndarray, end: np.ndarray) -> list[np.ndarray]:
     count = len(start)
     links = coo_matrix((np.ones(beside.sum()), (a[beside], b[beside])), shape=(count, count))
     label = connected_components(links, directed=False)[1]
-    return [np.flatnonzero(label == one) for one in np.unique(label) if (label == one).sum() >= FEWEST]
+    return [np.flatnonzero(label == one) for one in np.unique(label) if (label == one).sum() >= SEED]
 
 
-def _crosswalk(start: np.ndarray, end: np.ndarray, numbers: np.ndarray, width: np.ndarray) -> Crosswalk | None:
-    """The crosswalk that a group of bars makes, None where their row is not regular."""
+def _bar_row(start: np.ndarray, end: np.ndarray, width: np.ndarray) -> BarRow | None:
+    """The row that a group of bars makes, None where it is not regular."""
     chord = end - start
     angle = np.arctan2(chord[:, 1], chord[:, 0])
     length = np.linalg.norm(chord, axis=1)
@@ -95,23 +128,30 @@ def _crosswalk(start: np.ndarray, end: np.ndarray, numbers: np.ndarray, width: n
     order = np.argsort(place)
     bar = np.concatenate([[0], np.cumsum(np.diff(place[order]) > PITCH[0] / 2)])
     row = np.array([np.average(place[order][bar == one], weights=length[order][bar == one]) for one in np.unique(bar)])
-    if len(row) < FEWEST:
+    if len(row) < SEED:
         return None
     steps = np.diff(row)
     pitch = float(np.median(steps[steps < 1.5 * np.median(steps)]))
     off = np.abs(steps / pitch - np.round(steps / pitch))
     if (off < 0.25).mean() < REGULAR or not PITCH[0] <= pitch <= PITCH[1]:
         return None
+    first, pitch, count = _comb(row, pitch)
     ends = np.sort(np.stack([start @ direction, end @ direction]), axis=0)
     full = length >= 0.75 * np.quantile(length, 0.8)
-    half = float(np.median(width)) / 2.0
-    corners = []
-    for edge in ends:
-        slope, level = _robust_line(place[full], edge[full])
-        corners.append([(p, slope * p + level) for p in (row[0] - half, row[-1] + half)])
-    ring = np.array([*corners[0], *corners[1][::-1]])
-    plan = shapely.Polygon(ring[:, :1] * normal + ring[:, 1:] * direction)
-    return Crosswalk(plan, tuple(int(n) for n in numbers), pitch, len(row), direction)
+    near, far = (_robust_line(place[full], edge[full]) for edge in ends)
+    return BarRow(direction, first, pitch, count, float(np.median(width)) / 2.0, near, far)
+
+
+def _comb(row: np.ndarray, pitch: float) -> tuple[float, float, int]:
+    """First place, pitch (m) and number of places of the regular row through the places (n,) of bars."""
+    number = np.round(np.cumsum(np.concatenate([[0.0], np.round(np.diff(row) / pitch)])))
+    for _ in range(3):
+        slope, level = np.polyfit(number, row, 1)
+        good = np.abs(row - level - slope * number) < 0.25 * pitch
+        if good.all() or good.sum() < SEED:
+            break
+        number, row = number[good], row[good]
+    return float(level + slope * number[0]), float(slope), int(number[-1] - number[0]) + 1
 
 
 def _robust_line(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:

@@ -143,7 +143,7 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     settings = settings or LineSettings()
     strokes = all_strokes(polygons)
     progress.step(0.4)
-    crosswalks = find_crosswalks(strokes)
+    crosswalks = find_crosswalks(strokes, polygons)
     in_rows = _in_crosswalks(strokes, crosswalks)
     numbers = [n for n, stroke in enumerate(strokes) if n not in in_rows and stroke.width <= settings.max_width
                and stroke.length >= 0.25]
@@ -164,7 +164,7 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     made = _with_partners(made)
     left = _left_over(polygons, strokes, in_rows, [*lines, *stops])
     symbols = find_symbols(polygons, left, _direction_of(made))
-    areas = [RoadArea(row.area, "crosswalk", row.direction, np.nan, "white") for row in crosswalks]
+    areas = [RoadArea(row.area, "crosswalk", row.direction, row.fill, "white") for row in crosswalks]
     areas += [_area(symbol, colours) for symbol in symbols]
     progress.step(1.0)
     return LineWork(tuple(made), tuple(areas), len(polygons))

@@ -1,0 +1,171 @@
+"""How far a crosswalk reaches: paint at the places of its bars against paint between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+
+SLICE = 0.2
+"""Bars are looked at in slices of this length, m."""
+
+BEYOND_BARS, BEYOND_ENDS = 14, 4.0
+"""Bars are looked for so many places, and their ends so many metres, beyond those known."""
+
+LEAST_FILL = 0.25
+"""A bar or a slice is there where so much of its place holds paint, and so much more than the places between bars."""
+
+MISSING = 3
+"""So many bars in a row may be hidden or worn away."""
+
+JOIN = 7.0
+"""Two rows whose bars begin and end on the same lines, at the same pitch, are one crosswalk so far apart, m."""
+
+
+@dataclass(frozen=True)
+class BarRow:
+    """A row of bars in its own frame: p across the bars, a along them.
+
+    Attributes
+    ----------
+    direction : unit vector (2,) along the bars.
+    first : p of the first bar's centre line, m. pitch : distance of bars, m. count : number of places.
+    half : half a bar's width, m.
+    near, far : (slope, level) of the lines a = slope p + level on which the bars begin and end.
+    fill : share of paint at the bars' places less that between them, 0 to 1; NaN before it is measured.
+    """
+
+    direction: np.ndarray
+    first: float
+    pitch: float
+    count: int
+    half: float
+    near: tuple[float, float]
+    far: tuple[float, float]
+    fill: float = np.nan
+
+    @property
+    def normal(self) -> np.ndarray:
+        return np.array([-self.direction[1], self.direction[0]])
+
+    @property
+    def area(self) -> shapely.Polygon:
+        """From the first bar to the last."""
+        ends = self.first - self.half, self.first + (self.count - 1) * self.pitch + self.half
+        ring = [(p, self.near[0] * p + self.near[1]) for p in ends]
+        ring += [(p, self.far[0] * p + self.far[1]) for p in ends[::-1]]
+        return shapely.Polygon([p * self.normal + a * self.direction for p, a in ring])
+
+
+def extended(row: BarRow, paint: shapely.STRtree) -> BarRow:
+    """The row with the bars and the ends of bars that paint at their places shows, and without those it does not.
+
+    Parameters
+    ----------
+    paint : tree over the polygons of the markings.
+    """
+    slope = (row.near[0] + row.far[0]) / 2.0
+    middle = row.first + (row.count - 1) * row.pitch / 2.0
+    edges = np.array([side[0] * middle + side[1] - slope * middle for side in (row.near, row.far)])
+    steps = np.arange(edges[0] - BEYOND_ENDS, edges[1] + BEYOND_ENDS, SLICE) + SLICE / 2
+    places = np.arange(-BEYOND_BARS, row.count + BEYOND_BARS)
+    bars = _fill(row, places, steps, slope, 0.0, paint)
+    gaps = _fill(row, np.arange(places[0], places[-1] + 2), steps, slope, -0.5, paint)
+    between = (gaps[:-1] + gaps[1:]) / 2.0
+    known = (places >= 0) & (places < row.count)
+    inside = (steps > edges[0]) & (steps < edges[1])
+    for _ in range(3):
+        known = _run(bars[:, inside].mean(axis=1), between[:, inside].mean(axis=1), known, MISSING)
+        inside = _run(bars[known].mean(axis=0), between[known].mean(axis=0), inside, 2)
+    if known.sum() < 2 or inside.sum() < 2:
+        return row
+    fill = float((bars - between)[known][:, inside].mean())
+    low, high = _edge(bars[known].mean(axis=0), steps, inside)
+    return BarRow(row.direction, row.first + places[known][0] * row.pitch, row.pitch, int(np.ptp(places[known])) + 1,
+                  row.half, (slope, low), (slope, high), fill)
+
+
+def joined_rows(rows: Sequence[BarRow]) -> list[BarRow]:
+    """The rows, those that go on in each other made one (what lies between them is hidden or worn)."""
+    left = list(rows)
+    for first in range(len(left)):
+        for second in range(first):
+            if left[first] is not None and left[second] is not None:
+                one = _joined(left[second], left[first])
+                if one is not None:
+                    left[second], left[first] = None, one
+    return [row for row in left if row is not None]
+
+
+def _joined(one: BarRow, other: BarRow) -> BarRow | None:
+    """One row of two, None where the other does not continue the one."""
+    if abs(one.direction @ other.normal) > np.sin(np.radians(4.0)) or one.area.distance(other.area) > JOIN:
+        return None
+    corners = shapely.get_coordinates(other.area.exterior)[:4]
+    p, a = corners @ one.normal, corners @ one.direction
+    edges = [sorted(a[ends] - side[0] * p[ends] - side[1]) for side, ends in
+             ((one.near, np.argsort(a)[:2]), (one.far, np.argsort(a)[2:]))]
+    count = (p.max() - p.min() - 2 * other.half) / one.pitch + 1
+    steps = (p.min() + other.half - one.first) / one.pitch
+    if np.abs(edges).max() > 0.6 or abs(one.pitch - other.pitch) > 0.06 * one.pitch or abs(
+            steps - round(steps)) > 0.3:
+        return None
+    first, last = min(0, round(steps)), max(one.count, round(steps) + round(count))
+    share = (one.fill * one.count + other.fill * other.count) / (last - first)
+    return BarRow(one.direction, one.first + first * one.pitch, one.pitch, last - first, one.half, one.near, one.far,
+                  min(share, 1.0))
+
+
+def _fill(row: BarRow, places: np.ndarray, steps: np.ndarray, slope: float, shift: float,
+          paint: shapely.STRtree) -> np.ndarray:
+    """Share of paint (places, steps) in the slices at the bars' places, `shift` pitches beside them."""
+    across = row.first + (places + shift) * row.pitch
+    inset = np.array([-0.5, 0.0, 0.5]) * row.half
+    p, a, d = np.meshgrid(across, steps, inset, indexing="ij")
+    p = p + d
+    a = a + slope * p
+    xy = p[..., None] * row.normal + a[..., None] * row.direction
+    points = shapely.points(xy.reshape(-1, 2))
+    hit = np.zeros(len(points), bool)
+    hit[np.unique(paint.query(points, predicate="intersects")[0])] = True
+    return hit.reshape(p.shape).mean(axis=2)
+
+
+def _run(bar: np.ndarray, gap: np.ndarray, seed: np.ndarray, missing: int) -> np.ndarray:
+    """Places (n,) that belong to the row: those with paint that reach the seed over at most `missing` bare ones.
+
+    Beyond bare places as many painted ones must follow: one stroke some way off is something else.
+    """
+    there = (bar >= LEAST_FILL) & (bar - gap >= LEAST_FILL)
+    start = there & seed
+    if not start.any():
+        return seed
+    first = last = int(np.flatnonzero(start)[np.count_nonzero(start) // 2])
+    for step in (1, -1):
+        at, bare, back = first, 0, 0
+        while 0 <= at < len(bar) and bare <= missing:
+            if there[at]:
+                back += 1
+            else:
+                bare, back = (bare + 1, 0) if back == 0 or back >= bare else (missing + 1, 0)
+            if there[at] and back >= bare:
+                first, last, bare, back = min(first, at), max(last, at), 0, 0
+            at += step
+    made = np.zeros(len(bar), bool)
+    made[first:last + 1] = True
+    return made
+
+
+def _edge(profile: np.ndarray, steps: np.ndarray, inside: np.ndarray) -> tuple[float, float]:
+    """Where the bars begin and end: the places at which their mean fill has half its usual value, m."""
+    usual = float(np.median(profile[inside]))
+    at = np.flatnonzero(inside)
+    ends = []
+    for tip, step in ((at[0], -1), (at[-1], 1)):
+        share = 0.0
+        for k in (tip, tip + step):
+            share += float(np.clip(profile[k] / max(usual, 1e-9), 0.0, 1.0)) if 0 <= k < len(profile) else 0.0
+        ends.append(steps[tip] + step * SLICE * (share - 0.5))
+    return float(ends[0]), float(ends[1])
