@@ -12,7 +12,7 @@ from ..framework.parameters import tr
 
 LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
                ("length", "real"), ("bridged", "real"), ("period", "real"), ("dash", "real"), ("dashes", "text"),
-               ("chain", "int"), ("partner", "int"))
+               ("chain", "int"), ("partner", "int"), ("confidence", "real"))
 
 
 class MarkingLines(UrbanMapAlgorithm):
@@ -48,11 +48,13 @@ class MarkingLines(UrbanMapAlgorithm):
                               "dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length "
                               "(m), bridged (m without paint that should be there), period and dash (m), dashes "
                               "(begins and ends along the line, m), chain (sections of one line), partner (chain that "
-                              "makes it a double line).",
+                              "makes it a double line), confidence (0 to 1: share of the paint that should be there and is "
+                              "seen; of a stop line less where only lines' ends or only a crosswalk show it).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk, arrow straight, ..., "
                               "diamond, unknown), colour, heading (degrees from grid north in which it is read), "
-                              "score (agreement with the shape, 0 to 1).",
+                              "score (agreement with the shape, of a crosswalk paint at its bars' places less that between "
+                              "them, 0 to 1).",
                               source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_number_output("LINES", "Lines", "Number of lines.")
         self.add_number_output("LENGTH", "Length", "Length of all lines.", "m")
@@ -103,7 +105,8 @@ class MarkingLines(UrbanMapAlgorithm):
             "dash": np.array([line.dash for line in lines]),
             "dashes": [";".join(f"{start:.2f}-{end:.2f}" for start, end in line.dashes) for line in lines],
             "chain": [line.chain for line in lines],
-            "partner": [None if line.partner < 0 else line.partner for line in lines]}
+            "partner": [None if line.partner < 0 else line.partner for line in lines],
+            "confidence": [line.confidence for line in lines]}
         return self.write_layer(parameters, "OUTPUT", context, make_fields(*LINE_FIELDS), columns, crs,
                                 [shapely.linestrings(line.points) if has_heights else line.plan for line in lines],
                                 "LineStringZ" if has_heights else "LineString", style="marking_lines",

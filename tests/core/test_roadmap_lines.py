@@ -154,6 +154,22 @@ def test_bar_across_the_end_of_lines_is_a_stop_line_one_across_their_course_is_n
     assert stop.width == pytest.approx(0.45, abs=0.03)
 
 
+def test_stop_line_that_lane_lines_and_wear_cut_is_one():
+    lines = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 3.25, 6.5)]
+    work = work_of([*lines, shapely.box(40.3, 0.1, 40.75, 3.1), shapely.box(40.3, 3.4, 40.75, 6.4)])
+    (stop,) = [line for line in work.lines if line.kind == "stop line"]
+    assert np.ptp(back(stop.points)[:, 1]) == pytest.approx(6.3, abs=0.1)
+    assert 0.6 < stop.confidence <= 0.7
+
+
+def test_stop_line_before_a_crosswalk_needs_no_line_and_a_short_bar_alone_is_none():
+    bars = [shapely.box(20.0, y, 24.0, y + 0.45) for y in np.arange(-4.0, 4.0, 0.9)]
+    (stop,) = work_of([*bars, shapely.box(17.5, -3.8, 17.95, -0.4)]).lines
+    assert stop.kind == "stop line" and stop.confidence == pytest.approx(0.7, abs=0.02)
+    lines = [shapely.box(0, y - 0.075, 40, y + 0.075) for y in (0.0, 3.25)]
+    assert all(line.kind == "solid" for line in work_of([*lines, shapely.box(40.3, 0.5, 40.75, 2.2)]).lines)
+
+
 def arrow(kind):
     """Arrows as drawn in a Japanese street, tail at 0, 0, read along x."""
     if kind == "straight":

@@ -10,17 +10,12 @@ import shapely
 
 from ..progress import SILENT, Progress
 from .crosswalks import Crosswalk, find_crosswalks
-from .dash_pattern import Section, line_sections
+from .dash_pattern import Section, line_sections, painted_intervals
 from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
+from .stop_lines import CROSSES, joined_bars, stop_line_confidence
 from .strokes import Stroke, all_strokes
 from .symbols import Symbol, find_symbols
-
-NEAR_STOP = 4.0
-"""A line ends so near a stop line at most, m."""
-
-CROSSES = 3.0
-"""A line that goes on so far on both sides of a bar crosses it: the bar is no stop line, m."""
 
 DOUBLE = (0.22, 0.65)
 """Distance of the two lines of a double line, m."""
@@ -61,6 +56,8 @@ class RoadLine:
     bridged : length without paint that wear or vehicles left in a solid line, or where dashes are missing, m.
     chain : number of the continuous line that this is a section of.
     partner : number of the chain that makes it a double line, -1 where it is single.
+    confidence : 0 to 1: of a line the share of the paint that should be there and is seen; of a stop line that share,
+        less where only lines' ends or only a crosswalk show that it is one.
     """
 
     points: np.ndarray
@@ -74,6 +71,7 @@ class RoadLine:
     bridged: float
     chain: int
     partner: int = -1
+    confidence: float = 1.0
 
     @property
     def plan(self) -> shapely.LineString:
@@ -150,17 +148,18 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     chains = link_strokes(strokes, numbers, [row.area for row in crosswalks])
     progress.step(0.6)
     paint = shapely.STRtree(polygons)
-    bars = [chain for chain in chains if chain.width >= settings.stop_width and 1.5 <= chain.length <= 16.0]
+    bars = joined_bars([chain for chain in chains if chain.width >= settings.stop_width and
+                        0.6 <= chain.length <= 16.0])
     long = [chain for chain in chains if _is_line(chain, strokes, settings) and not
             (chain.width >= settings.stop_width and chain.length <= 8.0)]
     lines = [line for line in (_fitted(chain, paint) for chain in long) if line is not None]
     progress.step(0.8)
-    stops = [line for line in (_fitted(chain, paint) for chain in bars if _is_stop_line(chain, lines))
-             if line is not None]
-    of_stops = {id(line.chain) for line in stops}
-    lines = _without_crossing([line for line in lines if id(line.chain) not in of_stops])
+    stops, sure = _stop_lines(bars, lines, crosswalks, paint)
+    of_stops = {n for line in stops for n in line.chain.strokes}
+    lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
     made = _sections_of(lines, strokes, colours, settings)
-    made += [_whole(line, strokes, colours, settings, len(lines) + k) for k, line in enumerate(stops)]
+    made += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
+             for k, line in enumerate(stops)]
     made = _with_partners(made)
     left = _left_over(polygons, strokes, in_rows, [*lines, *stops])
     symbols = find_symbols(polygons, left, _direction_of(made))
@@ -213,29 +212,18 @@ def _fitted(chain: StrokeChain, paint: shapely.STRtree) -> _Line | None:
     return _Line(chain, fit, sections) if sections else None
 
 
-def _is_stop_line(chain: StrokeChain, lines: Sequence[_Line]) -> bool:
-    """Whether a bar lies across the end of a line, and no line goes through it."""
-    bar = shapely.LineString(chain.axis)
-    along = (chain.axis[-1] - chain.axis[0]) / max(np.linalg.norm(chain.axis[-1] - chain.axis[0]), 1e-9)
-    at_end = False
-    for line in lines:
-        if line.chain is chain or line.fit.width >= 0.8 * chain.width:
-            continue
-        near = np.linalg.norm(line.fit.axis[[0, -1]] - np.array(bar.centroid.coords[0]), axis=1)
-        axis = shapely.LineString(line.fit.axis)
-        if axis.distance(bar) > NEAR_STOP:
-            continue
-        if axis.crosses(bar):
-            at = axis.project(axis.intersection(bar).centroid)
-            if min(at, axis.length - at) > CROSSES:
-                return False
-        tip = 0 if near[0] < near[1] else -1
-        inner = (line.fit.axis if tip == 0 else line.fit.axis[::-1])[:31][-1]
-        course = inner - line.fit.axis[tip]
-        cosine = abs(course @ along) / max(np.linalg.norm(course), 1e-9)
-        if cosine < 0.5 and bar.distance(shapely.Point(line.fit.axis[tip])) <= NEAR_STOP:
-            at_end = True
-    return at_end
+def _stop_lines(bars: Sequence[StrokeChain], lines: Sequence[_Line], crosswalks: Sequence[Crosswalk],
+                paint: shapely.STRtree) -> tuple[list[_Line], list[float]]:
+    """Stop lines among the bars, and how sure they are."""
+    known = [(line.chain, line.fit) for line in lines]
+    stops, sure = [], []
+    for chain in bars:
+        confidence = stop_line_confidence(chain, known, crosswalks)
+        fit = fit_centre_line(chain.axis, chain.width, paint) if confidence > 0.0 else None
+        if fit is not None:
+            stops.append(_Line(chain, fit, [_bar(fit)]))
+            sure.append(confidence)
+    return stops, sure
 
 
 def _without_crossing(lines: Sequence[_Line]) -> list[_Line]:
@@ -273,10 +261,15 @@ def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSetting
 
 def _whole(line: _Line, strokes, colours, settings: LineSettings, number: int) -> RoadLine:
     """A stop line."""
-    runs = np.vstack([section.dashes for section in line.sections])
-    section = Section(runs[0, 0], runs[-1, 1], "solid", runs, np.nan, np.nan, np.nan)
+    (section,) = line.sections
     colour = _colour(line.chain, strokes, colours)
     return _piece(line, section, section.start, section.end, "stop line", colour, number, settings)
+
+
+def _bar(fit: FittedLine) -> Section:
+    """The one section of a stop line."""
+    runs = painted_intervals(fit.covered, STATION)
+    return Section(runs[0, 0], runs[-1, 1], "solid", runs, np.nan, np.nan, np.nan)
 
 
 def _piece(line: _Line, section: Section, start: float, end: float, kind: str, colour: str, number: int,
@@ -297,7 +290,8 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
         missing = max(0.0, whole * section.dash - painted)
     sigma = float(np.hypot(line.fit.sigma[inner].mean() if inner.any() else line.fit.residual, settings.source_sigma))
     points = np.column_stack([plan, np.full(len(plan), np.nan)])
-    return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number)
+    return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number,
+                    confidence=painted / max(painted + missing, 1e-9))
 
 
 def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:

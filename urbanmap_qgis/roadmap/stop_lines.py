@@ -1,0 +1,135 @@
+"""Stop lines: bars across the end of lines or beside a crosswalk, through which no line runs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from .crosswalks import Crosswalk
+from .line_chains import StrokeChain
+from .line_fit import FittedLine
+
+NEAR_STOP = 4.0
+"""A line ends so near a stop line at most, m."""
+
+CROSSES = 3.0
+"""A line that goes on so far on both sides of a bar crosses it: the bar is no stop line, m."""
+
+SHORTEST, SHORTEST_AT_CROSSWALK, LONGEST = 2.0, 1.4, 16.0
+"""Length of a stop line, m: a lane is not narrower, but wear shortens bars, and a crosswalk tells what they are."""
+
+JOINT, JOINT_OFFSET = 1.5, 0.25
+"""Bars in one line are one stop line so far apart, and so much beside each other, m: lane lines and wear cut them."""
+
+BESIDE = (0.5, 7.0)
+"""A stop line lies so far before a crosswalk, m."""
+
+ONE_EVIDENCE = 0.7
+"""Confidence of a wholly painted stop line that only lines' ends or only a crosswalk show."""
+
+
+def stop_line_confidence(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]],
+                         crosswalks: Sequence[Crosswalk]) -> float:
+    """How sure a bar is a stop line, 0 (none) to 1.
+
+    It is one where it lies across the end of a line or along a crosswalk, and no line goes through it. Both together
+    give the share of its length that is painted; one alone `ONE_EVIDENCE` of it.
+    """
+    beside = any(_beside(chain, row) for row in crosswalks)
+    if not (SHORTEST_AT_CROSSWALK if beside else SHORTEST) <= chain.length <= LONGEST:
+        return 0.0
+    at_end, crossed = _at_end(chain, lines)
+    if crossed:
+        return 0.0
+    evidence = at_end + beside
+    painted = min(chain.painted / max(chain.length, 1e-9), 1.0)
+    return painted * (0.0, ONE_EVIDENCE, 1.0)[evidence]
+
+
+def joined_bars(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
+    """The bars, those in one line with short gaps between them made one."""
+    if not len(bars):
+        return []
+    tree = shapely.STRtree([shapely.LineString(bar.axis) for bar in bars])
+    a, b = tree.query(tree.geometries, predicate="dwithin", distance=JOINT)
+    label = connected_components(coo_matrix((np.ones(len(a)), (a, b)), shape=(len(bars),) * 2), directed=False)[1]
+    order = np.argsort(label, kind="stable")
+    groups = np.split(order, np.flatnonzero(np.diff(label[order])) + 1)
+    return [chain for group in groups for chain in _joined_near([bars[k] for k in group])]
+
+
+def _joined_near(bars: Sequence[StrokeChain]) -> list[StrokeChain]:
+    left = sorted(bars, key=lambda chain: -chain.length)
+    k = 0
+    while k < len(left):
+        for other in range(k + 1, len(left)):
+            one = _one_bar(left[k], left[other])
+            if one is not None:
+                left[k] = one
+                del left[other]
+                break
+        else:
+            k += 1
+    return left
+
+
+def _one_bar(one: StrokeChain, other: StrokeChain) -> StrokeChain | None:
+    """Two bars as one, None where the shorter does not continue the longer."""
+    if np.linalg.norm(one.axis.mean(axis=0) - other.axis.mean(axis=0)) > (one.length + other.length) / 2 + JOINT:
+        return None
+    along, origin = _course(one.axis), one.axis[0]
+    place, beside = (other.axis - origin) @ along, (other.axis - origin) @ np.array([-along[1], along[0]])
+    gap = max(place.min() - one.length, -place.max())
+    wide = max(one.width, other.width) <= 1.6 * min(one.width, other.width)
+    if not (-1.0 <= gap <= JOINT and wide and np.abs(beside[[0, -1]]).max() <= JOINT_OFFSET + 0.03 * one.length):
+        return None
+    after = other.axis if place[0] < place[-1] else other.axis[::-1]
+    axis = np.vstack([one.axis, after] if place.mean() > 0 else [after, one.axis])
+    painted = one.painted + other.painted
+    return StrokeChain(axis[[0, -1]], [*one.strokes, *other.strokes], painted,
+                       (one.painted * one.width + other.painted * other.width) / max(painted, 1e-9))
+
+
+def _at_end(chain: StrokeChain, lines: Sequence[tuple[StrokeChain, FittedLine]]) -> tuple[bool, bool]:
+    """Whether a line ends at the bar, and whether one goes through it."""
+    bar = shapely.LineString(chain.axis)
+    along, own = _course(chain.axis), set(chain.strokes)
+    at_end = False
+    for other, fit in lines:
+        if fit.width >= 0.8 * chain.width or not own.isdisjoint(other.strokes):
+            continue
+        axis = shapely.LineString(fit.axis)
+        if axis.distance(bar) > NEAR_STOP:
+            continue
+        if axis.crosses(bar):
+            at = axis.project(axis.intersection(bar).centroid)
+            if min(at, axis.length - at) > CROSSES:
+                return at_end, True
+        near = np.linalg.norm(fit.axis[[0, -1]] - np.array(bar.centroid.coords[0]), axis=1)
+        tip = 0 if near[0] < near[1] else -1
+        inner = (fit.axis if tip == 0 else fit.axis[::-1])[:31][-1]
+        cosine = abs(_course(np.array([fit.axis[tip], inner])) @ along)
+        if cosine < 0.5 and bar.distance(shapely.Point(fit.axis[tip])) <= NEAR_STOP:
+            at_end = True
+    return at_end, False
+
+
+def _beside(chain: StrokeChain, row: Crosswalk) -> bool:
+    """Whether the bar lies before a crosswalk, along its row of bars."""
+    bar = shapely.LineString(chain.axis)
+    if abs(_course(chain.axis) @ row.direction) > 0.35 or not BESIDE[0] < bar.distance(row.area) < BESIDE[1]:
+        return False
+    normal = np.array([-row.direction[1], row.direction[0]])
+    reach = shapely.get_coordinates(row.area.exterior) @ normal
+    place = chain.axis @ normal
+    common = min(place.max(), reach.max()) - max(place.min(), reach.min())
+    return common > 0.6 * np.ptp(place)
+
+
+def _course(axis: np.ndarray) -> np.ndarray:
+    chord = axis[-1] - axis[0]
+    return chord / max(float(np.linalg.norm(chord)), 1e-9)
