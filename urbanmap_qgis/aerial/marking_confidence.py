@@ -1,15 +1,18 @@
 """How surely a bright narrow thing is paint on a road: by the ground beside it and by its own contrast.
 
 Paint lies on asphalt or concrete, which is smooth, grey and wide; grass, earth, leaves and shingle are not. All of it
-has bounded reach (`REACH`), so that large images can be worked on in tiles.
+has bounded reach, so that large images can be worked on in tiles.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
+
+from .image_strips import STRIP, grown, row_strips, within
 
 
 @dataclass(frozen=True)
@@ -53,17 +56,21 @@ class ConfidenceSettings:
     blue: tuple[float, float] = (0.1, 0.15)
 
 
-REACH = 14.0
-"""m round a pixel that its confidence depends on: half the boxes below, one after the other."""
+GROUND_REACH = 9.2
+"""m round a pixel that the ground beside it is told by: half the boxes below for its texture and, twice, brightness."""
 
 _CLEAR_OF_PAINT = 0.2
 _TEXTURE_BOX, _BRIGHTNESS_BOX, _AROUND_BOX, _BESIDE_BOX, _BESIDE, _MEAN_BOX = 1.2, 8.0, 10.0, 2.4, 0.7, 2.5
 _SIDE, _SIDE_BOX = 0.8, 0.6
+_REACH_ROUND = 6.0  # m round a pixel that it is judged by, ground given: the largest of the boxes, halved, and slack
 _STEP_SLACK = 6  # grey values: dark ground may differ by these whatever its share
 _MIN_PAIRS = 0.02
 _MAX_DIFFERENCE = 100.0  # grey values; keeps sums of squares whole
 _PRIOR = np.float32(0.03)  # share of the box that weighs as much as the stand-in
 _SIDE_PRIOR = np.float32(0.1)  # the same for a side, whose box is small
+
+
+_SHADES = np.float32(200)  # steps of warmth in 1: whole numbers are summed
 
 
 @dataclass(frozen=True)
@@ -72,8 +79,8 @@ class GroundBeside:
 
     Attributes
     ----------
-    clear : float32, 1 where ground is seen and no bright thing is near. even : float32, 1 where that may be a worn
-        road. smooth : float32, 1 where it is smooth, grey and about as bright as such ground around.
+    clear : uint8, 1 where ground is seen and no bright thing is near. even : uint8, 1 where that may be a worn
+        road. smooth : uint8, 1 where it is smooth, grey and about as bright as such ground around.
     brightness : float32, mean of the smooth ground within 4 m.
         warmth : likewise; None for grey images.
     """
@@ -84,28 +91,54 @@ class GroundBeside:
     brightness: np.ndarray
     warmth: np.ndarray | None
 
+    def part(self, place: tuple[slice, slice]) -> GroundBeside:
+        """That of some rows and columns."""
+        return GroundBeside(*(None if values is None else values[place] for values in (
+            self.clear, self.even, self.smooth, self.brightness, self.warmth)))
+
 
 def texture(image: np.ndarray, clear: np.ndarray, pixel: float, lag: float) -> np.ndarray:
     """Standard deviation of brightness between pixels `lag` metres apart, clear ground only; infinite where there is
     hardly any, (rows, columns) float32."""
-    step = max(round(lag / pixel), 1)
+    step = _lag_pixels(lag, pixel)
     squares, pairs = np.zeros_like(image), np.zeros_like(image)
     for one, other in ((np.s_[step:], np.s_[:-step]), (np.s_[:, step:], np.s_[:, :-step])):
         weight = clear[one] * clear[other]
-        difference = np.clip(image[one] - image[other], -_MAX_DIFFERENCE, _MAX_DIFFERENCE)
-        squares[one] += np.rint(difference * difference) * weight
+        difference = image[one] - image[other]
+        np.minimum(difference, _MAX_DIFFERENCE, out=difference)
+        np.maximum(difference, -_MAX_DIFFERENCE, out=difference)
+        difference *= difference
+        np.rint(difference, out=difference)
+        difference *= weight
+        squares[one] += difference
         pairs[one] += weight
-    squares, pairs = (_box(values, _TEXTURE_BOX, pixel) for values in (squares, pairs))
+    found, pairs = (_box(values, _TEXTURE_BOX, pixel) for values in (squares, pairs))
+    few = pairs <= _MIN_PAIRS
+    pairs *= 2
     # Sums over boxes that run along leave rounding errors below 0.
-    found = np.sqrt(np.maximum(squares, 0) / np.maximum(2 * pairs, np.float32(1e-3)))
-    return np.where(pairs > _MIN_PAIRS, found, np.float32(np.inf))
+    np.maximum(found, 0, out=found)
+    found /= np.maximum(pairs, np.float32(1e-3), out=pairs)
+    np.sqrt(found, out=found)
+    found[few] = np.inf
+    return found
+
+
+def _lag_pixels(lag: float, pixel: float) -> int:
+    return max(round(lag / pixel), 1)
 
 
 def clear_of_paint(bright: np.ndarray, seen: np.ndarray, pixel: float) -> np.ndarray:
     """Where ground is seen and nothing bright is near, (rows, columns) float32 of 0 and 1."""
+    return _clear(bright, seen, pixel).astype(np.float32)
+
+
+def _clear(bright: np.ndarray, seen: np.ndarray, pixel: float) -> np.ndarray:
+    """The same as uint8."""
     side = 2 * max(round(_CLEAR_OF_PAINT / pixel), 1) + 1
-    near = cv2.dilate(bright.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side)))
-    return (seen & (near == 0)).astype(np.float32)
+    near = cv2.dilate(bright.view(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side)))
+    near ^= 1
+    near &= seen.view(np.uint8)
+    return near
 
 
 def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright: np.ndarray, seen: np.ndarray,
@@ -118,21 +151,80 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
     without what is as narrow as paint. bright : bool, what may be paint. seen : bool. noise : texture of the image's
     smoothest ground.
     """
-    clear = clear_of_paint(bright, seen, pixel)
-    rough = texture(image, clear, pixel, settings.texture_lag)
+    clear = _clear(bright, seen, pixel)
     limit = max(settings.max_texture, settings.noise_factor * noise)
-    smooth, even = clear * (rough < limit), clear * (rough < settings.worn * limit)
-    warmth = None
-    if len(bands) >= 3:
-        warmth, green = colours_of(bands, clear)
-        smooth *= (warmth < settings.max_warmth) & (np.abs(green) < settings.max_green)
-        even *= (warmth < settings.worn * settings.max_warmth) & (np.abs(green) < settings.worn * settings.max_green)
-    mean = _mean_where(road, smooth, _BRIGHTNESS_BOX, pixel)
-    smooth *= np.abs(road - mean) < settings.max_step * np.abs(mean) + _STEP_SLACK
-    mean = _mean_where(road, smooth, _BRIGHTNESS_BOX, pixel)
-    if warmth is not None:
-        warmth = _mean_where(warmth, smooth, _BRIGHTNESS_BOX, pixel, 200)
-    return GroundBeside(clear, even, smooth, mean, warmth)
+    smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, limit, settings)
+    smooth = _as_bright_as_around(road, smooth, pixel, settings)
+    brightness = np.empty(road.shape, np.float32)
+    warmth = None if shades is None else np.empty(road.shape, np.float32)
+    for own, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
+        weight = smooth[wide].astype(np.float32)
+        share = _share_of(weight, pixel)
+        brightness[own] = _mean_with(np.rint(road[wide]), weight, share, pixel)[inner]
+        if shades is not None:
+            mean = _mean_with(shades[wide].astype(np.float32), weight, share, pixel, _SHADES)
+            warmth[own] = mean[inner]
+    return GroundBeside(clear, even, smooth, brightness, warmth)
+
+
+def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pixel: float, limit: float,
+                     settings: ConfidenceSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
+    """Clear ground with a texture below the limit and without colour, likewise with wider limits, uint8 (rows,
+    columns); and its warmth in whole shades, int16, None for grey images."""
+    smooth, even = np.empty_like(clear), np.empty_like(clear)
+    shades = np.empty(clear.shape, np.int16) if len(bands) >= 3 else None
+    halo = _box_pixels(_TEXTURE_BOX, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
+    for own, wide, inner in row_strips(len(clear), max(halo, 2)):
+        weight = clear[wide].astype(np.float32)
+        rough = texture(image[wide], weight, pixel, settings.texture_lag)[inner]
+        calm, fair = rough < limit, rough < settings.worn * limit
+        if shades is not None:
+            warmth, green = (values[inner] for values in colours_of(bands[:, wide], weight))
+            np.abs(green, out=green)
+            calm &= warmth < settings.max_warmth
+            calm &= green < settings.max_green
+            fair &= warmth < settings.worn * settings.max_warmth
+            fair &= green < settings.worn * settings.max_green
+            warmth *= _SHADES
+            np.rint(warmth, out=warmth)
+            shades[own] = np.maximum(warmth, np.float32(-32000), out=warmth)  # the colder ones are no ground
+        np.bitwise_and(clear[own], calm.view(np.uint8), out=smooth[own])
+        np.bitwise_and(clear[own], fair.view(np.uint8), out=even[own])
+    return smooth, even, shades
+
+
+def _as_bright_as_around(road: np.ndarray, smooth: np.ndarray, pixel: float, settings: ConfidenceSettings
+                         ) -> np.ndarray:
+    """Smooth ground that is about as bright as the mean of such ground within 4 m, uint8."""
+    kept = np.empty_like(smooth)
+    for own, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
+        weight = smooth[wide].astype(np.float32)
+        mean = _mean_with(np.rint(road[wide]), weight, _share_of(weight, pixel), pixel)[inner]
+        difference = road[own] - mean
+        np.abs(difference, out=difference)
+        np.abs(mean, out=mean)
+        mean *= settings.max_step
+        mean += _STEP_SLACK
+        np.bitwise_and(smooth[own], (difference < mean).view(np.uint8), out=kept[own])
+    return kept
+
+
+def _share_of(weight: np.ndarray, pixel: float) -> np.ndarray:
+    """Share of what has a weight within 4 m, to divide by."""
+    share = _box(weight, _BRIGHTNESS_BOX, pixel)
+    return np.maximum(share, np.float32(1e-4), out=share)
+
+
+def _mean_with(values: np.ndarray, weight: np.ndarray, share: np.ndarray, pixel: float,
+               steps: np.float32 | None = None) -> np.ndarray:
+    """Mean of whole numbers (changed by this) with a weight of 0 or 1 within 4 m, in units of `steps`; `share` of it
+    from `_share_of`."""
+    values *= weight
+    total = _box(values, _BRIGHTNESS_BOX, pixel)
+    if steps is not None:
+        total /= steps
+    total /= share
+    return total
 
 
 def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -142,84 +234,142 @@ def colours_of(bands: np.ndarray, weight: np.ndarray | None = None) -> tuple[np.
     if weight is None:
         red, green, blue = (cv2.blur(band, (3, 3), borderType=cv2.BORDER_REPLICATE) for band in (red, green, blue))
     else:
-        share = np.maximum(cv2.blur(weight, (5, 5), borderType=cv2.BORDER_REPLICATE), np.float32(1e-3))
-        red, green, blue = (cv2.blur(band * weight, (5, 5), borderType=cv2.BORDER_REPLICATE) / share
-                            for band in (red, green, blue))
-    brightness = np.maximum((red + green + blue) / 3, np.float32(1e-3))
-    return (red - blue) / brightness, (green - (red + blue) / 2) / brightness
+        share = cv2.blur(weight, (5, 5), borderType=cv2.BORDER_REPLICATE)
+        np.maximum(share, np.float32(1e-3), out=share)
+        for colour in (red, green, blue):
+            colour *= weight
+        red, green, blue = (cv2.blur(band, (5, 5), borderType=cv2.BORDER_REPLICATE) for band in (red, green, blue))
+        for colour in (red, green, blue):
+            colour /= share
+    brightness = red + green
+    brightness += blue
+    brightness /= 3
+    np.maximum(brightness, np.float32(1e-3), out=brightness)
+    other = red + blue
+    other /= 2
+    green -= other
+    green /= brightness
+    red -= blue
+    red /= brightness
+    return red, green
 
 
 def marking_confidence(core: np.ndarray, bands: np.ndarray, relief: np.ndarray, ground: GroundBeside,
-                       roads: np.ndarray | None, pixel: float, settings: ConfidenceSettings) -> np.ndarray:
-    """Confidence, 0 to 1, that bright pixels are paint on a road, (rows, columns) float32.
+                       roads: np.ndarray | None, pixel: float, settings: ConfidenceSettings,
+                       wanted: tuple[slice, slice] | None = None) -> np.ndarray:
+    """Confidence, 0 to 1, that bright pixels are paint on a road, (n,) float32 in the order of `core[wanted]`'s.
 
-    Without known roads it is 0 where no bright pixel is: bright ones are few, and only they are worked out.
+    Bright pixels are few, and only they are worked out.
 
     Parameters
     ----------
-    core : bool, pixels that may be paint. relief : their top-hat in thresholds. ground : round them. roads : bool,
-    known roads, in which the ground needs no proof; None for unknown.
+    core : bool, pixels that may be paint. relief : (n,) their top-hat in thresholds. ground : round them. roads : bool,
+    known roads, in which the ground needs no proof; None for unknown. wanted : rows and columns, by default all; what
+    they depend on lies within 6 m of them.
     """
     if roads is not None:
-        return 0.5 + 0.5 * _ramp(relief, settings.contrast)
-    inside = np.flatnonzero(core)
-    relief = relief.take(inside)
+        return np.float32(0.5) + np.float32(0.5) * _ramp(relief, settings.contrast)
+    wanted = wanted or (slice(0, core.shape[0]), slice(0, core.shape[1]))
+    around = grown(wanted, math.ceil(_REACH_ROUND / pixel) + 2, core.shape)
+    own = within(wanted, around)
+    core, bands, ground = core[around], bands[:, around[0], around[1]], ground.part(around)
+    rows, columns = np.nonzero(core[own])
+    rows += own[0].start
+    columns += own[1].start
     confidence = settings.faint + (1 - settings.faint) * _ramp(relief, settings.contrast)
     if ground.warmth is not None:
-        warmth = colours_of(bands)[0].take(inside)
+        warmth = _warmth_at(bands, rows, columns)
         blue = np.minimum(_ramp(relief, settings.blue_contrast), _ramp(-warmth, settings.blue))
-        confidence *= np.maximum(_ramp(warmth - ground.warmth.take(inside), settings.warmer), blue)
-    confidence *= _on_road(core, inside, ground, pixel, settings)
-    made = np.zeros(core.shape, np.float32)
-    made.ravel()[inside] = confidence
-    return made
+        confidence *= np.maximum(_ramp(warmth - ground.warmth[rows, columns], settings.warmer), blue)
+    confidence *= _on_road(core, rows, columns, ground, pixel, settings)
+    return confidence
 
 
-def _on_road(core: np.ndarray, inside: np.ndarray, ground: GroundBeside, pixel: float, settings: ConfidenceSettings
-             ) -> np.ndarray:
-    """Confidence (n,) that bright pixels, `inside` by their place in the flat image, lie on a road, by the smooth grey
-    ground beside and around them."""
+def _warmth_at(bands: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    """Warmth, see `colours_of`, at pixels (n,) in order of rows."""
+    found = np.empty(len(rows), np.float32)
+    for own, wide, inner in row_strips(bands.shape[1], 1):
+        part = slice(*np.searchsorted(rows, (own.start, own.stop)))
+        if part.stop > part.start:
+            warmth = colours_of(bands[:, wide])[0][inner]
+            found[part] = warmth[rows[part] - own.start, columns[part]]
+    return found
+
+
+def _on_road(core: np.ndarray, rows: np.ndarray, columns: np.ndarray, ground: GroundBeside, pixel: float,
+             settings: ConfidenceSettings) -> np.ndarray:
+    """Confidence (n,) that bright pixels at rows and columns lie on a road, by the smooth grey ground beside and around
+    them."""
     side = 2 * max(round(_BESIDE / pixel), 1) + 1
-    ring = cv2.dilate(core.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))) > 0
-    ring = ring * ground.clear
+    ring = cv2.dilate(core.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side)))
+    ring &= ground.clear
+    inside = rows * core.shape[1] + columns
 
-    def near(values: np.ndarray, side: float) -> np.ndarray:
-        return _box(values, side, pixel).take(inside)
+    def near(flags: np.ndarray, side: float) -> np.ndarray:
+        return _share_at(flags, side, pixel, inside)
 
     smooth = near(ground.smooth, _AROUND_BOX)
     around = smooth / np.maximum(near(ground.clear, _AROUND_BOX), np.float32(0.05))
     # Between the bars of a crossing no ground is clear: smooth ground around then stands in for what lies beside.
     stand_in = _ramp(smooth, settings.open_ground)
-    beside = ((near(ring * ground.smooth, _BESIDE_BOX) + _PRIOR * stand_in) / (near(ring, _BESIDE_BOX) + _PRIOR))
-    sides = _poorer_side(inside, ground, stand_in, pixel)
+    beside = ((near(ring & ground.smooth, _BESIDE_BOX) + _PRIOR * stand_in) / (near(ring, _BESIDE_BOX) + _PRIOR))
+    sides = _poorer_side(rows, columns, ground, stand_in, pixel)
     return _ramp(beside, settings.beside) * _ramp(around, settings.around) * _ramp(sides, settings.both_sides)
 
 
-def _poorer_side(inside: np.ndarray, ground: GroundBeside, stand_in: np.ndarray, pixel: float) -> np.ndarray:
+def _share_at(flags: np.ndarray, side: float, pixel: float, inside: np.ndarray) -> np.ndarray:
+    """Share of the flags (uint8, 0 or 1) set in a box with a side in m round pixels, by their place in the flat image;
+    as `_box` has it."""
+    return _as_share(_counts(flags, side, pixel).take(inside), side, pixel)
+
+
+def _counts(flags: np.ndarray, side: float, pixel: float) -> np.ndarray:
+    """Flags set in a box with a side in m, (rows, columns) float32."""
+    pixels = _box_pixels(side, pixel)
+    return cv2.boxFilter(flags, cv2.CV_32F, (pixels, pixels), normalize=False, borderType=cv2.BORDER_REPLICATE)
+
+
+def _as_share(counts: np.ndarray, side: float, pixel: float) -> np.ndarray:
+    return (counts.astype(np.float64) * (1.0 / _box_pixels(side, pixel) ** 2)).astype(np.float32)
+
+
+def _poorer_side(rows: np.ndarray, columns: np.ndarray, ground: GroundBeside, stand_in: np.ndarray, pixel: float
+                 ) -> np.ndarray:
     """Share (n,) of smooth ground on the poorer of two opposite sides of bright pixels, in the best of four directions.
 
-    Across a line on a road both sides are road; no direction has that at a kerb. `inside` : see `_on_road`.
+    Across a line on a road both sides are road; no direction has that at a kerb. `rows`, `columns` : of the pixels.
     `stand_in` : (n,) share for sides where all is too near to paint.
     """
     height, width = ground.clear.shape
-    rows, columns = np.divmod(inside, width)
-    even, clear = (_box(values, _SIDE_BOX, pixel) for values in (ground.even, ground.clear))
+    even, clear = (_counts(flags, _SIDE_BOX, pixel) for flags in (ground.even, ground.clear))
     stand_in = _SIDE_PRIOR * stand_in
-    best = np.zeros(len(inside), np.float32)
+    best = np.zeros(len(rows), np.float32)
     for angle in np.deg2rad((0, 45, 90, 135)):
         down, across = round(_SIDE * np.sin(angle) / pixel), round(_SIDE * np.cos(angle) / pixel)
         sides = []
         for sign in (1, -1):
             place = (np.clip(rows + sign * down, 0, height - 1) * width
                      + np.clip(columns + sign * across, 0, width - 1))
-            sides.append((even.take(place) + stand_in) / (clear.take(place) + _SIDE_PRIOR))
+            sides.append((_as_share(even.take(place), _SIDE_BOX, pixel) + stand_in)
+                         / (_as_share(clear.take(place), _SIDE_BOX, pixel) + _SIDE_PRIOR))
         best = np.maximum(best, np.minimum(*sides))
     return best
 
 
 def along_strokes(confidence: np.ndarray, core: np.ndarray, pixel: float) -> np.ndarray:
-    """Mean of the confidence over the bright pixels within 1.25 m, for strokes too long to be judged as one."""
-    return _mean_where(confidence, core.astype(np.float32), _MEAN_BOX, pixel, 255)
+    """Mean of the confidence over the bright pixels within 1.25 m, (n,) for each of them in the order of rows, for
+    strokes too long to be judged as one.
+
+    Parameters
+    ----------
+    confidence : (n,) of the bright pixels. core : bool (rows, columns), where they are.
+    """
+    inside = np.flatnonzero(core)
+    values = np.zeros(core.shape, np.uint8)
+    values.ravel()[inside] = np.rint(confidence * np.float32(255))
+    total = _share_at(values, _MEAN_BOX, pixel, inside)
+    weight = _share_at(core.view(np.uint8), _MEAN_BOX, pixel, inside)
+    return total / np.float32(255) / np.maximum(weight, np.float32(1e-4))
 
 
 def _ramp(values: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
@@ -230,11 +380,10 @@ def _ramp(values: np.ndarray, ends: tuple[float, float]) -> np.ndarray:
 def _box(values: np.ndarray, side: float, pixel: float) -> np.ndarray:
     """Mean over a box with a side in m. Whole numbers are given: their running sums are exact, and so the result does
     not depend on where a tile begins."""
-    pixels = max(round(side / pixel) | 1, 3)
+    pixels = _box_pixels(side, pixel)
     return cv2.blur(values, (pixels, pixels), borderType=cv2.BORDER_REPLICATE)
 
 
-def _mean_where(values: np.ndarray, weight: np.ndarray, side: float, pixel: float, steps: int = 1) -> np.ndarray:
-    """Mean of the values with a weight of 0 or 1 over a box; 0 where there are none. Values count in 1 / `steps`."""
-    total = _box(np.rint(values * np.float32(steps)) * weight, side, pixel)
-    return total / np.float32(steps) / np.maximum(_box(weight, side, pixel), np.float32(1e-4))
+def _box_pixels(side: float, pixel: float) -> int:
+    """Pixels of the side of a box, odd."""
+    return max(round(side / pixel) | 1, 3)

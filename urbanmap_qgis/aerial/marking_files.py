@@ -27,6 +27,7 @@ from ..execution import in_order
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from .image_strips import within
 from .marking_filter import coarse_step
 from .marking_polygons import CACHE, MarkingPolygons, TilePolygons, merge_tile_polygons, tile_polygons
 from .road_markings import (
@@ -47,7 +48,10 @@ MIN_PIXEL = 0.06
 MAX_PIXEL = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
 
-_TILE = 2048
+_TILE = 3072
+"""Pixels, side of a tile at most: half of what is worked on is then round the tiles, and a process takes 0.5 GB."""
+
+_MASK_BLOCK = 256
 _SAMPLES = 16
 _SAMPLE_SIDE = 128
 
@@ -204,7 +208,7 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         levels = _levels(scene, settings, progress.part(0.0, 0.1))
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
-                   "blockxsize": 256, "blockysize": 256, "compress": "deflate", "bigtiff": "if_safer"}
+                   "blockxsize": _MASK_BLOCK, "blockysize": _MASK_BLOCK, "compress": "deflate", "bigtiff": "if_safer"}
         given = scene
         if executor is not None:
             stored = SearchArea(stack.enter_context(sent_polygons(places.roads)),
@@ -237,7 +241,7 @@ def _found_in_tiles(given: _OrthophotoReader | WorkerResource, scene: _Orthophot
     step = coarse_step(settings.cleaning.vehicle_width / scene.pixel) if settings.cleaning else 1
 
     def places() -> Iterator[tuple[slice, slice]]:
-        for rows, columns, done in _tiles(scene, max(tile // scene.factor // step, 1) * step):
+        for rows, columns, done in _tiles(scene, max(tile // scene.factor, 1), step):
             progress.step(done)
             yield rows, columns
 
@@ -253,12 +257,10 @@ def _tile_found(given: _OrthophotoReader | WorkerResource, levels: LevelAdjustme
         return _TileFound(rows, columns, nothing, None, 0)
     with own_gdal(CACHE):
         scene = given.get() if isinstance(given, WorkerResource) else given
-        markings, allowed, window = _tile_markings(scene, rows, columns, levels, settings, step)
-    own = np.s_[rows.start - window[0].start:rows.stop - window[0].start,
-                columns.start - window[1].start:columns.stop - window[1].start]
-    mask = markings.mask[own].copy()
+        markings, searched, window = _tile_markings(scene, rows, columns, levels, settings, step)
+    mask = markings.mask[within((rows, columns), window)].copy()
     pieces = tile_polygons(markings, window, rows, columns, scene.transform) if mask.any() else None
-    return _TileFound(rows, columns, mask, pieces, int(allowed[own].sum()))
+    return _TileFound(rows, columns, mask, pieces, searched)
 
 
 def _gathered(found: Iterator[_TileFound], scene: _OrthophotoReader, settings: MarkingSettings,
@@ -282,26 +284,42 @@ def _gathered(found: Iterator[_TileFound], scene: _OrthophotoReader, settings: M
 
 
 def _tile_markings(scene: _OrthophotoReader, rows: slice, columns: slice, levels: LevelAdjustment,
-                   settings: MarkingSettings, step: int ) -> tuple[Markings, np.ndarray, tuple[slice, slice]]:
-    """Markings of a tile with its surroundings, where they may be, and rows and columns of both."""
+                   settings: MarkingSettings, step: int) -> tuple[Markings, int, tuple[slice, slice]]:
+    """Markings of a tile and of the first line of the next ones, how many pixels of the tile may show some, and rows
+    and columns of the markings."""
     around = -(-margin_pixels(scene.pixel, settings) // step) * step
     window = (slice(max(rows.start - around, 0), min(rows.stop + around, scene.rows)),
               slice(max(columns.start - around, 0), min(columns.stop + around, scene.columns)))
+    wanted = (slice(rows.start, min(rows.stop + 1, scene.rows)),
+              slice(columns.start, min(columns.stop + 1, scene.columns)))
     bands, seen, roads = scene.read(*window)
     allowed = seen if roads is None else seen & roads
     if not allowed.any():
-        empty = np.zeros(seen.shape, dtype=np.float32)
-        return Markings(allowed, empty - 1, empty, allowed, empty), allowed, window
-    return find_markings(bands, seen, roads, scene.pixel, levels, settings), allowed, window
+        empty = np.zeros((wanted[0].stop - wanted[0].start, wanted[1].stop - wanted[1].start), np.float32)
+        return Markings(empty > 0, empty - 1, empty, empty > 0, empty), 0, wanted
+    searched = int(np.count_nonzero(allowed[within((rows, columns), window)]))
+    return (find_markings(bands, seen, roads, scene.pixel, levels, settings, within(wanted, window)), searched, wanted)
 
 
-def _tiles(scene: _OrthophotoReader, side: int) -> Iterator[tuple[slice, slice, float]]:
-    """Rows and columns of every tile, and the fraction done before it."""
-    down, across = -(-scene.rows // side), -(-scene.columns // side)
+def _tiles(scene: _OrthophotoReader, most: int, step: int) -> Iterator[tuple[slice, slice, float]]:
+    """Rows and columns of every tile, and the fraction done before it.
+
+    Tiles are about as large as each other, whole blocks of the mask's file where that fits, and multiples of `step`.
+    """
+    high, wide = (_side(length, most, step) for length in (scene.rows, scene.columns))
+    down, across = -(-scene.rows // high), -(-scene.columns // wide)
     for number in range(down * across):
-        row, column = number // across * side, number % across * side
-        yield (slice(row, min(row + side, scene.rows)), slice(column, min(column + side, scene.columns)),
+        row, column = number // across * high, number % across * wide
+        yield (slice(row, min(row + high, scene.rows)), slice(column, min(column + wide, scene.columns)),
                number / (down * across))
+
+
+def _side(length: int, most: int, step: int) -> int:
+    """Side of tiles that share a length evenly, at most `most`."""
+    most = max(most // step, 1) * step
+    side = -(-length // -(-length // most))
+    unit = math.lcm(_MASK_BLOCK, step)
+    return min(-(-side // unit) * unit, most)
 
 
 def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, columns: slice, factor: int) -> None:
@@ -317,9 +335,9 @@ def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progr
 
     They are taken once for the whole image, so that tiles do not differ.
     """
-    values = [image_brightness(bands, settings)[seen if roads is None else seen & roads]
-              for bands, seen, roads in _samples(scene, progress.part(0.0, 0.5))]
-    values = np.concatenate(values)
+    samples = list(_samples(scene, progress.part(0.0, 0.8)))  # a few megapixels at most: read once
+    values = np.concatenate([image_brightness(bands, settings)[seen if roads is None else seen & roads]
+                             for bands, seen, roads in samples])
     if not len(values):
         return None
     if settings.paper:
@@ -327,8 +345,7 @@ def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progr
     levels = level_adjustment_of(values)
     if settings.cleaning is None:
         return levels
-    found = np.concatenate([noise_of(bands, seen, scene.pixel, levels, settings)
-                            for bands, seen, _ in _samples(scene, progress.part(0.5, 1.0))])
+    found = np.concatenate([noise_of(bands, seen, scene.pixel, levels, settings) for bands, seen, _ in samples])
     return replace(levels, noise=float(np.percentile(found, 5)) if len(found) else 0.0)
 
 

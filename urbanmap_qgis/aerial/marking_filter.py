@@ -6,12 +6,14 @@ does not depend on how an image is cut: pieces of `max_length` or more are judge
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import cv2
 import numpy as np
 
-from .marking_confidence import REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
+from .image_strips import STRIP, grown, row_strips, within
+from .marking_confidence import GROUND_REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
 
 
 @dataclass(frozen=True)
@@ -57,9 +59,14 @@ class CleanSettings:
 
     @property
     def reach(self) -> float:
-        """How far, m, the result at a pixel looks round itself."""
-        return (2 * self.max_length + 2 * self.max_width + 2 * self.vehicle_width + self.vehicle_gap + REACH
-                + 2 * self.fill_width)
+        """How far, m, the result at a pixel looks round itself.
+
+        Its piece reaches so far, a body at that piece so much farther, and the ground or all that is wider than a
+        vehicle, by which the body is told, from there on.
+        """
+        piece = self.max_length + self.wear_gap
+        body = self.max_length + self.body_width + max(self.vehicle_gap, self.rim)
+        return piece + body + max(GROUND_REACH, self.vehicle_width) + self.max_width + 2 * self.fill_width
 
 
 @dataclass(frozen=True)
@@ -100,58 +107,102 @@ def disc_kernel(diameter: float, pixel: float) -> np.ndarray:
     return cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (side, side))
 
 
-def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings) -> Cleaned:
-    """Pixels of the candidates that are paint."""
-    relief = (found.image - found.road) / found.threshold
-    narrow = found.core & (relief > settings.top_hat_ratio)
+def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings,
+                        wanted: tuple[slice, slice] | None = None) -> Cleaned:
+    """Pixels of the candidates that are paint, for the rows and columns wanted, by default all."""
+    shape = found.core.shape
+    wanted = wanted or (slice(0, shape[0]), slice(0, shape[1]))
+    narrow = _narrow(found, settings.top_hat_ratio)
     ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
                            found.noise, settings.confidence)
-    confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence)
     vehicles, bodies = vehicle_zones(found, ground.brightness, pixel, settings)
-    narrow &= ~bodies
-    inner = cv2.erode(found.seen.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
-    kept, confidence = filtered_components(narrow, vehicles, found.seen & ~inner, confidence, pixel, settings)
-    return Cleaned(kept, confidence, ground.brightness, bodies)
+    # A piece is shorter than this, or long; farther off nothing matters any more.
+    near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, shape)
+    rows, columns = np.nonzero(narrow[near])
+    rows, columns = rows + near[0].start, columns + near[1].start
+    relief = (found.image[rows, columns] - found.road[rows, columns]) / found.threshold[rows, columns]
+    confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near)
+    paint = ~bodies[rows, columns]
+    narrow = narrow[near] & ~bodies[near]
+    seen = found.seen[near]
+    inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0
+    kept, confidence = filtered_components(narrow, vehicles[near], seen & ~inner, confidence[paint], pixel, settings)
+    own = within(wanted, near)
+    return Cleaned(kept[own], confidence[own], ground.brightness[wanted], bodies[wanted])
+
+
+def _narrow(found: Candidates, ratio: float) -> np.ndarray:
+    """Candidates that stand out on both sides, by so many thresholds, from what is as wide as ground, bool."""
+    narrow = np.empty(found.core.shape, bool)
+    for own, _, _ in row_strips(len(narrow)):
+        relief = found.image[own] - found.road[own]
+        relief /= found.threshold[own]
+        np.greater(relief, ratio, out=narrow[own])
+        narrow[own] &= found.core[own]
+    return narrow
 
 
 def vehicle_zones(found: Candidates, ground: np.ndarray, pixel: float, settings: CleanSettings
                   ) -> tuple[np.ndarray, np.ndarray]:
     """What is near to bright bodies as large as a vehicle, and bodies far brighter than the ground with their rims;
     bool (rows, columns)."""
-    road, threshold = found.road, found.threshold
-    around = _opened_coarsely(road, disc_pixel=settings.vehicle_width / pixel)
-    bodies = (road - around > settings.top_hat_ratio * threshold).astype(np.uint8)
-    _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(bodies, connectivity=4)
-    length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
-    vehicle = (boxes[:, cv2.CC_STAT_AREA] * pixel ** 2 >= settings.vehicle_area) & (length < settings.max_length)
-    vehicle[0] = False
-    near = cv2.dilate(vehicle[labels].astype(np.uint8), disc_kernel(2 * settings.vehicle_gap, pixel)) > 0
+    bodies, bright = _bright_bodies(found, ground, pixel, settings)
+    near = _large_pieces(bodies, pixel, settings.vehicle_area, settings.max_length)
+    near = cv2.dilate(near, disc_kernel(2 * settings.vehicle_gap, pixel))
+    wide = cv2.morphologyEx(bright, cv2.MORPH_OPEN, disc_kernel(settings.body_width, pixel))
+    rims = _large_pieces(wide, pixel, settings.body_area, settings.max_length)
+    return near > 0, cv2.dilate(rims, disc_kernel(2 * settings.rim, pixel)) > 0
+
+
+def _bright_bodies(found: Candidates, ground: np.ndarray, pixel: float, settings: CleanSettings
+                   ) -> tuple[np.ndarray, np.ndarray]:
+    """What is brighter than all that is wider than a vehicle, and what is far brighter than that and the ground; uint8
+    (rows, columns)."""
+    road, disc_pixel = found.road, settings.vehicle_width / pixel
+    step, opened = _opened_coarsely(road, disc_pixel)
+    bodies, bright = np.empty(road.shape, np.uint8), np.empty(road.shape, np.uint8)
+    for own, _, _ in row_strips(len(road), 0, -(-STRIP // step) * step):
+        small = opened[own.start // step:-(-own.stop // step)]
+        around = cv2.resize(small, (small.shape[1] * step, small.shape[0] * step), interpolation=cv2.INTER_NEAREST)
+        around = around[:own.stop - own.start, :road.shape[1]]
+        limit = settings.top_hat_ratio * found.threshold[own]
+        np.greater(road[own] - around, limit, out=bodies[own].view(bool))
+        np.maximum(around, ground[own], out=around)
+        np.multiply(found.threshold[own], settings.body_ratio, out=limit)
+        np.greater(road[own] - around, limit, out=bright[own].view(bool))
     # What is not seen holds the mean of the paint beside it.
-    bright = found.seen & (road - np.maximum(around, ground) > settings.body_ratio * threshold)
-    return near, _with_rims(bright, pixel, settings)
+    bright &= found.seen.view(np.uint8)
+    return bodies, bright
 
 
-def _with_rims(bright: np.ndarray, pixel: float, settings: CleanSettings) -> np.ndarray:
-    """Bodies wider than any paint, no longer than vehicles, and their rims, bool (rows, columns)."""
-    wide = cv2.morphologyEx(bright.astype(np.uint8), cv2.MORPH_OPEN, disc_kernel(settings.body_width, pixel))
-    _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(wide, connectivity=4)
-    body = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel < settings.max_length
-    body &= boxes[:, cv2.CC_STAT_AREA] * pixel ** 2 >= settings.body_area
-    body[0] = False
-    return cv2.dilate(body[labels].astype(np.uint8), disc_kernel(2 * settings.rim, pixel)) > 0
+def _large_pieces(flags: np.ndarray, pixel: float, least: float, max_length: float) -> np.ndarray:
+    """Connected pieces of flags (uint8) of `least` m2 or more, their box's diagonal shorter than `max_length` m."""
+    _count, labels, boxes, _centres = cv2.connectedComponentsWithStats(flags, connectivity=4)
+    size = boxes[:, cv2.CC_STAT_AREA] * pixel ** 2
+    kept = (size >= least) & (np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel < max_length)
+    kept[0] = False
+    made = np.zeros(flags.shape, np.uint8)
+    for number in np.flatnonzero(kept):
+        left, top, width, height = boxes[number, :4]
+        place = slice(top, top + height), slice(left, left + width)
+        made[place] |= labels[place] == number
+    return made
 
 
-def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> np.ndarray:
-    """Opening by a disc of many pixels, on an image shrunk so that the disc has about 13.
+def _opened_coarsely(image: np.ndarray, disc_pixel: float) -> tuple[int, np.ndarray]:
+    """Opening by a disc of many pixels, of an image shrunk so that the disc has about 13; by how much, and the opened
+    one.
 
     Rows and columns are taken by fixed steps from the first; the caller keeps tiles on multiples of `coarse_step`.
     """
     step = coarse_step(disc_pixel)
-    small = cv2.erode(image, np.ones((step, step), np.uint8), anchor=(0, 0),
-                      borderType=cv2.BORDER_REPLICATE)[::step, ::step]
-    small = cv2.morphologyEx(small, cv2.MORPH_OPEN, disc_kernel(disc_pixel / step, 1.0),
-                             borderType=cv2.BORDER_REPLICATE)
-    return np.repeat(np.repeat(small, step, axis=0), step, axis=1)[:image.shape[0], :image.shape[1]]
+    small = np.empty((-(-image.shape[0] // step), -(-image.shape[1] // step)), np.float32)
+    square = np.ones((step, step), np.uint8)
+    for own, wide, inner in row_strips(len(image), step, -(-STRIP // step) * step):
+        lowest = cv2.erode(image[wide], square, anchor=(0, 0), borderType=cv2.BORDER_REPLICATE)[inner]
+        small[own.start // step:-(-own.stop // step)] = lowest[::step, ::step]
+    return step, cv2.morphologyEx(small, cv2.MORPH_OPEN, disc_kernel(disc_pixel / step, 1.0),
+                                  borderType=cv2.BORDER_REPLICATE)
 
 
 def coarse_step(disc_pixel: float) -> int:
@@ -164,18 +215,18 @@ def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarr
     """Pieces of `mask` that are large enough, sure enough, no vehicle's, and not just along a border.
 
     `vehicles` and `border` are bool (rows, columns): near to a vehicle, and at the edge of what is hidden.
-    `confidence` is that of pixels.
+    `confidence` (n,) is that of the mask's pixels in the order of rows.
 
     Returns
     -------
     The kept pixels, bool, and their confidence: that of their piece, or of the part of a long one; 0 elsewhere.
     """
-    joined = cv2.dilate(mask.astype(np.uint8), disc_kernel(settings.wear_gap, pixel))
+    joined = cv2.dilate(mask.view(np.uint8), disc_kernel(settings.wear_gap, pixel))
     count, labels, boxes, _centres = cv2.connectedComponentsWithStats(joined, connectivity=8)
-    inside = np.nonzero(mask)
-    labels = labels[inside]
+    inside = np.flatnonzero(mask)
+    labels = labels.take(inside)
     size, at_vehicle, at_border, sure = (np.bincount(labels, values, minlength=count) for values in (
-        None, vehicles[inside], border[inside], confidence[inside]))
+        None, vehicles.take(inside), border.take(inside), confidence))
     length = np.hypot(boxes[:, cv2.CC_STAT_WIDTH], boxes[:, cv2.CC_STAT_HEIGHT]) * pixel
     own_length = length - settings.wear_gap
     kept = (size * pixel ** 2 >= settings.min_area) & (own_length >= settings.min_length)
@@ -184,9 +235,9 @@ def filtered_components(mask: np.ndarray, vehicles: np.ndarray, border: np.ndarr
     long = length >= settings.max_length
     kept |= long
     kept[0] = False
-    value = np.where(long[labels], along_strokes(confidence, mask, pixel)[inside],
+    value = np.where(long[labels], along_strokes(confidence, mask, pixel),
                      (sure / np.maximum(size, 1))[labels].astype(np.float32))
     good = kept[labels] & (value >= settings.min_confidence)
     chosen, values = np.zeros(mask.shape, bool), np.zeros(mask.shape, np.float32)
-    chosen[inside], values[inside] = good, np.where(good, value, 0)
+    chosen.ravel()[inside], values.ravel()[inside] = good, np.where(good, value, 0)
     return chosen, values

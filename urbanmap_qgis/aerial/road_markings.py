@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import cv2
 import numpy as np
 
+from .image_strips import grown, row_strips, within
 from .marking_confidence import clear_of_paint, texture
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
 
@@ -35,6 +37,10 @@ BRIGHTER = 1.2
 
 YELLOW_SHARE = 0.15
 """Paint whose warmth (red less blue), less that of the ground beside it, exceeds this share of its red is yellow."""
+
+
+_ROUNDED = 16  # pixels by which boxes and discs, one after the other, are wider than their sizes in m
+_NO_PAINT = -1e3  # grey values: of the field far from paint
 
 
 @dataclass(frozen=True)
@@ -94,6 +100,11 @@ class Markings:
     yellow: np.ndarray
     confidence: np.ndarray
 
+    def part(self, place: tuple[slice, slice]) -> Markings:
+        """Those of some rows and columns, arrays of their own."""
+        return Markings(*(np.ascontiguousarray(values[place]) for values in (
+            self.mask, self.field, self.contrast, self.yellow, self.confidence)))
+
 
 def image_brightness(bands: np.ndarray, settings: MarkingSettings) -> np.ndarray:
     """Brightness that is levelled and compared, (rows, columns) float32: grey in the paper."""
@@ -113,7 +124,13 @@ def paint_brightness(bands: np.ndarray) -> np.ndarray:
     if len(bands) < 3:
         return bands[0].astype(np.float32)
     red, green, blue = (band.astype(np.float32) for band in bands[:3])
-    return np.maximum(red + YELLOW_WEIGHT * (red - blue), (red + green + blue) / np.float32(3))
+    mean = red + green
+    mean += blue
+    mean /= np.float32(3)
+    blue -= red
+    blue *= np.float32(-YELLOW_WEIGHT)
+    red += blue
+    return np.maximum(red, mean, out=mean)
 
 
 def level_adjustment_of(brightness: np.ndarray, min_range: float = MIN_RANGE) -> LevelAdjustment:
@@ -129,55 +146,83 @@ def level_adjustment_of(brightness: np.ndarray, min_range: float = MIN_RANGE) ->
 
 def margin_pixels(pixel: float, settings: MarkingSettings) -> int:
     """How far, in pixels of side `pixel` (m), the result at a pixel looks round itself."""
-    reach = settings.block_size + 4 * EDGE_SPREAD + 2 * CleanSettings().max_width
-    if settings.cleaning:
-        reach += settings.cleaning.reach
-    return math.ceil(reach / pixel) + 8
+    reach = settings.block_size / 2 + 4 * EDGE_SPREAD
+    reach += settings.cleaning.reach if settings.cleaning else CleanSettings().max_width
+    return math.ceil(reach / pixel) + _ROUNDED
 
 
 def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None, pixel: float, levels: LevelAdjustment,
-                  settings: MarkingSettings) -> Markings:
+                  settings: MarkingSettings, wanted: tuple[slice, slice] | None = None) -> Markings:
     """Markings of a piece of orthophoto.
 
     Parameters
     ----------
     bands : (1 or more, rows, columns), see `paint_brightness`. seen : bool, where the image shows ground: all else does
     not enter the mean. roads : bool, where markings may be; None for everywhere. pixel : side, m.
+    wanted : rows and columns for which they are wanted, by default all; what lies `margin_pixels` round them, or up to
+    the image's edge, must be there.
     """
+    wanted = wanted or (slice(0, seen.shape[0]), slice(0, seen.shape[1]))
     allowed = seen if roads is None else seen & roads
-    raw = image_brightness(bands, settings)
-    image = (raw - np.float32(levels.low)) * np.float32(255.0 / (levels.high - levels.low))
     if settings.paper:
-        return thresholded(image, bands, seen, allowed, pixel, settings)
-    image, threshold, bright = _bright(image, seen, pixel, levels, settings)
-    core = bright & allowed
+        return thresholded(_levelled(bands, levels, settings), bands, seen, allowed, pixel, settings).part(wanted)
+    image, threshold, core = _bright(bands, seen, pixel, levels, settings)
+    core &= allowed
     width = settings.cleaning.max_width if settings.cleaning else CleanSettings().max_width
-    road = cv2.morphologyEx(image, cv2.MORPH_OPEN, disc_kernel(width, pixel), borderType=cv2.BORDER_REPLICATE)
+    road = _without_narrow(image, disc_kernel(width, pixel))
     if not settings.cleaning:
         unknown = np.full(core.shape, np.nan, np.float32)
-        return _refined(core, image, road, bands, allowed, pixel, unknown)
-    found = Candidates(core & ~_green(bands), bands, image, road, threshold, seen, roads, levels.noise)
-    made = remove_non_markings(found, pixel, settings.cleaning)
+        return _refined(core, image, road, bands, allowed, pixel, unknown).part(wanted)
+    _leave_out_green(core, bands)
+    found = Candidates(core, bands, image, road, threshold, seen, roads, levels.noise)
+    near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * EDGE_SPREAD) / pixel) + 4, core.shape)
+    made = remove_non_markings(found, pixel, settings.cleaning, near)
+    image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
     core, road = _filled(made, image, road, allowed, pixel, settings.cleaning)
-    return _refined(core, image, road, bands, allowed, pixel, made.confidence)
+    return _refined(core, image, road, bands, allowed, pixel, made.confidence).part(within(wanted, near))
 
 
-def _bright(image: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
+def _levelled(bands: np.ndarray, levels: LevelAdjustment, settings: MarkingSettings) -> np.ndarray:
+    """Brightness from 0 to 255 and beyond, (rows, columns) float32."""
+    image = image_brightness(bands, settings)
+    image -= np.float32(levels.low)
+    image *= np.float32(255.0 / (levels.high - levels.low))
+    return image
+
+
+def _bright(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
             settings: MarkingSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The levelled image (the block's mean where ground is not seen), grey values that paint stands out by, and where
     the image does."""
-    mean = _mean_of_seen(image, seen, pixel, settings.block_size)
-    image = np.where(seen, image, mean)
-    threshold = settings.contrast * np.clip(mean / max(levels.middle, 1.0), SHADE_FLOOR, 1.0)
-    return image, threshold, image > mean + threshold
+    image, threshold = np.empty(seen.shape, np.float32), np.empty(seen.shape, np.float32)
+    bright = np.empty(seen.shape, bool)
+    for own, wide, inner in row_strips(len(seen), _block_pixels(pixel, settings.block_size) // 2):
+        strip = _levelled(bands[:, wide], levels, settings)
+        mean = _mean_of_seen(strip, seen[wide], pixel, settings.block_size)[inner]
+        image[own] = strip[inner]
+        if not seen[own].all():
+            np.copyto(image[own], mean, where=~seen[own])
+        share = np.divide(mean, max(levels.middle, 1.0), out=threshold[own])
+        np.maximum(share, SHADE_FLOOR, out=share)
+        np.minimum(share, 1.0, out=share)
+        share *= settings.contrast
+        mean += share
+        np.greater(image[own], mean, out=bright[own])
+    return image, threshold, bright
+
+
+def _without_narrow(image: np.ndarray, disc: np.ndarray) -> np.ndarray:
+    """The image without what is narrower than a disc and brighter than its surroundings (opening)."""
+    road = np.empty_like(image)
+    for own, wide, inner in row_strips(len(image), len(disc) - 1):
+        road[own] = cv2.morphologyEx(image[wide], cv2.MORPH_OPEN, disc, borderType=cv2.BORDER_REPLICATE)[inner]
+    return road
 
 
 def noise_of(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
              settings: MarkingSettings) -> np.ndarray:
     """Textures (n,) of the clear ground of a sample, grey values; the least of them are the image's own noise."""
-    raw = image_brightness(bands, settings)
-    image = (raw - np.float32(levels.low)) * np.float32(255.0 / (levels.high - levels.low))
-    image, _, bright = _bright(image, seen, pixel, levels, settings)
+    image, _, bright = _bright(bands, seen, pixel, levels, settings)
     clear = clear_of_paint(bright, seen, pixel)
     found = texture(image, clear, pixel, settings.cleaning.confidence.texture_lag)
     return found[np.isfinite(found) & (clear > 0)]
@@ -193,14 +238,28 @@ def _filled(made: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndar
         return made.core, road
     side = max(round(settings.fill_width / pixel) | 1, 3)
     square = np.ones((side, side), np.uint8)
-    closed = cv2.morphologyEx(made.core.astype(np.uint8), cv2.MORPH_CLOSE, square) > 0
-    paint = cv2.dilate(np.where(made.core, image, np.float32(0)), square)
+    closed = cv2.morphologyEx(made.core.view(np.uint8), cv2.MORPH_CLOSE, square) > 0
     # Verges and paving are wider still: kerbs must not be filled towards them.
-    lit = (image > BRIGHTER * made.ground).astype(np.uint8)
-    wider = cv2.morphologyEx(lit, cv2.MORPH_OPEN, square) > 0
-    wide = (closed & ~wider & ~made.core & allowed & ~made.vehicles & (road > 0.5 * (paint + made.ground)))
-    near = cv2.dilate(wide.astype(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)) > 0
-    return made.core | wide, np.where(near, np.minimum(road, made.ground), road)
+    lit = (image > BRIGHTER * made.ground).view(np.uint8)
+    closed &= cv2.morphologyEx(lit, cv2.MORPH_OPEN, square) == 0
+    closed &= ~made.core
+    closed &= allowed
+    closed &= ~made.vehicles
+    if not closed.any():
+        return made.core, road
+    paint = cv2.dilate(_where_core(image, made.core), square)
+    inside = np.flatnonzero(closed)
+    wide = np.zeros(closed.shape, bool)
+    wide.ravel()[inside] = road.take(inside) > 0.5 * (paint.take(inside) + made.ground.take(inside))
+    near = np.flatnonzero(cv2.dilate(wide.view(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)))
+    road = np.array(road)
+    road.ravel()[near] = np.minimum(road.take(near), made.ground.take(near))
+    return made.core | wide, road
+
+
+def _where_core(image: np.ndarray, core: np.ndarray) -> np.ndarray:
+    """The image where core is, 0 elsewhere."""
+    return np.multiply(image, core.astype(np.float32))
 
 
 def thresholded(image: np.ndarray, bands: np.ndarray, seen: np.ndarray, allowed: np.ndarray, pixel: float,
@@ -231,19 +290,36 @@ def _block_pixels(pixel: float, block_size: float) -> int:
 def _mean_of_seen(image: np.ndarray, seen: np.ndarray, pixel: float, block_size: float) -> np.ndarray:
     """Gaussian mean over a block, of seen pixels only."""
     side = _block_pixels(pixel, block_size)
+    if seen.all():
+        total = cv2.GaussianBlur(image, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
+        total /= max(_weight_of_block(side), np.float32(1e-3))
+        return total
     weight = seen.astype(np.float32)
     total = cv2.GaussianBlur(image * weight, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
     weight = cv2.GaussianBlur(weight, (side, side), 0, borderType=cv2.BORDER_REPLICATE)
-    return total / np.maximum(weight, np.float32(1e-3))
+    total /= np.maximum(weight, np.float32(1e-3), out=weight)
+    return total
 
 
-def _green(bands: np.ndarray) -> np.ndarray:
-    """Where an image shows leaves: green above red and blue, over a few pixels because JPEG spreads colours. Bool."""
+@lru_cache(maxsize=4)
+def _weight_of_block(side: int) -> np.float32:
+    """Sum of the weights of a block, 1 but for rounding."""
+    ones = np.ones((2 * side, 2 * side), np.float32)
+    return cv2.GaussianBlur(ones, (side, side), 0, borderType=cv2.BORDER_REPLICATE)[side, side]
+
+
+def _leave_out_green(core: np.ndarray, bands: np.ndarray) -> None:
+    """Take what an image shows as leaves out of bright pixels, in place: green above red and blue, over a few pixels
+    because JPEG spreads colours."""
     if len(bands) < 3:
-        return np.zeros(bands.shape[1:], dtype=bool)
-    red, green, blue = (cv2.blur(bands[band].astype(np.float32), (3, 3), borderType=cv2.BORDER_REPLICATE)
-                        for band in (0, 1, 2))
-    return (green > GREENNESS * red) & (green > blue)
+        return
+    for own, wide, inner in row_strips(len(core), 1):
+        red, green, blue = (cv2.blur(bands[band, wide].astype(np.float32), (3, 3),
+                                     borderType=cv2.BORDER_REPLICATE)[inner] for band in (0, 1, 2))
+        leaves = green > blue
+        red *= GREENNESS
+        leaves &= green > red
+        core[own] &= ~leaves
 
 
 def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.ndarray, allowed: np.ndarray,
@@ -252,17 +328,33 @@ def _refined(core: np.ndarray, image: np.ndarray, road: np.ndarray, bands: np.nd
 
     The half-way line is where an edge lies whatever the blur; a threshold over the mean is not.
     """
-    spread = disc_kernel(2 * EDGE_SPREAD, pixel)
-    near = (cv2.dilate(core.astype(np.uint8), disc_kernel(2 * max(EDGE_SPREAD / 2, pixel), pixel)) > 0) & allowed
-    paint = cv2.dilate(np.where(core, image, np.float32(0)), spread)
-    above = image - 0.5 * (paint + road)
-    above[~near | (paint <= road)] = -np.float32(1e3)
-    mask = above > 0
-    yellow = np.zeros(mask.shape, dtype=bool)
-    if len(bands) >= 3:
-        red = bands[0].astype(np.float32)
-        warmth = red - bands[2]
-        ground = cv2.erode(warmth, spread)
-        yellow = mask & (np.maximum(warmth, warmth - ground) > YELLOW_SHARE * red) & (warmth > 0.5 * YELLOW_SHARE * red)
-    confidence = np.where(mask, cv2.dilate(confidence, spread), np.float32(0))
-    return Markings(mask, above, np.where(mask, image - road, np.float32(0)), yellow, confidence)
+    spread, narrower = disc_kernel(2 * EDGE_SPREAD, pixel), disc_kernel(2 * max(EDGE_SPREAD / 2, pixel), pixel)
+    made = Markings(np.zeros(core.shape, bool), np.full(core.shape, _NO_PAINT, np.float32),
+                    np.zeros(core.shape, np.float32), np.zeros(core.shape, bool), np.zeros(core.shape, np.float32))
+    for own, wide, inner in row_strips(len(core), max(len(spread), len(narrower)) // 2):
+        here = core[wide]
+        if not here.any():
+            continue
+        near = cv2.dilate(here.view(np.uint8), narrower)[inner] > 0
+        near &= allowed[own]
+        paint = cv2.dilate(_where_core(image[wide], here), spread)[inner]
+        near &= paint > road[own]
+        paint += road[own]
+        paint *= 0.5
+        np.subtract(image[own], paint, out=made.field[own], where=near)
+        mask = np.greater(made.field[own], 0, out=made.mask[own])
+        np.subtract(image[own], road[own], out=made.contrast[own], where=mask)
+        np.copyto(made.confidence[own], cv2.dilate(confidence[wide], spread)[inner], where=mask)
+        if len(bands) >= 3:
+            np.logical_and(mask, _yellow(bands[:, wide], spread)[inner], out=made.yellow[own])
+    return made
+
+
+def _yellow(bands: np.ndarray, spread: np.ndarray) -> np.ndarray:
+    """Where an image is warm, or warmer than the coldest that the disc reaches and not cold, bool."""
+    red = bands[0].astype(np.float32)
+    warmth = red - bands[2]
+    ground = cv2.erode(warmth, spread)
+    np.subtract(warmth, ground, out=ground)
+    np.maximum(ground, warmth, out=ground)
+    return (ground > YELLOW_SHARE * red) & (warmth > 0.5 * YELLOW_SHARE * red)
