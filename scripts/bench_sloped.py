@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from scripts.scoring import points_inside, summary
-from urbanmap_qgis.buildings.model_stage import BuildingModel, roof_cells
+from urbanmap_qgis.buildings.model_stage import BuildingModel
+from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.quality import height_differences
 from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
 

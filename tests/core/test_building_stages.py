@@ -16,8 +16,8 @@ from urbanmap_qgis.buildings.model_stage import (
     RoofInput,
     build_models,
     model_building,
-    roof_cells,
 )
+from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.model_table import COLUMNS, model_columns, write_model_report
 from urbanmap_qgis.buildings.outlines.footprint import Footprints, clean_footprints
 from urbanmap_qgis.buildings.polygon_stage import BLOCK_STATUS, PolygonParameters, cloud_roof_polygons

@@ -12,8 +12,7 @@ import shapely
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
-from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, ROOF, Solid, surfaces
-from ..geometry.solid_faces import face_normal
+from ..geometry.solid import Solid
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
@@ -30,6 +29,7 @@ from .model_status import (
     judge,
     quality,
 )
+from .model_surfaces import ModelSurfaces
 from .outlines.evidence import BUILDING_CLASS
 from .outlines.footprint import Footprints, has_curved_walls
 from .planes.level_alternative import broad_area
@@ -37,7 +37,7 @@ from .planes.plane_detection import LEVELS, PLANES
 from .planes.plane_solids import checked_sloped_solids, is_sloped
 from .planes.roof_type import roof_type
 from .polygon_stage import LEVELS_BETTER
-from .quality import ModelFit, RoofCell, height_differences, model_fit, surface_distances, unexplained_points
+from .quality import ModelFit, height_differences, model_fit, surface_distances, unexplained_points
 from .solids.plan_partition import partition_plan
 from .solids.solid import building_solids
 from .solids.validity import check_solid
@@ -270,19 +270,20 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     except InsufficientDataError as error:
         return BuildingModel(number, (), base, 0, NOT_MODELLED, str(error), quality=0.0)
     model = BuildingModel(number, solids, base, len(set(roofs.roof_id.tolist())), status, reason, lod=lod,
-                          roof_type=roof_type(roof_cells(solids)) if solids else "", base_source=source)
+                          base_source=source)
     if not solids:
         return replace(model, quality=0.0)
-    return _judged(model if points is None else _measured(model, points), outline,
-                   _lost_roofs(model, points, roofs), open_share)
+    faces = ModelSurfaces.of(solids)
+    model = replace(model, roof_type=roof_type(faces.cells))
+    return _judged(model if points is None else _measured(model, points, faces), outline,
+                   _lost_roofs(points, roofs, faces), open_share, faces.ground_area)
 
 
 def _judged(model: BuildingModel, outline: shapely.Geometry | None, lost: bool,
-            open_share: float) -> BuildingModel:
-    """The model with the status and the quality that its facts give."""
+            open_share: float, area: float) -> BuildingModel:
+    """The model, on `area` m2, with the status and the quality that its facts give."""
     fit = model.fit
     top = max(float(solid.vertices[:, 2].max()) for solid in model.solids)
-    area = ground_area(model.solids)
     official = area if outline is None else outline.area / max(1.0 - open_share, 0.01)
     facts = ModelFacts(top - model.base, area, official,
                        fit.points if fit else math.nan, fit.not_explained if fit else math.nan, model.unseen,
@@ -313,7 +314,7 @@ def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
     return solids, SIMPLIFIED, f"one height for all roofs, as the detailed solid is not valid ({problems[0]})"
 
 
-def _lost_roofs(model: BuildingModel, points: FitPoints | None, roofs: RoofInput) -> bool:
+def _lost_roofs(points: FitPoints | None, roofs: RoofInput, faces: ModelSurfaces) -> bool:
     """Whether a roof found in the points is not in the model, and no other surface of it explains its points.
 
     What lies in narrow strips alone, as on parapets, is no roof.
@@ -325,20 +326,19 @@ def _lost_roofs(model: BuildingModel, points: FitPoints | None, roofs: RoofInput
     xyz = points.xyz[absent]
     if not len(xyz):
         return False
-    cells = roof_cells(model.solids)
+    cells = faces.cells
     dz = height_differences(*xyz.T, cells)
-    far = unexplained_points(*xyz[:, :2].T, dz, surface_distances(*xyz.T, cells, wall_rectangles(model.solids)), cells)
-    density = np.count_nonzero(points.roof) / ground_area(model.solids)
+    far = unexplained_points(*xyz[:, :2].T, dz, surface_distances(*xyz.T, cells, faces.walls), cells)
+    density = np.count_nonzero(points.roof) / faces.ground_area
     missed, number = xyz[far & np.isfinite(dz)], points.roof[absent][far & np.isfinite(dz)]
     return any(broad_area(missed[number == one], density) >= LOST_AREA for one in np.unique(number))
 
 
-def _measured(model: BuildingModel, points: FitPoints) -> BuildingModel:
+def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces) -> BuildingModel:
     """The model with its figures of fit."""
-    cells, walls = roof_cells(model.solids), wall_rectangles(model.solids)
     on_roof = points.roof > 0
-    fit = model_fit(*points.xyz.T, cells, walls, on_roof)
-    plan = shapely.union_all([cell.polygon for cell in cells])
+    fit = model_fit(*np.ascontiguousarray(points.xyz.T), faces.cells, faces.walls, on_roof)
+    plan = shapely.union_all([cell.polygon for cell in faces.cells])
     roof = points.xyz[on_roof]
     density = len(roof) / plan.area
     return replace(model, fit=fit, density=density, unseen=unseen_share(plan, roof, density))
@@ -357,40 +357,3 @@ def unseen_share(plan: shapely.Geometry, points: np.ndarray, density: float) -> 
     within = shapely.contains_xy(plan, x, y)
     # On a few cells the share would be chance.
     return float(1.0 - hit[within].mean()) if within.sum() >= MIN_CELLS else 0.0
-
-
-def roof_cells(solids: tuple[Solid, ...]) -> list[RoofCell]:
-    """Roofs of solids as plan polygons with heights."""
-    cells = []
-    for solid in solids:
-        for polygon, kind, face, roof_id in zip(surfaces(solid), solid.surface_type, solid.faces, solid.roof_id):
-            if kind == ROOF:
-                place, gradient = solid.vertices[face[0][0]].tolist(), (0.0, 0.0)
-                if np.ptp(solid.vertices[list(face[0]), 2]) > 0:
-                    normal = face_normal(solid.vertices, face)
-                    gradient = float(-normal[0] / normal[2]), float(-normal[1] / normal[2])
-                cells.append(RoofCell(shapely.force_2d(polygon), place[2], roof_id, gradient, (place[0], place[1])))
-    return cells
-
-
-def wall_rectangles(solids: tuple[Solid, ...]) -> np.ndarray:
-    """Walls of solids (w, 8): x and y of both ends, lowest z at both, highest z at both."""
-    rows = []
-    for solid in solids:
-        for face, kind in zip(solid.faces, solid.surface_type):
-            if kind not in (OUTER_WALL, INNER_WALL):
-                continue
-            corners = solid.vertices[list(face[0])]
-            along = corners[:, :2] - corners[0, :2]
-            length2 = (along**2).sum(axis=1)
-            far = int(np.argmax(length2))
-            at_far = along @ along[far] > 0.5 * length2[far]
-            ends = corners[~at_far, 2], corners[at_far, 2]
-            rows.append([*corners[0, :2], *corners[far, :2], *(z.min() for z in ends), *(z.max() for z in ends)])
-    return np.array(rows, dtype=float).reshape(-1, 8)
-
-
-def ground_area(solids: tuple[Solid, ...]) -> float:
-    """Plan area of solids, m2."""
-    return float(sum(shapely.area(surfaces(solid)[np.array([kind == GROUND for kind in solid.surface_type])]).sum()
-                     for solid in solids))

@@ -12,8 +12,9 @@ from ..geometry.solid import volume
 from ..io.report import Report
 from ..io.svg import plan_map
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
-from .model_stage import BuildingModel, ground_area
+from .model_stage import BuildingModel
 from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
+from .model_surfaces import ground_area
 
 COLUMNS: tuple[tuple[str, str], ...] = (
     ("building_id", "int"), ("status", "text"), ("reason", "text"), ("roofs", "int"), ("base", "real"),

@@ -17,6 +17,9 @@ EXPLAINED = 0.5
 PARAPET_HEIGHT, PARAPET_REACH = 1.5, 1.0
 """A point up to so much over a roof (m) and so near to its edge (m) is its parapet, which the model leaves out."""
 
+ROUNDING = 1e-6
+"""Distance (m) by which the search for near surfaces goes too far, so that no rounding leaves one out."""
+
 WALL_POINT = 1.0
 """Distance (m) of a point that no roof took from a wall up to which it is a point of that wall: outlines are rough."""
 
@@ -71,17 +74,20 @@ def model_fit(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]
     """
     if not len(x) or not cells:
         return ModelFit(len(x), *[np.nan] * 5, 0.0 if len(x) else np.nan, 1.0 if len(x) else np.nan)
-    dz = height_differences(x, y, z, cells)
+    below = points_over(x, y, cells)
+    dz = height_differences(x, y, z, cells, below)
     over = np.isfinite(dz)
     on_wall = np.zeros(len(x), bool)
     if on_roof is not None and len(walls) and not on_roof.all():
         other = np.flatnonzero(~on_roof)
-        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls).min(axis=1) < WALL_POINT
+        limit = np.full(len(other), WALL_POINT)
+        on_wall[other] = _wall_distances(x[other], y[other], z[other], walls, limit) < WALL_POINT
         over &= ~on_wall
-    distance = surface_distances(x, y, z, cells, walls)
+    distance = surface_distances(x, y, z, cells, walls, below)
     absolute = np.sort(np.abs(dz[over]))
     best = absolute[:max(int(np.ceil(BEST_SHARE * len(absolute))), 1)]
-    median = float(np.median(absolute)) if len(absolute) else np.nan
+    median = (float(absolute[(len(absolute) - 1) // 2] + absolute[len(absolute) // 2]) / 2 if len(absolute)
+              else np.nan)
     return ModelFit(len(x), _rms(absolute), _rms(best), median, _rms(distance), float(np.percentile(distance, 95)),
                     float(np.isfinite(dz).mean()),
                     float((unexplained_points(x, y, dz, distance, cells) & ~on_wall).mean()))
@@ -99,32 +105,66 @@ def unexplained_points(x: np.ndarray, y: np.ndarray, dz: np.ndarray, distance: n
     return far
 
 
-def height_differences(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell]) -> np.ndarray:
-    """Height (n,) of each point above the roof at its place, m; NaN where there is no roof."""
-    dz = np.full(len(x), np.nan)
-    for cell in sorted(cells, key=lambda cell: cell.height):
+def points_over(x: np.ndarray, y: np.ndarray, cells: list[RoofCell]) -> list[np.ndarray]:
+    """Ascending numbers of the points over or under each roof, its edge included."""
+    result = []
+    for cell in cells:
+        west, south, east, north = cell.polygon.bounds
+        near = np.flatnonzero((x >= west) & (x <= east) & (y >= south) & (y <= north))
         shapely.prepare(cell.polygon)
-        inside = shapely.intersects_xy(cell.polygon, x, y)
-        dz[inside] = z[inside] - cell.heights(x[inside], y[inside])
+        result.append(near[shapely.intersects_xy(cell.polygon, x[near], y[near])])
+    return result
+
+
+def height_differences(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell],
+                       below: list[np.ndarray] | None = None) -> np.ndarray:
+    """Height (n,) of each point above the roof at its place, m; NaN where there is no roof.
+
+    `below` : what `points_over` gives for these points, where it is known already.
+    """
+    dz = np.full(len(x), np.nan)
+    for cell, own in sorted(zip(cells, points_over(x, y, cells) if below is None else below),
+                            key=lambda pair: pair[0].height):
+        dz[own] = z[own] - cell.heights(x[own], y[own])
     return dz
 
 
 def surface_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[RoofCell],
-                      walls: np.ndarray) -> np.ndarray:
-    """Distance (n,) of each point to the nearest roof or wall, m; `walls` as for `model_fit`."""
-    points = shapely.points(x, y)
+                      walls: np.ndarray, below: list[np.ndarray] | None = None) -> np.ndarray:
+    """Distance (n,) of each point to the nearest roof or wall, m; `walls` as for `model_fit`, `below` as above.
+
+    The roof at a point's own place comes first: what lies farther away than that is not looked at.
+    """
     nearest = np.full(len(x), np.inf)
-    for cell in cells:
-        nearest = np.minimum(nearest, _roof_distances(x, y, z, points, cell))
+    below = points_over(x, y, cells) if below is None else below
+    for cell, own in zip(cells, below):
+        nearest[own] = np.minimum(nearest[own], _roof_distances(x[own], y[own], z[own], cell, at_place=True))
+    for cell, own in zip(cells, below):
+        near = _within_reach(x, y, z, cell, nearest + ROUNDING)
+        near[own] = False
+        near = np.flatnonzero(near)
+        if len(near):
+            nearest[near] = np.minimum(nearest[near], _roof_distances(x[near], y[near], z[near], cell))
     for start in range(0, len(walls), 64):  # bounds the memory of points times walls
-        nearest = np.minimum(nearest, _wall_distances(x, y, z, walls[start:start + 64]).min(axis=1))
+        nearest = np.minimum(nearest, _wall_distances(x, y, z, walls[start:start + 64], nearest))
     return nearest
 
 
-def _roof_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, points: np.ndarray, cell: RoofCell) -> np.ndarray:
-    """Distances (n,) of points to one roof, m."""
+def _within_reach(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: RoofCell, reach: np.ndarray) -> np.ndarray:
+    """Mask (n,) of the points that may lie nearer to a roof than `reach` (n,): to its box and to its plane."""
+    west, south, east, north = cell.polygon.bounds
+    a, b = cell.gradient
+    height = np.abs(z - cell.heights(x, y)) if a or b else np.abs(z - cell.height)
+    return ((x + reach >= west) & (x - reach <= east) & (y + reach >= south) & (y - reach <= north)
+            & (height <= reach * np.sqrt(1.0 + a * a + b * b)))
+
+
+def _roof_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: RoofCell,
+                    at_place: bool = False) -> np.ndarray:
+    """Distances (n,) of points to one roof, m; `at_place`: all of them lie over or under it."""
     if cell.gradient == (0.0, 0.0):
-        return np.hypot(shapely.distance(cell.polygon, points), z - cell.height)
+        off = z - cell.height
+        return np.abs(off) if at_place else np.hypot(shapely.distance(cell.polygon, shapely.points(x, y)), off)
     a, b = cell.gradient
     above = (z - cell.heights(x, y)) / (1.0 + a * a + b * b)
     foot = shapely.intersects_xy(cell.polygon, x + a * above, y + b * above)
@@ -151,19 +191,37 @@ def _edge_distances(points: np.ndarray, cell: RoofCell) -> np.ndarray:
     return nearest
 
 
-def _wall_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarray) -> np.ndarray:
-    """Distances (n, w) of points to vertical walls, m."""
+def _wall_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarray, limit: np.ndarray) -> np.ndarray:
+    """Distance (n,) of each point to the nearest of vertical walls (w, 6 or 8), m; one of `limit` (n,) or more may be
+    left out, and infinity stands where all are."""
     if walls.shape[1] == 6:
         walls = walls[:, [0, 1, 2, 3, 4, 4, 5, 5]]
+    reach, nearest = limit + ROUNDING, np.full(len(x), np.inf)
+    least, most = np.minimum(walls[:, [0, 1, 4]], walls[:, [2, 3, 5]]), np.maximum(walls[:, [0, 1, 6]],
+                                                                                  walls[:, [2, 3, 7]])
+    near = np.ones((len(x), len(walls)), bool)
+    for axis, place in enumerate((x, y, z)):
+        near &= (place + reach)[:, None] >= least[:, axis]
+        near &= (place - reach)[:, None] <= most[:, axis]
+    point, wall = np.nonzero(near)
+    if len(point):
+        distance = _distances_to_own(x[point], y[point], z[point], walls[wall])
+        first = np.flatnonzero(np.r_[True, point[1:] != point[:-1]])
+        nearest[point[first]] = np.minimum.reduceat(distance, first)
+    return nearest
+
+
+def _distances_to_own(x: np.ndarray, y: np.ndarray, z: np.ndarray, walls: np.ndarray) -> np.ndarray:
+    """Distance (n,) of each point to the vertical wall (n, 8) of its row, m."""
     start, end, low, high = walls[:, 0:2], walls[:, 2:4], walls[:, 4:6], walls[:, 6:8]
     along = end - start
     length2 = np.maximum((along**2).sum(axis=1), 1e-12)
-    dx, dy = x[:, None] - start[:, 0], y[:, None] - start[:, 1]
+    dx, dy = x - start[:, 0], y - start[:, 1]
     share = np.clip((dx * along[:, 0] + dy * along[:, 1]) / length2, 0.0, 1.0)
     plan = np.hypot(dx - share * along[:, 0], dy - share * along[:, 1])
     bottom = low[:, 0] + share * (low[:, 1] - low[:, 0])
     top = high[:, 0] + share * (high[:, 1] - high[:, 0])
-    over = np.maximum(np.maximum(z[:, None] - top, bottom - z[:, None]), 0.0)
+    over = np.maximum(np.maximum(z - top, bottom - z), 0.0)
     return np.hypot(plan, over)
 
 

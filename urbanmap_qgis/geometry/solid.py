@@ -56,14 +56,17 @@ class FaceTexture:
     uv: tuple[np.ndarray, ...]
 
 
-def surfaces(solid: Solid) -> np.ndarray:
-    """Faces of a solid as an array of shapely polygons with z."""
-    rings = [ring for face in solid.faces for ring in face]
+def surfaces(solid: Solid, kind: str | None = None) -> np.ndarray:
+    """Faces of a solid, all or those of one surface type, as an array of shapely polygons with z."""
+    faces = [face for face, own in zip(solid.faces, solid.surface_type) if kind in (None, own)]
+    rings = [ring for face in faces for ring in face]
+    if not rings:
+        return np.empty(0, dtype=object)
     closed = np.array([vertex for ring in rings for vertex in (*ring, ring[0])])
     lines = shapely.linearrings(solid.vertices[closed], indices=np.repeat(
         np.arange(len(rings)), [len(ring) + 1 for ring in rings]))
     return shapely.polygons(lines, indices=np.repeat(
-        np.arange(len(solid.faces)), [len(face) for face in solid.faces]))
+        np.arange(len(faces)), [len(face) for face in faces]))
 
 
 def multipolygon(solids: Sequence[Solid]) -> shapely.MultiPolygon:
