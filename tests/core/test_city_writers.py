@@ -12,10 +12,10 @@ import pytest
 from tests.city_models import PLACE, town
 from urbanmap_qgis.citymodel.citygml_writer import WRITTEN_BY, gml_folder_trouble, write_citygml
 from urbanmap_qgis.citymodel.cityjson_writer import plain_attributes, write_model_cityjson, write_model_cityjsonseq
-from urbanmap_qgis.citymodel.mesh_code import third_mesh_code
 from urbanmap_qgis.citymodel.model import AttributeGroup, CityReference, CodeValue, Measure
 from urbanmap_qgis.citymodel.reference import compound_epsg
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.geometry.mesh_code import third_mesh_code
 from urbanmap_qgis.io.cityjson import read_cityjson
 
 SPACES = {"core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",

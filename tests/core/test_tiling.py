@@ -122,7 +122,7 @@ def test_a_raster_cut_into_tiles_is_put_together_as_it_was(tmp_path, cell):
     for tile in TileGrid(25.0, 4.0).covering(grid.bounds):
         path = tmp_path / f"{tile.name}.tif"
         if write_tile_raster(tmp_path / "whole.tif", tile.outer, path):
-            parts.append((path, tile.core))
+            parts.append((path, tile))
     mosaic_tiles(parts, tmp_path / "again.tif")
     again, place, crs = read_raster(tmp_path / "again.tif")
     assert place.shape == grid.shape
@@ -147,7 +147,8 @@ def test_rasters_whose_cells_do_not_meet_are_refused(tmp_path):
     write_raster(tmp_path / "a.tif", np.zeros((10, 10), np.float32), Grid(0, 10, 1.0, 10, 10), WKT)
     write_raster(tmp_path / "b.tif", np.zeros((10, 10), np.float32), Grid(10.4, 10, 1.0, 10, 10), WKT)
     with pytest.raises(InputError, match="other cells"):
-        mosaic_tiles([(tmp_path / "a.tif", (0, 0, 10, 10)), (tmp_path / "b.tif", (10, 0, 20, 10))], tmp_path / "c.tif")
+        mosaic_tiles([(tmp_path / f"{name}.tif", TileGrid(10.0, 0.0).tile(column, 0))
+                      for column, name in enumerate("ab")], tmp_path / "c.tif")
     assert not (tmp_path / "c.tif").exists()
 
 

@@ -17,13 +17,13 @@ from pathlib import Path, PurePosixPath
 import numpy as np
 
 from ..errors import InputError, OutputError
+from ..geometry.mesh_code import third_mesh_code
 from ..io.atomic import written_beside
 from ..progress import SILENT, Progress
 from .citygml_attributes import generic_attribute, split_attributes, xml_text
 from .citygml_geometry import object_geometry
 from .cityjson_writer import unique_objects
 from .codelists import write_codelists
-from .mesh_code import third_mesh_code
 from .model import CityModel, CityObject, CityReference
 from .reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
 

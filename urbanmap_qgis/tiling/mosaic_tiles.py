@@ -7,6 +7,7 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
 import rasterio
 from rasterio.errors import RasterioError
 from rasterio.transform import Affine
@@ -16,7 +17,7 @@ from ..errors import InputError, OutputError
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
-from .tile_grid import Bounds
+from .tile_grid import Bounds, GridTile
 
 _BLOCK = 512
 
@@ -41,12 +42,13 @@ def write_tile_raster(source: str | os.PathLike, bounds: Bounds, path: str | os.
         return True
 
 
-def mosaic_tiles(parts: Sequence[tuple[Path, Bounds]], path: str | os.PathLike, progress: Progress = SILENT) -> None:
+def mosaic_tiles(parts: Sequence[tuple[Path, GridTile]], path: str | os.PathLike,
+                 progress: Progress = SILENT) -> None:
     """Write one GeoTIFF of the cores of tiles' rasters; memory is that of one tile.
 
     Parameters
     ----------
-    parts : raster of each tile and its core. A cell belongs to the tile that its centre lies in.
+    parts : raster of each tile, and the tile. A cell belongs to the tile that its centre lies in.
 
     Raises
     ------
@@ -60,10 +62,10 @@ def mosaic_tiles(parts: Sequence[tuple[Path, Bounds]], path: str | os.PathLike, 
         profile.update(driver="GTiff", width=right - left, height=bottom - top, transform=transform, tiled=True,
                        blockxsize=_BLOCK, blockysize=_BLOCK, compress="deflate", bigtiff="if_safer")
         try:
-            with written_beside(path) as temporary, rasterio.open(temporary, "w", **profile) as target:
+            with written_beside(path) as temporary, rasterio.open(temporary, "w+", **profile) as target:
                 target.update_tags(**{key: value for key, value in tags.items() if key != "AREA_OR_POINT"})
-                for done, (part, core) in enumerate(parts):
-                    _write_core(part, core, target)
+                for done, (part, tile) in enumerate(parts):
+                    _write_core(part, tile, target)
                     progress.step((done + 1) / len(parts))
         except RasterioError as error:
             raise OutputError(f"{Path(path).name} cannot be written ({error}).") from error
@@ -89,10 +91,10 @@ def _extent(paths: Sequence[Path], place: Affine) -> tuple[int, int, int, int]:
             max(box[3] for box in boxes))
 
 
-def _write_core(path: Path, core: Bounds, target: rasterio.io.DatasetWriter) -> None:
-    """Copy the cells of a raster whose centres lie in the core."""
+def _write_core(path: Path, tile: GridTile, target: rasterio.io.DatasetWriter) -> None:
+    """Copy the cells of a raster whose centres lie in the tile."""
     with rasterio.open(path) as source:
-        x_min, y_min, x_max, y_max = core
+        x_min, y_min, x_max, y_max = tile.core
         left, top = _cells(source.transform, x_min, y_max)
         right, bottom = _cells(source.transform, x_max, y_min)
         first = max(math.ceil(left - 0.5), 0), max(math.floor(top - 0.5) + 1, 0)
@@ -102,4 +104,9 @@ def _write_core(path: Path, core: Bounds, target: rasterio.io.DatasetWriter) -> 
         window = Window(first[0], first[1], last[0] - first[0], last[1] - first[1])
         x, y = source.transform * (first[0], first[1])
         column, row = (round(value) for value in _cells(target.transform, x, y))
-        target.write(source.read(window=window), window=Window(column, row, window.width, window.height))
+        values, there = source.read(window=window), Window(column, row, window.width, window.height)
+        if not tile.fills_core:  # what lies in the box but in a neighbour stays as it is
+            column, row = np.meshgrid(np.arange(first[0], last[0]), np.arange(first[1], last[1]))
+            own = tile.owns(*(source.transform * (column.ravel() + 0.5, row.ravel() + 0.5)))
+            values = np.where(own.reshape(column.shape), values, target.read(window=there))
+        target.write(values, window=there)

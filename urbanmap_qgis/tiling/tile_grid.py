@@ -19,7 +19,7 @@ Bounds = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class GridTile:
-    """A square of the grid.
+    """A rectangle of the grid.
 
     Attributes
     ----------
@@ -37,6 +37,11 @@ class GridTile:
     def name(self) -> str:
         """Lower left corner in whole units of the CRS, such as ``-12500_-45000``."""
         return f"{self.core[0]:.0f}_{self.core[1]:.0f}"
+
+    @property
+    def fills_core(self) -> bool:
+        """Whether the tile is all of the box `core`."""
+        return True
 
     @property
     def square(self) -> shapely.Polygon:
@@ -71,17 +76,30 @@ class TileGrid:
             raise InputError("The side of a tile must be a whole number of metres, and its buffer not negative: change "
                              "them.")
 
+    @property
+    def sides(self) -> tuple[float, float]:
+        """Width and height of a tile."""
+        return self.size, self.size
+
+    @property
+    def key(self) -> object:
+        """What tells this grid from others, beside its buffer."""
+        return self.size
+
+    def around(self, core: Bounds) -> Bounds:
+        """A core and the buffer around it."""
+        return core[0] - self.buffer, core[1] - self.buffer, core[2] + self.buffer, core[3] + self.buffer
+
     def tile(self, column: int, row: int) -> GridTile:
         """The tile in a column and row of the grid."""
-        x_min, y_min = column * self.size, row * self.size
-        x_max, y_max = (column + 1) * self.size, (row + 1) * self.size
-        return GridTile(column, row, (x_min, y_min, x_max, y_max),
-                    (x_min - self.buffer, y_min - self.buffer, x_max + self.buffer, y_max + self.buffer))
+        width, height = self.sides
+        core = (column * width, row * height, (column + 1) * width, (row + 1) * height)
+        return GridTile(column, row, core, self.around(core))
 
     def numbers(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row (n,) int64 of the tiles that own the points."""
-        return (np.floor(np.asarray(x) / self.size).astype(np.int64),
-                np.floor(np.asarray(y) / self.size).astype(np.int64))
+        width, height = self.sides
+        return (np.floor(np.asarray(x) / width).astype(np.int64), np.floor(np.asarray(y) / height).astype(np.int64))
 
     def covering(self, bounds: Bounds) -> list[GridTile]:
         """Tiles whose cores meet a box, row by row from the south-west.
@@ -92,7 +110,7 @@ class TileGrid:
         """
         if not all(map(math.isfinite, bounds)):
             raise InputError("The extent of the data is not a number: check its coordinates.")
-        left, bottom, right, top = (math.floor(value / self.size) for value in bounds)
+        left, bottom, right, top = (math.floor(value / side) for value, side in zip(bounds, 2 * self.sides))
         count = (right - left + 1) * (top - bottom + 1)
         if count > MAX_TILES:
             raise InputError(f"The data would take {count:,} tiles of {self.size:g} m: give larger tiles, or check the "
