@@ -6,37 +6,35 @@ import shutil
 import sqlite3
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import closing, contextmanager
+from collections.abc import Callable, Mapping
+from contextlib import closing
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qgis.core import (
-    QgsCoordinateTransformContext,
     QgsFeatureRequest,
-    QgsFeatureSink,
-    QgsFields,
     QgsProcessingException,
     QgsProcessingFeedback,
     QgsRectangle,
-    QgsVectorFileWriter,
     QgsVectorLayer,
 )
 
-from ...urbanmap_qgis.errors import Cancelled, OutputError, UrbanMapError
+from ...urbanmap_qgis.errors import Cancelled, UrbanMapError
 from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish
 from ...urbanmap_qgis.tiling.tile_grid import GridTile
 from .layers import make_fields, without_times
 from .outlines import BUILDING_ID, NUMBER
 from .parameters import tr
+from .tile_joins import cut_features
+from .tile_layers import LAYER_SUFFIX, TILE_FIELD, layer_file
+from .tiled_algorithms import CUTTABLE
 
 if TYPE_CHECKING:
     from ...urbanmap_qgis.tiling.point_pieces import PointFile
 
 INPUTS = "inputs"
-TILE_FIELD = "tile"
-POINTS_SUFFIX, LAYER_SUFFIX = ".laz", ".gpkg"
+POINTS_SUFFIX = ".laz"
 
 
 class EmptyTile(Exception):
@@ -122,8 +120,8 @@ def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str
                              is_child_algorithm=True)
     if cancelled():
         raise Cancelled()
-    for file in job.outputs.values():
-        _keep_own(folder / file, job.tile, own)
+    for name, file in job.outputs.items():
+        _keep_own(folder / file, job.tile, own, name in CUTTABLE[job.algorithm].joined)
     return {name: value for name, value in results.items()
             if isinstance(value, (int, float)) and not isinstance(value, bool)}
 
@@ -175,32 +173,6 @@ def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
     return own
 
 
-@contextmanager
-def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Callable[[list], None]]:
-    """A new GeoPackage with one table; gives the function that adds features to it."""
-    options = QgsVectorFileWriter.SaveVectorOptions()
-    options.driverName, options.layerName = "GPKG", name or path.stem
-    kept = QgsFields()
-    for item in fields:
-        if item.name().lower() != "fid":
-            kept.append(item)
-    held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
-    places = [fields.lookupField(item.name()) for item in kept]
-
-    def add(features: list) -> None:  # takes the features as its own
-        for feature in features:
-            feature.setAttributes([feature.attributes()[place] for place in places])
-        if not held[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
-            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
-
-    try:
-        if held[0].hasError() != QgsVectorFileWriter.WriterError.NoError:
-            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
-        yield add
-    finally:
-        held.clear()  # the file is whole when its writer is gone
-
-
 def _is_own(tile: GridTile, feature) -> bool:
     """Whether the middle of a feature's box is in the core: the same for every tile, and cheap."""
     if not feature.hasGeometry() or feature.geometry().isEmpty():
@@ -209,7 +181,7 @@ def _is_own(tile: GridTile, feature) -> bool:
     return bool(tile.owns(middle.x(), middle.y()))
 
 
-def _keep_own(path: Path, tile: GridTile, own: Mapping[str, int] | None) -> None:
+def _keep_own(path: Path, tile: GridTile, own: Mapping[str, int] | None, joined: bool) -> None:
     """Take out of a result what belongs to other tiles. Rasters are cut when they are put together."""
     from ...urbanmap_qgis.tiling.point_pieces import keep_own_points
 
@@ -217,6 +189,8 @@ def _keep_own(path: Path, tile: GridTile, own: Mapping[str, int] | None) -> None
         return
     if path.suffix == POINTS_SUFFIX:
         keep_own_points(path, tile, None if own is None else list(own.values()))
+    elif path.suffix == LAYER_SUFFIX and joined:
+        cut_features(path, tile)
     elif path.suffix == LAYER_SUFFIX:
         keep_own_features(path, tile, own)
 

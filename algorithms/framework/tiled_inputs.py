@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,10 +15,11 @@ from ...urbanmap_qgis.tiling.journal import fingerprint
 from ...urbanmap_qgis.tiling.point_pieces import LARGE, FileIndex, PointFile, point_file, sorted_into_pieces
 from ...urbanmap_qgis.tiling.tile_grid import GridTile, TileGrid
 from . import layers
-from .crs import crs_from
+from .crs import crs_from, wkt_of
 from .outlines import BUILDING_ID, building_names
 from .parameters import HTML_FILTER, LAZ_FILTER, tr
-from .tile_work import LAYER_SUFFIX, POINTS_SUFFIX, TileJob, layer_file
+from .tile_layers import LAYER_SUFFIX, layer_file
+from .tile_work import POINTS_SUFFIX, TileJob
 from .tiled_algorithms import CUTTABLE
 
 CUT, PIECES = "inputs", "pieces"
@@ -84,9 +85,12 @@ class TiledInputs:
     state: list[object]
 
     @classmethod
-    def read(cls, algorithm, stage, given: Mapping[str, object], grid: TileGrid, run_folder: Path, context,
-             progress: Progress = SILENT) -> TiledInputs:
-        """Look at all inputs, copy layers and sort large point clouds into the folder of the run."""
+    def read(cls, algorithm, stage, given: Mapping[str, object], make_grid: Callable[[str], TileGrid],
+             run_folder: Path, context, progress: Progress = SILENT) -> TiledInputs:
+        """Look at all inputs, copy layers and sort large point clouds into the folder of the run.
+
+        `make_grid` gives the tiles by the CRS of the data, as WKT.
+        """
         from ...urbanmap_qgis.io.pointcloud import open_cloud
 
         points, rasters, tables, rest = {}, {}, {}, {}
@@ -101,20 +105,25 @@ class TiledInputs:
             elif definition.type() == "source":
                 tables[name] = stage.read_vector(given, name, context, progress)
             else:
-                rest[name] = given[name]
-        owner = CUTTABLE[stage.name()]
+                rest[name] = _listed(given, name)[name] if definition.type() == "multilayer" else given[name]
+        cut = CUTTABLE[stage.name()]
+        _refuse_without(cut.needed, stage, rest)
+        owner = cut.owner
         if owner and owner not in tables:
             raise InputError(tr("{0} are needed to run {1} over tiles; give them.").format(
                 stage.label_of(owner), stage.displayName()))
-        bounds, crs = _extent(points, rasters, tables.get(owner))
+        bounds, crs = _extent(points, rasters.get(cut.extent), tables.get(owner))
         copies, state = _copied(tables, owner, run_folder, progress)
         if crs is None:
             crs = crs_from(open_cloud([file.path for file in next(iter(points.values()))]).crs_wkt or "")
+        grid = make_grid(wkt_of(crs))
+        if cut.along:
+            grid = _stretches(grid, stage, rest, cut.along, crs, context)
         outputs = _outputs(stage, given)
         shown = {stage.label_of(name): str(value) for name, value in rest.items()}
         tiles = _occupied(grid, bounds, points, tables.get(owner))
         pieces = _pieces(points, grid, run_folder, progress)
-        state = [stage.name(), rest, outputs, grid.size, grid.buffer, state]
+        state = [stage.name(), state_of(rest), outputs, grid.key, grid.buffer, state]
         indexed = {name: FileIndex(files) for name, files in points.items()}
         return cls(stage, run_folder, grid, tiles, crs, rest, shown, indexed, pieces, rasters, copies, outputs, state)
 
@@ -124,7 +133,7 @@ class TiledInputs:
         state = fingerprint({"tile": tile.name, "state": self.state}, [*files, *self.rasters.values()])
         near = {name: tuple(pieces.meeting(tile.outer)) for name, pieces in self.pieces.items()}
         return TileJob(tile, self.run_folder, state, self.stage.name(), self.settings, near, self.rasters, self.layers,
-                       CUTTABLE[self.stage.name()], self.outputs)
+                       CUTTABLE[self.stage.name()].owner, self.outputs)
 
 
 def _listed(given: Mapping[str, object], name: str) -> dict[str, object]:
@@ -149,7 +158,45 @@ def _outputs(stage, given: Mapping[str, object]) -> dict[str, str]:
     return outputs
 
 
-def _extent(points, rasters, owner) -> tuple[tuple[float, float, float, float], object]:
+def _stretches(plain: TileGrid, stage, rest: Mapping[str, object], name: str, crs, context) -> TileGrid:
+    """Stretches of the drive of a trajectory, as long as the tiles would be wide."""
+    from ...urbanmap_qgis.tiling.stretches import StretchGrid
+
+    if type(plain) is not TileGrid:
+        raise InputError(tr("{0} is cut into stretches of the drive, not into meshes or sheets: leave out the grid, "
+                            "and give the length of a stretch as the side of a tile.").format(stage.displayName()))
+    drive = stage.read_trajectory(rest, name, context, wkt_of(crs)) if rest.get(name) else None
+    if drive is None:
+        raise InputError(tr("{0} are needed to run {1} over tiles; give them.").format(
+            stage.label_of(name), stage.displayName()))
+    return StretchGrid.along(drive.trajectory.time, drive.trajectory.place, plain.size, plain.buffer)
+
+
+def _refuse_without(names: Sequence[str], stage, rest: Mapping[str, object]) -> None:
+    for name in names:
+        if str(rest.get(name, "")).strip() in ("", "0", "0.0"):
+            raise InputError(tr("{0} ({1}) must be given over tiles, because each tile would choose for itself.")
+                             .format(stage.label_of(name), name))
+
+
+def state_of(rest: Mapping[str, object]) -> list[object]:
+    """Settings, and size and time of the files that they name: a later run sees that one of them changed.
+
+    Where pieces are worked on does not change results.
+    """
+    settings = {name: value for name, value in rest.items() if name not in ("WORKERS", "SCHEDULER")}
+    values = [item for value in settings.values() for item in (value if isinstance(value, (list, tuple)) else [value])]
+    return [settings, fingerprint({}, list(filter(_is_file, values)))]
+
+
+def _is_file(value: object) -> bool:
+    try:
+        return isinstance(value, (str, Path)) and Path(value).is_file()
+    except (OSError, ValueError):  # a long text is no path
+        return False
+
+
+def _extent(points, raster_path, owner) -> tuple[tuple[float, float, float, float], object]:
     """Box around what says where the tiles are, and its CRS (None: that of the points)."""
     import numpy as np
     import shapely
@@ -159,11 +206,11 @@ def _extent(points, rasters, owner) -> tuple[tuple[float, float, float, float], 
     boxes = np.array([file.bounds for files in points.values() for file in files if file.points])
     if len(boxes):
         return (*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)), None
-    if "INPUT" not in rasters:
-        raise InputError(tr("Nothing was given that says where the tiles are; give point clouds or an orthophoto."))
+    if raster_path is None:
+        raise InputError(tr("Nothing was given that says where the tiles are; give point clouds or a raster."))
     from ...urbanmap_qgis.io.raster import RasterSampler
 
-    with RasterSampler(rasters["INPUT"]) as raster:
+    with RasterSampler(raster_path) as raster:
         x_min, y_min, x_max, y_max = raster.grid.bounds
         inside = 1e-6 * raster.grid.cell  # the right and upper edges belong to no pixel
         return (x_min, y_min + inside, x_max - inside, y_max), crs_from(raster.crs_wkt)
@@ -225,7 +272,7 @@ def _pieces(points, grid: TileGrid, run_folder: Path, progress: Progress) -> dic
             if len(grid.covering(file.bounds)) <= LARGE or not file.points:
                 made[name].append(file)
                 continue
-            mark = fingerprint({"size": grid.size}, [file.path])
+            mark = fingerprint({"size": grid.key}, [file.path])
             folder = run_folder / PIECES / f"{file.path.stem[:40]}-{mark}"
             whole = folder / "whole"
             if not whole.is_file():

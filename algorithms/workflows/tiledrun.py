@@ -10,7 +10,10 @@ from ...urbanmap_qgis.errors import InsufficientDataError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
-from ..framework.tiled_algorithms import CUTTABLE
+from ..framework.tiled_algorithms import CUTTABLE, WHOLE
+
+SQUARES, MESHES, SHEETS = "squares", ("mesh1km", "mesh500m", "mesh250m"), ("sheet5000", "sheet2500", "sheet1000",
+                                                                         "sheet500")
 
 
 class TiledRun(UrbanMapAlgorithm):
@@ -40,6 +43,10 @@ class TiledRun(UrbanMapAlgorithm):
                                "made where it is by default, or where a line such as OUTPUT_GROUND=yes asks for it.")
         self.add_distance("TILE", "Tile", "Side of a tile, whole metres; corners lie on its multiples.", 500.0, 10.0,
                           100000.0)
+        self.add_choice("GRID", "Grid", "Squares of the side above; or Japan's standard regional meshes (JIS X 0410) "
+                        "of about 1 km, 500 m or 250 m; or the sheets of public survey maps of level 5000 (4 by 3 km), "
+                        "2500 (2 by 1.5 km), 1000 (800 by 600 m) or 500 (400 by 300 m), in a plane rectangular "
+                        "system. Tiles are then named by their codes.", (SQUARES, *MESHES, *SHEETS), SQUARES)
         self.add_distance("BUFFER", "Buffer", "Width of the surroundings that a tile reads: more than the largest "
                           "building, and than the reach of ground under buildings.", 60.0, 0.0, 10000.0)
         self.add_number("ESTIMATE", "Tiles to try", "Only this many tiles, spread over the area, to say what all will "
@@ -53,6 +60,12 @@ class TiledRun(UrbanMapAlgorithm):
         for name, label in (("TILES", "Tiles"), ("DONE", "Tiles done"), ("EMPTY", "Empty tiles"),
                             ("FAILED", "Failed tiles"), ("KEPT", "Tiles kept from an earlier run")):
             self.add_number_output(name, label, "Number of them.")
+
+    def checkParameterValues(self, parameters, context):
+        asked = str(parameters.get("ALGORITHM", "")).removeprefix("urbanmap:")
+        if asked in WHOLE:
+            return False, tr("{0} cannot be run over tiles: {1}.").format(asked, tr(WHOLE[asked]))
+        return super().checkParameterValues(parameters, context)
 
     def known_names(self, parameters):
         """The parameters of the algorithm that is run are known too."""
@@ -97,7 +110,8 @@ class TiledRun(UrbanMapAlgorithm):
         if not count[DONE] and not count[FAILED]:
             raise InsufficientDataError(tr("All {0} tiles are empty; check that the inputs lie in one place.").format(
                 len(tiles)))
-        merged = merge_results(folder, tiles, records, inputs.outputs, progress.part(0.9, 0.97))
+        joined = CUTTABLE[inputs.stage.name()].joined
+        merged = merge_results(folder, tiles, records, inputs.outputs, joined, progress.part(0.9, 0.97))
         for name, path in merged.items():
             progress.message(tr("{0}: {1}").format(name, path))
         report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept)
@@ -118,10 +132,19 @@ class TiledRun(UrbanMapAlgorithm):
         return {**lines, **own_settings(parameters, stage, self)}
 
     def _grid(self, parameters, context):
+        """What makes the grid when the CRS of the data is known."""
+        from ...urbanmap_qgis.tiling.map_sheets import SheetGrid
+        from ...urbanmap_qgis.tiling.regional_meshes import MeshGrid
         from ...urbanmap_qgis.tiling.tile_grid import TileGrid
 
-        return TileGrid(self.parameterAsDouble(parameters, "TILE", context),
-                        self.parameterAsDouble(parameters, "BUFFER", context))
+        kind = self.parameterAsString(parameters, "GRID", context)
+        buffer = self.parameterAsDouble(parameters, "BUFFER", context)
+        if kind in SHEETS:
+            return lambda crs_wkt: SheetGrid.of(int(kind.removeprefix("sheet")), crs_wkt, buffer)
+        if kind in MESHES:
+            return lambda crs_wkt: MeshGrid.of(kind, crs_wkt, buffer)
+        size = self.parameterAsDouble(parameters, "TILE", context)
+        return lambda crs_wkt: TileGrid(size, buffer)
 
     @staticmethod
     def _chosen(tiles, wanted):

@@ -26,10 +26,10 @@ def third_mesh_code(longitude: float, latitude: float) -> str:
     """
     if not (_LATITUDES[0] <= latitude < _LATITUDES[1] and _LONGITUDES[0] <= longitude < _LONGITUDES[1]):
         raise InputError(f"The place {latitude:.5f}, {longitude:.5f} has no mesh code: it is not in Japan.")
-    return mesh_code(math.floor(latitude * ROWS), math.floor((longitude - WEST) * COLUMNS))
+    return regional_mesh_code(math.floor(latitude * ROWS), math.floor((longitude - WEST) * COLUMNS))
 
 
-def mesh_code(row: int, column: int, parts: int = 1) -> str:
+def regional_mesh_code(row: int, column: int, parts: int = 1) -> str:
     """Code of a mesh by its place among all meshes of its size.
 
     Parameters

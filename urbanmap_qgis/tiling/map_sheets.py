@@ -34,6 +34,9 @@ def plane_system(crs_wkt: str) -> int:
     """
     from pyproj import CRS
 
+    if not crs_wkt:
+        raise InputError("The data states no coordinate reference system, which map sheets need: give it "
+                         "(POINTS_CRS), or choose squares.")
     crs = CRS.from_wkt(crs_wkt)
     plan = crs.sub_crs_list[0] if crs.is_compound else crs
     given = {item.name: item.value for item in plan.coordinate_operation.params} if plan.coordinate_operation else {}
@@ -94,6 +97,11 @@ class SheetGrid(TileGrid):
     def key(self) -> object:
         """What tells this grid from others, beside its buffer."""
         return f"sheets {self.level} of system {self.system}"
+
+    @property
+    def title(self) -> str:
+        """What the tiles are, for reports."""
+        return f"map sheets of level {self.level}, plane rectangular system {self.system}"
 
     def tile(self, column: int, row: int) -> SheetTile:
         """The sheet in a column and row counted from the origin of the system."""

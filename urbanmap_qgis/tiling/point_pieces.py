@@ -67,7 +67,7 @@ def sorted_into_pieces(file: PointFile, grid: TileGrid, folder: Path, progress: 
     with PointBuckets(layout.dtype, folder=folder) as buckets:
         keys: set[int] = set()
         for chunk in iter_chunks(cloud, progress.part(0.0, 0.6)):
-            column, row = grid.numbers(chunk.x, chunk.y)
+            column, row = grid.numbers_of(chunk)
             key = column * _ROWS + row
             keys.update(np.unique(key).tolist())
             buckets.add(key, layout.adapt(chunk, np.ones(len(chunk), bool)))
@@ -84,9 +84,7 @@ def sorted_into_pieces(file: PointFile, grid: TileGrid, folder: Path, progress: 
 
 def all_inside(files: Sequence[PointFile], tile: GridTile) -> bool:
     """Whether there are files, and all their points lie in the tile and its buffer."""
-    x_min, y_min, x_max, y_max = tile.outer
-    return bool(files) and all(file.bounds[0] >= x_min and file.bounds[1] >= y_min and file.bounds[2] < x_max
-                               and file.bounds[3] < y_max for file in files)
+    return bool(files) and all(tile.reads_all(file.bounds) for file in files)
 
 
 def write_tile_points(files: Sequence[PointFile], tile: GridTile, path: str | os.PathLike) -> int:
@@ -101,7 +99,7 @@ def write_tile_points(files: Sequence[PointFile], tile: GridTile, path: str | os
     count = 0
     with cloud_writer(path, layout) as writer:
         for chunk in iter_chunks(cloud):
-            inside = tile.reads(np.asarray(chunk.x), np.asarray(chunk.y))
+            inside = tile.reads_of(chunk)
             count += int(np.count_nonzero(inside))
             writer.write(layout.adapt(chunk, inside))
     if not count:
@@ -122,7 +120,7 @@ def keep_own_points(path: str | os.PathLike, tile: GridTile, buildings: Sequence
     count = 0
     with cloud_writer(path, layout) as writer:
         for chunk in iter_chunks(cloud):
-            keep = tile.owns(np.asarray(chunk.x), np.asarray(chunk.y))
+            keep = tile.owns_of(chunk)
             if by_building:
                 number = np.asarray(chunk["building_id"]).astype(np.int64)
                 keep = np.where(number > 0, np.isin(number, own), keep)

@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
-from ..geometry.mesh_code import COLUMNS, ROWS, WEST, mesh_code
+from ..geometry.mesh_code import COLUMNS, ROWS, WEST, regional_mesh_code
 from .tile_grid import MAX_TILES, Bounds, GridTile, TileGrid
 
 MESH_PARTS = {"mesh1km": 1, "mesh500m": 2, "mesh250m": 4}
@@ -47,7 +47,7 @@ class MeshTile(GridTile):
     @property
     def name(self) -> str:
         """Code of eight, nine or ten digits."""
-        return mesh_code(self.row, self.column, self.parts)
+        return regional_mesh_code(self.row, self.column, self.parts)
 
     @property
     def fills_core(self) -> bool:
@@ -84,13 +84,21 @@ class MeshGrid(TileGrid):
 
     @classmethod
     def of(cls, kind: str, crs_wkt: str, buffer: float) -> MeshGrid:
-        """Meshes of a kind of `MESH_PARTS`."""
+        """Meshes of a kind of `MESH_PARTS`. Raises `InputError` where the data has no CRS."""
+        if not crs_wkt:
+            raise InputError("The data states no coordinate reference system, which meshes need: give it "
+                             "(POINTS_CRS), or choose squares.")
         return cls(1000.0 / MESH_PARTS[kind], buffer, crs_wkt, MESH_PARTS[kind])
 
     @property
     def key(self) -> object:
         """What tells this grid from others, beside its buffer."""
         return f"meshes {self.parts} of {self.crs_wkt}"
+
+    @property
+    def title(self) -> str:
+        """What the tiles are, for reports."""
+        return f"regional meshes of about {self.size:g} m"
 
     def tile(self, column: int, row: int) -> MeshTile:
         """The mesh in a column and row, see `geometry.mesh_code`."""

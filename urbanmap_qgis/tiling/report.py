@@ -38,7 +38,7 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])
     report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],
-                  "Kept from an earlier run": kept, "Side of a tile (m)": grid.size, "Buffer (m)": grid.buffer,
+                  "Kept from an earlier run": kept, "Grid": grid.title, "Buffer (m)": grid.buffer,
                   "Time of all tiles (s)": float(seconds.sum()) if len(seconds) else None,
                   "Processor time of all tiles (s)": float(sum(record.cpu for record in records)),
                   "Slowest tile (s)": float(seconds.max()) if len(seconds) else None,

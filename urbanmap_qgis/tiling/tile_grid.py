@@ -58,6 +58,19 @@ class GridTile:
         x_min, y_min, x_max, y_max = self.outer
         return (x >= x_min) & (x < x_max) & (y >= y_min) & (y < y_max)
 
+    def owns_of(self, chunk) -> np.ndarray:
+        """Mask (n,) of the points of a chunk of a point cloud that are the tile's own."""
+        return self.owns(np.asarray(chunk.x), np.asarray(chunk.y))
+
+    def reads_of(self, chunk) -> np.ndarray:
+        """Mask (n,) of the points of a chunk of a point cloud that the tile reads."""
+        return self.reads(np.asarray(chunk.x), np.asarray(chunk.y))
+
+    def reads_all(self, bounds: Bounds) -> bool:
+        """Whether the tile reads all points of a file with such a box."""
+        x_min, y_min, x_max, y_max = self.outer
+        return bounds[0] >= x_min and bounds[1] >= y_min and bounds[2] < x_max and bounds[3] < y_max
+
 
 @dataclass(frozen=True)
 class TileGrid:
@@ -86,6 +99,11 @@ class TileGrid:
         """What tells this grid from others, beside its buffer."""
         return self.size
 
+    @property
+    def title(self) -> str:
+        """What the tiles are, for reports."""
+        return f"squares of {self.size:g} m"
+
     def around(self, core: Bounds) -> Bounds:
         """A core and the buffer around it."""
         return core[0] - self.buffer, core[1] - self.buffer, core[2] + self.buffer, core[3] + self.buffer
@@ -100,6 +118,10 @@ class TileGrid:
         """Column and row (n,) int64 of the tiles that own the points."""
         width, height = self.sides
         return (np.floor(np.asarray(x) / width).astype(np.int64), np.floor(np.asarray(y) / height).astype(np.int64))
+
+    def numbers_of(self, chunk) -> tuple[np.ndarray, np.ndarray]:
+        """Column and row (n,) int64 of the tiles that own the points of a chunk of a point cloud."""
+        return self.numbers(chunk.x, chunk.y)
 
     def covering(self, bounds: Bounds) -> list[GridTile]:
         """Tiles whose cores meet a box, row by row from the south-west.

@@ -1,0 +1,56 @@
+"""Layers of tiles: GeoPackages of one table."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+
+from qgis.core import (
+    QgsCoordinateTransformContext,
+    QgsFeatureSink,
+    QgsFields,
+    QgsVectorFileWriter,
+)
+
+from ...urbanmap_qgis.errors import OutputError
+from .parameters import tr
+
+LAYER_SUFFIX = ".gpkg"
+TILE_FIELD = "tile"
+
+
+@contextmanager
+def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Callable[[list], None]]:
+    """A new GeoPackage with one table; gives the function that adds features to it."""
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName, options.layerName = "GPKG", name or path.stem
+    kept = QgsFields()
+    for item in fields:
+        if item.name().lower() != "fid":
+            kept.append(item)
+    held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
+    places = [fields.lookupField(item.name()) for item in kept]
+
+    def add(features: list) -> None:  # takes the features as its own
+        for feature in features:
+            feature.setAttributes([feature.attributes()[place] for place in places])
+        if not held[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
+
+    try:
+        if held[0].hasError() != QgsVectorFileWriter.WriterError.NoError:
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
+        yield add
+    finally:
+        held.clear()  # the file is whole when its writer is gone
+
+
+def style_of(path: Path) -> str:
+    """Name of the style that a layer was written with; empty where it has none."""
+    with closing(sqlite3.connect(path)) as database:
+        if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone():
+            return ""
+        found = database.execute("SELECT styleName FROM layer_styles").fetchone()
+    return found[0] if found else ""
