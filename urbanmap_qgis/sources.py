@@ -24,6 +24,12 @@ def sources_mark() -> str:
     return content.hexdigest()[:16]
 
 
+def packed_sources() -> dict[str, Path]:
+    """All modules of the core by their names in it, such as ``io/raster.py``; also where its folder is a link."""
+    folder = Path(__file__).parent
+    return {path.relative_to(folder).as_posix(): path for path in source_files()}
+
+
 def source_files() -> list[Path]:
     """All modules of the core."""
     return sorted(Path(__file__).parent.rglob("*.py"))

@@ -10,41 +10,91 @@ import tempfile
 import uuid
 import zipfile
 from collections.abc import Iterator, Sequence
-from concurrent.futures import Executor
+from concurrent.futures import CancelledError, Executor
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
 
 from ...urbanmap_qgis.errors import InputError, UrbanMapError
-from ...urbanmap_qgis.sources import MARK_FILE, package_versions, source_files, sources_mark
+from ...urbanmap_qgis.sources import MARK_FILE, package_versions, packed_sources, sources_mark
 from .parameters import tr
 
 COMPARED = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs")
 """Packages whose versions must be the same everywhere: results must not depend on where pieces ran."""
 
 PLUGIN = __package__.rsplit(".", 2)[0]
-CORE = Path(__file__).resolve().parents[2] / "urbanmap_qgis"
 PATIENCE = 20
 """Seconds in which a scheduler must answer."""
 
-_ADDRESS: ContextVar[str] = ContextVar("scheduler", default="")
-_FOLDERS: ContextVar[tuple[str, ...]] = ContextVar("folders", default=())
+_CLUSTER: ContextVar[_Cluster | None] = ContextVar("cluster", default=None)
+
+
+class _Cluster:
+    """A cluster at an address, connected to when the first piece is to be sent; all stages of a run share it."""
+
+    def __init__(self, address: str, folders: Sequence[str]):
+        self.address = address
+        self.folders = list(dict.fromkeys([*folders, tempfile.gettempdir()]))
+        self._client = None
+
+    def client(self):
+        """The connection: core sent, versions and storage compared. A lost one is made again."""
+        if self._client is not None and self._client.status == "running":
+            return self._client
+        self.close()
+        client = _client(self.address)
+        try:
+            _send_core(client)
+            _compare_versions(client)
+            _compare_storage(client, self.folders)
+        except BaseException:
+            client.close(timeout=PATIENCE)
+            raise
+        self._client = client
+        return client
+
+    def close(self) -> None:
+        if self._client is not None:
+            self._client.close(timeout=PATIENCE)
+            self._client = None
 
 
 @contextmanager
 def scheduler(address: str, folders: Sequence[str]) -> Iterator[None]:
     """In the block, pieces go to the cluster at this address; `folders` are those that its workers must see."""
-    tokens = _ADDRESS.set(address), _FOLDERS.set(tuple(dict.fromkeys([*folders, tempfile.gettempdir()])))
+    cluster = _Cluster(address, folders)
+    token = _CLUSTER.set(cluster)
     try:
         yield
     finally:
-        _ADDRESS.reset(tokens[0])
-        _FOLDERS.reset(tokens[1])
+        _CLUSTER.reset(token)
+        cluster.close()
 
 
 def scheduler_address() -> str:
     """Address of the cluster that pieces go to; empty where they stay on this machine."""
-    return _ADDRESS.get()
+    cluster = _CLUSTER.get()
+    return cluster.address if cluster else ""
+
+
+def cluster_of_process(address: str, folders: Sequence[str]) -> None:
+    """Let all pieces of this process go to a cluster, until it ends. Called in a process that was started for tiles."""
+    if address:
+        _CLUSTER.set(_Cluster(address, folders))
+
+
+def check_cluster() -> list[str]:
+    """See before any work that the cluster of `scheduler` can be worked on; the folders that its workers see.
+
+    Raises
+    ------
+    InputError : as `cluster_executor`.
+    """
+    cluster = _CLUSTER.get()
+    if cluster is None:
+        return []
+    cluster.client()
+    return cluster.folders
 
 
 @contextmanager
@@ -54,21 +104,20 @@ def cluster_executor() -> Iterator[Executor]:
     Raises
     ------
     InputError : nobody answers there, it has no workers, their packages differ, or they do not see the folders.
-    UrbanMapError : a worker was lost again and again.
+    UrbanMapError : a worker was lost again and again, or the cluster itself.
     """
-    client = _client(_ADDRESS.get())
+    client = _CLUSTER.get().client()
     from distributed import KilledWorker
 
     try:
-        _send_core(client)
-        _compare_versions(client)
-        _compare_storage(client, _FOLDERS.get())
         yield client.get_executor(pure=False)
     except KilledWorker as error:
         raise UrbanMapError(tr("The cluster's workers were ended at one piece again and again ({0}); give them more "
                                "memory.").format(error)) from None
-    finally:
-        client.close(timeout=PATIENCE)
+    except CancelledError:
+        if client.status == "running":
+            raise
+        raise UrbanMapError(tr("The Dask scheduler was lost during the work; start it and run again.")) from None
 
 
 def _client(address: str):
@@ -97,8 +146,8 @@ def _send_core(client) -> None:
         with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as target:
             for number in range(len(parts)):
                 target.writestr("/".join([*parts[:number + 1], "__init__.py"]), "")
-            for path in source_files():
-                target.write(path, f"{core}/{path.relative_to(CORE).as_posix()}")
+            for name, path in packed_sources().items():
+                target.write(path, f"{core}/{name}")
             target.writestr(f"{core}/{MARK_FILE}", mark)
         client.upload_file(str(archive))
     for worker, found in client.run(sources_mark).items():

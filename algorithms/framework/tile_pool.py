@@ -12,6 +12,7 @@ from qgis.core import QgsApplication
 from ...urbanmap_qgis.dependencies import python_executable
 from ...urbanmap_qgis.errors import Cancelled
 from ...urbanmap_qgis.tiling.journal import FAILED, TileRecord, new_tile_folder, publish
+from .cluster import check_cluster, scheduler_address
 from .dependencies import profile_packages
 from .parameters import tr
 from .tile_process import start_application
@@ -80,4 +81,5 @@ def _processes(count: int) -> ProcessPoolExecutor:
     context.set_executable(python_executable())
     plugins = str(Path(QgsApplication.pkgDataPath()) / "python" / "plugins")
     return ProcessPoolExecutor(count, mp_context=context, initializer=start_application, initargs=(
-        QgsApplication.prefixPath(), plugins, str(profile_packages()), __package__.rsplit(".", 2)[0]))
+        QgsApplication.prefixPath(), plugins, str(profile_packages()), __package__.rsplit(".", 2)[0],
+        scheduler_address(), check_cluster()))

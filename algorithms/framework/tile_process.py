@@ -5,18 +5,21 @@ from __future__ import annotations
 import importlib
 import os
 import sys
+from collections.abc import Sequence
 
 from qgis.core import QgsApplication
 
 from ...urbanmap_qgis.execution import start_worker
+from .cluster import cluster_of_process
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 
 
-def start_application(prefix: str, plugins: str, packages: str, package: str) -> None:
+def start_application(prefix: str, plugins: str, packages: str, package: str, address: str = "",
+                      folders: Sequence[str] = ()) -> None:
     """Called in a worker process when it starts: a QGIS without a window, with Processing and this provider.
 
     prefix : QGIS's prefix path. plugins : its folder of Python plugins. packages : see `start_worker`.
-    package : name under which this plugin is imported.
+    package : name under which this plugin is imported. address, folders : see `cluster.scheduler`.
     """
     start_worker(packages)
     import_apart(PACKAGES_WITH_LIBRARIES)
@@ -32,6 +35,7 @@ def start_application(prefix: str, plugins: str, packages: str, package: str) ->
     from processing.core.Processing import Processing
 
     Processing.initialize()
+    cluster_of_process(address, folders)
     provider = importlib.import_module(f"{package}.algorithms.provider").UrbanMapProvider()
     provider.register()
     start_application.provider = provider

@@ -25,6 +25,8 @@ from .tiled_algorithms import CUTTABLE
 CUT, PIECES = "inputs", "pieces"
 _SUFFIXES = {"sink": LAYER_SUFFIX, "rasterDestination": ".tif"}
 _FILES = {LAZ_FILTER: POINTS_SUFFIX, HTML_FILTER: ".html"}
+WHERE = ("WORKERS", "SCHEDULER")
+"""Where pieces are worked on: the run's own, and no matter for the results."""
 _NO = ("", "no", "false", "0")
 
 
@@ -44,6 +46,8 @@ def settings_of_lines(text: str, stage) -> dict[str, object]:
             known = ", ".join(item.name() for item in stage.parameterDefinitions())
             raise InputError(tr("Settings: “{0}” is no line NAME=VALUE with a parameter of {1}; it has {2}.").format(
                 line, stage.displayName(), known))
+        if name in WHERE:
+            raise InputError(tr("Settings: {0} is a parameter of the run itself; give it there.").format(name))
         settings[name] = value
     return settings
 
@@ -52,7 +56,7 @@ def own_settings(parameters: Mapping, stage, algorithm) -> dict[str, object]:
     """The stage's parameters among those that a run was given; outputs that the run itself has are not the stage's."""
     outputs = {item.name() for item in algorithm.destinationParameterDefinitions()}
     return {name: value for name, value in parameters.items()
-            if value is not None and name not in outputs and name != "WORKERS"
+            if value is not None and name not in outputs and name not in WHERE
             and stage.parameterDefinition(name) is not None}
 
 
@@ -96,7 +100,7 @@ class TiledInputs:
         points, rasters, tables, rest = {}, {}, {}, {}
         for definition in stage.parameterDefinitions():
             name = definition.name()
-            if given.get(name) in (None, "") or definition.isDestination():
+            if given.get(name) in (None, "") or definition.isDestination() or name in WHERE:
                 continue
             if name in stage.points_names():
                 points[name] = [point_file(path) for path in stage.point_files(_listed(given, name), name, context)]
@@ -180,13 +184,9 @@ def _refuse_without(names: Sequence[str], stage, rest: Mapping[str, object]) -> 
 
 
 def state_of(rest: Mapping[str, object]) -> list[object]:
-    """Settings, and size and time of the files that they name: a later run sees that one of them changed.
-
-    Where pieces are worked on does not change results.
-    """
-    settings = {name: value for name, value in rest.items() if name not in ("WORKERS", "SCHEDULER")}
-    values = [item for value in settings.values() for item in (value if isinstance(value, (list, tuple)) else [value])]
-    return [settings, fingerprint({}, list(filter(_is_file, values)))]
+    """Settings, and size and time of the files that they name: a later run sees that one of them changed."""
+    values = [item for value in rest.values() for item in (value if isinstance(value, (list, tuple)) else [value])]
+    return [dict(rest), fingerprint({}, list(filter(_is_file, values)))]
 
 
 def _is_file(value: object) -> bool:

@@ -8,6 +8,7 @@ from qgis.core import QgsApplication, QgsProcessingParameterString
 
 from ...urbanmap_qgis.errors import InsufficientDataError
 from ..framework.base import UrbanMapAlgorithm
+from ..framework.cluster import check_cluster
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
 from ..framework.tiled_algorithms import CUTTABLE, WHOLE
@@ -80,6 +81,7 @@ class TiledRun(UrbanMapAlgorithm):
         from ...urbanmap_qgis.tiling.journal import only_run
         from ..framework.tiled_inputs import TiledInputs
 
+        check_cluster()
         progress = self.progress(feedback)
         folder = Path(self.parameterAsString(parameters, "OUTPUT_FOLDER", context))
         with only_run(folder):

@@ -132,3 +132,31 @@ def test_a_cluster_without_workers_is_refused(run, serve, town):
 
     with pytest.raises(QgsProcessingException, match="no workers"):
         run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": serve(0)})
+
+
+def test_tiles_whose_pieces_go_to_a_cluster_are_the_same_bytes(run, serve, town, tmp_path, plugin, monkeypatch):
+    cluster = plugin("algorithms.framework.cluster")
+    connected = []
+    monkeypatch.setattr(cluster, "_client", lambda address, make=cluster._client: connected.append(1) or make(address))
+    for name, scheduler in (("here", ""), ("there", serve(2))):
+        results = run("urbanmap:tiledrun", {
+            **town, "ALGORITHM": "buildingsfromals", "TILE": 80, "BUFFER": 30, "SCHEDULER": scheduler,
+            "OUTPUT": str(tmp_path / f"{name}.gpkg"), "OUTPUT_FOLDER": str(tmp_path / name)})
+        assert (results["DONE"], results["FAILED"]) == (3, 0)
+    here, there = (tmp_path / name / "merged" / "output.gpkg" for name in ("here", "there"))
+    assert here.read_bytes() == there.read_bytes()
+    assert len(connected) == 1  # one connection for the four stages of all tiles
+    again = run("urbanmap:tiledrun", {
+        **town, "ALGORITHM": "buildingsfromals", "TILE": 80, "BUFFER": 30, "OUTPUT": "TEMPORARY_OUTPUT",
+        "OUTPUT_FOLDER": str(tmp_path / "there")})
+    assert again["KEPT"] == 3  # where pieces were worked on is no matter for what is kept
+
+
+def test_a_run_over_tiles_without_its_cluster_does_not_begin(run, plugin, town, tmp_path, monkeypatch):
+    from qgis.core import QgsProcessingException
+
+    monkeypatch.setattr(plugin("algorithms.framework.cluster"), "PATIENCE", 2)
+    with pytest.raises(QgsProcessingException, match="No Dask scheduler"):
+        run("urbanmap:tiledrun", {**town, "ALGORITHM": "buildingsfromals", "SCHEDULER": "tcp://127.0.0.1:9",
+                                  "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})
+    assert not (tmp_path / "run").exists()
