@@ -25,6 +25,9 @@ STOP_REACH = 6.0
 CLEAR_DRIVE = 15.0
 """Drives in one direction over so many metres are believed more than paint."""
 
+ONE_ROW = 1.5
+"""Pieces of a stop line lie so near to each other along and across the road, m."""
+
 AT_LINE = 0.6
 """A stop line ends at a line that lies so near to its end, m."""
 
@@ -33,6 +36,9 @@ AWAY = 6.0
 
 MOSTLY_SEEN = 0.5
 """The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line."""
+
+BESIDE, ACROSS = "beside a dashed line", "across the centre line"
+INFERRED = (BESIDE, ACROSS)
 
 DRIVE_ANGLE = np.radians(25.0)
 LEAST_UNDRIVEN = 25.0
@@ -53,6 +59,7 @@ class Strip:
     forward, backward : evidence for the direction, in metres driven (an arrow or a stop line counts as 10 m).
     driven : length of the drives in it along and against the axis, m.
     sign : 1 along the axis, -1 against it, 0 where unknown. source : what the direction comes from.
+    contradicted : its own evidence contradicts itself; no neighbour settles that.
     arrows : kinds of the arrows in it.
     """
 
@@ -67,6 +74,7 @@ class Strip:
     driven: tuple[float, float] = (0.0, 0.0)
     sign: int = 0
     source: str = ""
+    contradicted: bool = False
     arrows: list[str] = field(default_factory=list)
 
 
@@ -226,10 +234,7 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
 
     Where the side of the traffic is known, it leads away in the strip across the solid line at which a stop line ends.
     """
-    for stop in stops:
-        chainage, offset = section.axis.local(stop[:, :2])
-        low, high = offset.min(), offset.max()
-        level = float(chainage.mean())
+    for level, low, high in _whole_stops(section, stops):
         there = [strip for strip in strips if min(abs(strip.start - level), abs(strip.end - level)) < STOP_REACH]
         middles = {id(strip): _middle(section, strip, level) for strip in there}
         covered = [strip for strip in there if low < middles[id(strip)] < high]
@@ -244,6 +249,21 @@ def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.
             if left_hand is not None and away is not None:
                 away.forward += AWAY * (not at_end)
                 away.backward += AWAY * at_end
+
+
+def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tuple[float, float, float]]:
+    """Chainage and both ends' offsets of stop lines; pieces in one row, one for each lane, are one stop line."""
+    local = [section.axis.local(stop[:, :2]) for stop in stops]
+    pieces = sorted((float(offset.min()), float(offset.max()), float(chainage.mean())) for chainage, offset in local)
+    whole: list[tuple[float, float, float]] = []
+    for low, high, level in pieces:
+        for number, (at, right, left) in enumerate(whole):
+            if abs(at - level) < ONE_ROW and low - left < ONE_ROW:
+                whole[number] = (at, right, max(left, high))
+                break
+        else:
+            whole.append((level, low, high))
+    return whole
 
 
 def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], reach: tuple[float, float],
@@ -278,15 +298,36 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
         if contradicts:
             findings.append(_finding(section, members[0], "direction contradicts", contradicts))
         for one in members:
-            one.sign, one.source = sign, source
+            one.sign, one.source, one.contradicted = sign, source, bool(contradicts) and not sign
     changed = True
     while changed:
         changed = False
         for strip in strips:
-            if strip.sign == 0:
+            if strip.sign == 0 and not strip.contradicted:
                 sign, source = _from_neighbours(strip, strips, section, left_hand)
                 if sign:
                     strip.sign, strip.source, changed = sign, source, True
+    return findings + _against_the_rule(strips, section, left_hand)
+
+
+def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
+    """Take inferred directions back where lanes side by side would keep to the wrong side; findings tell where.
+
+    With traffic on the left, what leads along the axis lies to the left of what leads against it.
+    """
+    findings = []
+    for right in strips:
+        for left in strips:
+            if left.start != right.start or left.right != right.left or right.sign * left.sign != -1:
+                continue
+            if (left.sign > 0) == left_hand:
+                continue
+            inferred = [one for one in (right, left) if one.source in INFERRED]
+            findings.append(_finding(section, (inferred or [right])[0], "direction contradicts",
+                                     "Lanes beside each other would keep to the wrong side of the road here" + (
+                                         "; those without evidence of their own were not made." if inferred else ".")))
+            for one in inferred:
+                one.sign, one.source = 0, ""
     return findings
 
 
@@ -323,11 +364,11 @@ def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection
         kinds = _kinds(line, strip.start, strip.end)
         if (max(kinds, key=kinds.get) == "dashed" and _colour(line) != "yellow" and not line.double
                 and _is_bounded(strip, shared, section)):
-            return other.sign, "beside a dashed line"
+            return other.sign, BESIDE
         # With traffic on the left, what lies to the right of a lane is the other direction.
         to_right = (shared == strip.left) == (other.sign > 0)
         if (_colour(line) == "yellow" or line.double) and to_right == left_hand:
-            return -other.sign, "across the centre line"
+            return -other.sign, ACROSS
     return 0, ""
 
 
