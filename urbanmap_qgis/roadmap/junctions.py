@@ -87,9 +87,12 @@ def _visits(built: VectorMap, places: np.ndarray, tree: shapely.STRtree) -> list
 
 
 def _linked(built: VectorMap, one: int, other: int) -> bool:
-    """Whether a lane leads into another, or lies beside it."""
+    """Whether a lane leads into another, or a change of lanes does."""
     lane = built.lanes[one]
-    return one == other or other in (*lane.successors, lane.left_neighbour, lane.right_neighbour)
+    onward = [one, *lane.successors]
+    beside = [near for number in onward for near in (built.lanes[number].left_neighbour,
+                                                     built.lanes[number].right_neighbour)]
+    return other in onward or other in beside
 
 
 def _connects(built: VectorMap, places: np.ndarray, one: _Visit, other: _Visit) -> bool:
@@ -102,35 +105,67 @@ def _connects(built: VectorMap, places: np.ndarray, one: _Visit, other: _Visit) 
 
 
 def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> None:
-    """A virtual lane along a drive; its bounds keep their distance to the drive, changing evenly from end to begin."""
+    """A virtual lane along a drive; its bounds keep their distance to the drive, changing evenly from end to begin.
+
+    Where they would cross, they are drawn at a lane's width about a smooth curve from lane to lane, and that is told.
+    """
+    x, y = path[len(path) // 2, :2]
     sides = []
     for side in ("left", "right"):
         first, last = built.coordinates(one, side)[-1], built.coordinates(other, side)[0]
         sides.append(_between(first, last, path, built.lanes[one].centre, built.lanes[other].centre))
-    bounds = []
-    for (lane, to), points in zip(((_end_nodes(built, one), _begin_nodes(built, other)),) * 2, sides):
-        k = len(bounds)
-        nodes = [lane[k]]
-        for point in points:
-            built.nodes.append(point)
-            nodes.append(len(built.nodes) - 1)
-        built.bounds.append(Bound([*nodes, to[k]], "virtual"))
-        bounds.append(len(built.bounds) - 1)
+    if _append(built, one, other, sides, "drive"):
+        return
+    if _append(built, one, other, _about_curve(built, one, other), "drive, by width"):
+        built.findings.append(Finding("way drawn by width", "A drive leads from one lane to another here, but bounds "
+                                      "along it would cross; they are drawn at a lane's width about a smooth curve.",
+                                      float(x), float(y)))
+        return
+    built.findings.append(Finding("way not drawn", "A drive leads from one lane to another here, but bounds along it "
+                                  "would cross; no virtual lane was made.", float(x), float(y)))
+
+
+def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray], evidence: str) -> bool:
+    """Add a virtual lane with given inner points of its left and right bound; False where they would cross."""
+    ends = _end_nodes(built, one), _begin_nodes(built, other)
+    before = len(built.nodes), len(built.bounds), len(built.lanes)
+    for k, points in enumerate(sides):
+        first = len(built.nodes)
+        built.nodes.extend(points)
+        built.bounds.append(Bound([ends[0][k], *range(first, len(built.nodes)), ends[1][k]], "virtual"))
     width = [np.linalg.norm((built.coordinates(lane, "left")[at] - built.coordinates(lane, "right")[at])[:2])
              for lane, at in ((one, -1), (other, 0))]
-    made = MapLane(bounds[0], bounds[1], True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
-                   "virtual", "drive", _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
+    number = len(built.lanes)
+    made = MapLane(before[1], before[1] + 1, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
+                   "virtual", evidence, _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
     built.lanes.append(made)
-    number = len(built.lanes) - 1
     if not built.area(number).is_valid:
-        built.lanes.pop()
-        del built.bounds[-2:]
-        x, y = path[len(path) // 2, :2]
-        built.findings.append(Finding("way not drawn", "A drive leads from one lane to another here, but bounds along "
-                                      "it would cross; no virtual lane was made.", float(x), float(y)))
-        return
+        del built.nodes[before[0]:], built.bounds[before[1]:], built.lanes[before[2]:]
+        return False
     made.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
     built.lanes[one].successors.append(number)
+    return True
+
+
+def _about_curve(built: VectorMap, one: int, other: int) -> list[np.ndarray]:
+    """Inner points of bounds about the cubic from the end of a lane to the begin of another, in their directions."""
+    begin, end = built.lanes[one].centre, built.lanes[other].centre
+    chord = float(np.linalg.norm((end[0] - begin[-1])[:2]))
+    leave, enter = chord * _unit(begin[-1] - begin[-2]), chord * _unit(end[1] - end[0])
+    p = np.linspace(0.0, 1.0, max(4, int(chord / 2.0) + 1))[1:-1, None]
+    middle = ((2 * p ** 3 - 3 * p ** 2 + 1) * begin[-1, :2] + (p ** 3 - 2 * p ** 2 + p) * leave
+              + (3 * p ** 2 - 2 * p ** 3) * end[0, :2] + (p ** 3 - p ** 2) * enter)
+    slope = ((6 * p ** 2 - 6 * p) * (begin[-1, :2] - end[0, :2]) + (3 * p ** 2 - 4 * p + 1) * leave
+             + (3 * p ** 2 - 2 * p) * enter)
+    slope /= np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 1e-9)
+    normal = np.column_stack([-slope[:, 1], slope[:, 0]])
+    sides = []
+    for side in ("left", "right"):
+        first, last = built.coordinates(one, side)[-1], built.coordinates(other, side)[0]
+        half = [np.linalg.norm((place - centre)[:2]) for place, centre in ((first, begin[-1]), (last, end[0]))]
+        across = (half[0] + (half[1] - half[0]) * p) * (1.0 if side == "left" else -1.0)
+        sides.append(np.column_stack([middle + normal * across, first[2] + (last[2] - first[2]) * p[:, 0]]))
+    return sides
 
 
 def _end_nodes(built: VectorMap, lane: int) -> tuple[int, int]:

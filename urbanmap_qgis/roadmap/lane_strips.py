@@ -39,6 +39,7 @@ MOSTLY_SEEN = 0.5
 
 BESIDE, ACROSS = "beside a dashed line", "across the centre line"
 INFERRED = (BESIDE, ACROSS)
+DRIVEN, PAINTED = "drive", "arrow or stop line"
 
 DRIVE_ANGLE = np.radians(25.0)
 LEAST_UNDRIVEN = 25.0
@@ -311,7 +312,9 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
 
 
 def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
-    """Take inferred directions back where lanes side by side would keep to the wrong side; findings tell where.
+    """Take directions back where lanes side by side would keep to the wrong side; findings tell where.
+
+    Those inferred from neighbours go first; where both have evidence of their own, only drives are believed.
 
     With traffic on the left, what leads along the axis lies to the left of what leads against it.
     """
@@ -323,10 +326,11 @@ def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: 
             if (left.sign > 0) == left_hand:
                 continue
             inferred = [one for one in (right, left) if one.source in INFERRED]
-            findings.append(_finding(section, (inferred or [right])[0], "direction contradicts",
+            doubted = inferred or [one for one in (right, left) if one.source != DRIVEN]
+            findings.append(_finding(section, (doubted or [right])[0], "direction contradicts",
                                      "Lanes beside each other would keep to the wrong side of the road here" + (
-                                         "; those without evidence of their own were not made." if inferred else ".")))
-            for one in inferred:
+                                         "; those that were not driven were not made." if doubted else ".")))
+            for one in doubted:
                 one.sign, one.source = 0, ""
     return findings
 
@@ -338,13 +342,13 @@ def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
     length = sum(one.end - one.start for one in members)
     contradicts = min(forward, backward) > 0.3 * max(forward, backward)
     if max(ways) >= CLEAR_DRIVE and min(ways) <= 0.1 * max(ways):
-        return 1 if ways[0] > ways[1] else -1, "drive", (
+        return 1 if ways[0] > ways[1] else -1, DRIVEN, (
             "Arrows or stop lines contradict the drives about the direction here; that of the drives was taken."
             if contradicts else "")
     if contradicts:
         return 0, "", "Drives, arrows or stop lines contradict each other about the direction here."
     if max(forward, backward) >= min(LEAST_DRIVE, length / 2.0) and (max(ways) > 0 or length > LEAST_UNDRIVEN):
-        return 1 if forward > backward else -1, "drive" if max(ways) > 0 else "arrow or stop line", ""
+        return 1 if forward > backward else -1, DRIVEN if max(ways) > 0 else PAINTED, ""
     return 0, "", ""
 
 
