@@ -20,6 +20,9 @@ END_REACH = 12.0
 STATION = 1.0
 """Distance of the places of a drive that are looked at, m."""
 
+SMOOTH = 0.5
+"""Cosine of the largest angle at which a way's bounds leave a lane's end or enter its begin."""
+
 STRAIGHT = np.radians(25.0)
 
 
@@ -139,11 +142,22 @@ def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray],
     made = MapLane(before[1], before[1] + 1, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
                    "virtual", evidence, _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
     built.lanes.append(made)
-    if not built.area(number).is_valid:
+    if not (built.area(number).is_valid and _is_smooth(built, one, other, before[1])):
         del built.nodes[before[0]:], built.bounds[before[1]:], built.lanes[before[2]:]
         return False
     made.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
     built.lanes[one].successors.append(number)
+    return True
+
+
+def _is_smooth(built: VectorMap, one: int, other: int, bound: int) -> bool:
+    """Whether two new bounds leave the end of a lane and enter the begin of another about in their directions."""
+    tips = _unit(built.lanes[one].centre[-1] - built.lanes[one].centre[-2]), _unit(
+        built.lanes[other].centre[1] - built.lanes[other].centre[0])
+    for number in (bound, bound + 1):
+        points = built.bound_points(built.bounds[number])
+        if _unit(points[1] - points[0]) @ tips[0] < SMOOTH or _unit(points[-1] - points[-2]) @ tips[1] < SMOOTH:
+            return False
     return True
 
 
