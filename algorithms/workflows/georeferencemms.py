@@ -51,6 +51,12 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.io.decoded_points import decoded_once
+
+        with decoded_once():
+            return self._run_stages(parameters, context, feedback)
+
+    def _run_stages(self, parameters, context, feedback):
         given = {name: parameters[name] for name in parameters if parameters[name] is not None}
 
         def pick(*names):

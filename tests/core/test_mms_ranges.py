@@ -46,7 +46,7 @@ def test_range_is_the_distance_to_the_scanners_place(epochs):
     time = rng.uniform(0, trajectory.time[-1], 300)
     points = rng.normal([100, 200, 0], 10, (300, 3))
     expected = [np.linalg.norm(point - scanner_place(trajectory, at, ARM)) for point, at in zip(points, time)]
-    assert np.abs(ranges(*points.T, time, track) - expected).max() < 0.003
+    assert np.abs(ranges(*points.T, track.at(time)) - expected).max() < 0.003
     assert track.max_range == 40.0
 
 

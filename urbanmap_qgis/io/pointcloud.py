@@ -19,6 +19,7 @@ from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
 from .atomic import written_beside
 from .crs_text import same_horizontal
+from .decoded_points import decoded_points
 from .height_systems import refuse_other_heights
 from .las_check import check_las, decoding
 from .renamed_crs import known_wkt
@@ -171,11 +172,10 @@ def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: in
     for path, header in zip(cloud.paths, cloud.headers):
         read = 0
         try:
-            with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
-                for chunk in reader.chunk_iterator(chunk_points):
-                    read += len(chunk)
-                    yield chunk
-                    progress.step((done + read) / total)
+            for chunk in _chunks(path, header, chunk_points, layers):
+                read += len(chunk)
+                yield chunk
+                progress.step((done + read) / total)
         except _READ_ERRORS as error:
             raise InputError(f"{path.name} is damaged or truncated after {read:,} of "
                              f"{header.point_count:,} points: copy or download it again.") from error
@@ -183,6 +183,20 @@ def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: in
             raise InputError(f"{path.name} is truncated: it holds {read:,} of {header.point_count:,} points; "
                              "copy or download it again.")
         done += read
+
+
+def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
+            layers: laspy.DecompressionSelection) -> Iterator[laspy.ScaleAwarePointRecord]:
+    """The points of one file, from where `decoded_points.decoded_once` holds them if it does."""
+    holder = decoded_points() if header.are_points_compressed else None
+    held = holder.chunks(path, header, chunk_points) if holder else None
+    if held is not None:
+        yield from held
+        return
+    with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
+        chunks = reader.chunk_iterator(chunk_points)
+        whole = layers == laspy.DecompressionSelection.all()
+        yield from holder.kept(path, header, chunks) if holder and whole else chunks
 
 
 def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:

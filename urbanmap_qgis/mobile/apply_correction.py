@@ -28,6 +28,7 @@ COARSEST_SCALE = 0.001
 """m: files stored coarser are written with this step, or the correction would be rounded away."""
 
 _LARGEST = 2**31 - 1
+_CHUNK = 250_000
 _COPC = ("copc",)
 
 
@@ -76,7 +77,7 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
     with written_beside(output) as temporary:
         compress = Path(output).suffix.lower() == ".laz"
         with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress) as writer:
-            for chunk in iter_chunks(cloud, progress):
+            for chunk in iter_chunks(cloud, progress, _CHUNK):
                 writer.write_points(writing.moved(chunk, np.asarray(chunk.gps_time) + shift, outside, statistics))
             _write_evlrs(writer, _evlrs(cloud))
     moved = statistics.result()

@@ -14,6 +14,7 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
+from ..io.decoded_points import decoded_once
 from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, valid_points
 from ..progress import SILENT, Progress
@@ -98,11 +99,12 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
     """
     cloud = open_cloud(paths, crs_wkt)
     wkt = metric_crs_wkt(cloud)
-    with PointBuckets(_RECORD, _BUCKET_MEMORY) as buckets, PointBuckets(_RECORD, _BUCKET_MEMORY) as smaller:
-        survey = _Survey(cloud, settings, buckets, smaller, executor)
-        survey.read(progress.part(0.0, 0.35))
-        grounds = survey.grounds(progress.part(0.35, 0.65))
-    ground = _write(cloud, output, survey.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
+    with decoded_once():
+        with PointBuckets(_RECORD, _BUCKET_MEMORY) as buckets, PointBuckets(_RECORD, _BUCKET_MEMORY) as smaller:
+            survey = _Survey(cloud, settings, buckets, smaller, executor)
+            survey.read(progress.part(0.0, 0.35))
+            grounds = survey.grounds(progress.part(0.35, 0.65))
+        ground = _write(cloud, output, survey.passes, grounds, settings, min_ground_share, progress.part(0.65, 1.0))
     return GroundSummary(cloud.point_count, survey.usable, ground, survey.passes.count, wkt)
 
 

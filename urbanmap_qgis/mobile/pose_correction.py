@@ -49,11 +49,14 @@ class PoseCorrection:
         step, share = self._steps(time)
         local = (points - self.centre).astype(np.float32)
         moved = np.empty(local.shape, np.float32)
+        first, last = (int(step.min()), int(step.max())) if len(step) else (0, 0)
+        table = self.table[first:last + 2]
+        values = np.diff(table, axis=0)[step - first]
+        values *= share[:, None]
+        values += table[step - first]
         for axis in range(3):
-            row = np.ascontiguousarray(self.table[:, 4 * axis:4 * axis + 4])
-            values = row[step]
-            values += np.diff(row, axis=0)[step] * share[:, None]
-            moved[:, axis] = np.einsum("ij,ij->i", values[:, :3], local) + values[:, 3]
+            row = values[:, 4 * axis:4 * axis + 4]
+            moved[:, axis] = np.einsum("ij,ij->i", row[:, :3], local) + row[:, 3]
         return moved
 
     def max_displacement(self, points: np.ndarray) -> float:

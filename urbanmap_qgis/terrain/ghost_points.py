@@ -65,6 +65,7 @@ class _Slices:
         self.own = np.zeros((len(suspect), _SLICES), np.int64)
         self.around = np.zeros((len(suspect), _SLICES), np.int64)
         row, column = np.divmod(suspect, shape[1])
+        cell, height = self._within(cell, height, suspect, shape)
         for down, right in _AROUND:
             inside = ((row + down >= 0) & (row + down < shape[0]) & (column + right >= 0) & (column + right < shape[1]))
             number = np.full(lowest.size, -1)
@@ -74,9 +75,20 @@ class _Slices:
             if not down and not right:
                 self.own = counts
 
+    def _within(self, cell: np.ndarray, height: np.ndarray, suspect: np.ndarray,
+                shape: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+        """The points that may be counted: in a suspect cell or beside one, below the highest slice of those there."""
+        top = np.full((shape[0] + 2, shape[1] + 2), -np.inf)
+        row, column = np.divmod(suspect, shape[1])
+        for down, right in _AROUND:
+            place = row + 1 + down, column + 1 + right
+            top[place] = np.maximum(top[place], (self.base + _SLICES + 1) * BIN)
+        some = np.flatnonzero(height < top[1:-1, 1:-1].ravel()[cell])
+        return cell[some], height[some]
+
     def _count(self, number: np.ndarray, height: np.ndarray) -> np.ndarray:
         """Points by suspect (its number; -1: none) and slice, (suspects, slices)."""
-        used = np.flatnonzero((number >= 0) & np.isfinite(height))
+        used = np.flatnonzero(number >= 0)
         number = number[used]
         level = np.floor(height[used] / BIN).astype(np.int64) - self.base[number]
         near = (level >= 0) & (level < _SLICES)

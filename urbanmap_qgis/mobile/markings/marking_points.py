@@ -17,6 +17,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...terrain.delaunay import extreme_in_cells
 
 CELL = 0.05
 """m, side of the grid's cells."""
@@ -161,31 +162,50 @@ def _image(cell: np.ndarray, brightness: np.ndarray, grid: Grid) -> tuple[np.nda
 
     Also, of the same shape, by what share of a single point's its noise is.
     """
-    size = grid.rows * grid.columns
-    count = np.bincount(cell, minlength=size).astype(np.float32).reshape(grid.shape)
-    total = np.bincount(cell, weights=brightness, minlength=size).astype(np.float32).reshape(grid.shape)
+    count, total = _cell_sums(cell, None, grid), _cell_sums(cell, brightness, grid)
     image, number = np.full(grid.shape, np.nan, dtype=np.float32), np.ones(grid.shape, dtype=np.float32)
+    empty, open_ = np.ones(grid.shape, dtype=bool), np.empty(grid.shape, dtype=bool)
+    weight, value = np.empty_like(count), np.empty_like(count)
     for spacing in _SPACINGS:
-        weight, value = (_blurred(layer, spacing) for layer in (count, total))
-        open_ = np.isnan(image) & (weight > _SUPPORT)
-        image[open_] = value[open_] / weight[open_]
+        _blurred(count, spacing, weight)
+        _blurred(total, spacing, value)
+        np.greater(weight, _SUPPORT, out=open_)
+        open_ &= empty
+        empty ^= open_
+        np.divide(value, weight, out=image, where=open_)
         # Of n evenly spread points a cell, 4 pi sigma^2 n enter a Gaussian mean with full weight.
-        number[open_] = np.maximum(4 * np.pi * spacing ** 2 * weight[open_], 1.0)
-    return image, 1.0 / np.sqrt(number)
+        weight *= 4 * np.pi * spacing ** 2
+        np.maximum(weight, 1.0, out=number, where=open_)
+    np.sqrt(number, out=number)
+    return image, np.divide(np.float32(1.0), number, out=number)
 
 
-def _blurred(layer: np.ndarray, sigma: float) -> np.ndarray:
+def _cell_sums(cell: np.ndarray, values: np.ndarray | None, grid: Grid) -> np.ndarray:
+    """Sum of values (n,) of the points of each cell, or their number, (rows, columns) float32."""
+    return np.bincount(cell, values, grid.rows * grid.columns).astype(np.float32).reshape(grid.shape)
+
+
+def _few_sums(cell: np.ndarray, values: np.ndarray | None, grid: Grid) -> np.ndarray:
+    """The same of points that are few beside the grid's cells."""
+    filled, number = np.unique(cell, return_inverse=True)
+    sums = np.zeros(grid.rows * grid.columns, np.float32)
+    sums[filled] = np.bincount(number, values, len(filled))
+    return sums.reshape(grid.shape)
+
+
+def _blurred(layer: np.ndarray, sigma: float, out: np.ndarray | None = None) -> np.ndarray:
     """Gaussian mean with a standard deviation in cells; wide ones are taken on a grid that is coarser accordingly.
 
+    `out` is where it goes: new memory for each mean costs as much as the mean.
     The caller's grid must lie on multiples of 8 cells, so that the coarse one does not depend on its extent.
     """
     step = int(min(max(2 ** np.floor(np.log2(sigma / 1.5)), 1), _COARSEST))
     if step == 1:
-        return cv2.GaussianBlur(layer, (0, 0), sigma, borderType=cv2.BORDER_CONSTANT)
+        return cv2.GaussianBlur(layer, (0, 0), sigma, dst=out, borderType=cv2.BORDER_CONSTANT)
     rows, columns = layer.shape
     coarse = cv2.resize(layer, (columns // step, rows // step), interpolation=cv2.INTER_AREA)
     coarse = cv2.GaussianBlur(coarse, (0, 0), sigma / step, borderType=cv2.BORDER_CONSTANT)
-    return cv2.resize(coarse, (columns, rows), interpolation=cv2.INTER_LINEAR)
+    return cv2.resize(coarse, (columns, rows), dst=out, interpolation=cv2.INTER_LINEAR)
 
 
 def _ground_level(image: np.ndarray, settings: MarkingPointSettings) -> np.ndarray:
@@ -201,13 +221,18 @@ def _core(image: np.ndarray, ground: np.ndarray, contrast: np.ndarray, settings:
     """Cells that are surely paint, bool."""
     sigma = 0.15 * settings.block_size / CELL
     seen = ~np.isnan(image)
-    weight = _blurred(seen.astype(np.float32), sigma)
-    mean = _blurred(np.where(seen, image, np.float32(0)), sigma) / np.maximum(weight, 1e-3)
+    mean, weight = _blurred(np.where(seen, image, np.float32(0)), sigma), _blurred(seen.astype(np.float32), sigma)
+    mean /= np.maximum(weight, 1e-3, out=weight)
     margin = contrast * ground
     # Corners of wide bright surfaces: there the ground beside is as bright.
-    beside = cv2.dilate(ground, _disc(_PAINT_REACH)) * np.float32(1.0 + 0.5 * settings.contrast)
+    beside = cv2.dilate(ground, _disc(_PAINT_REACH))
+    beside *= np.float32(1.0 + 0.5 * settings.contrast)
+    mean += margin
+    margin += ground
     with np.errstate(invalid="ignore"):
-        return seen & (image > mean + margin) & (image > ground + margin) & (image > beside)
+        for level in (mean, margin, beside):
+            seen &= image > level
+    return seen
 
 
 def _disc(radius: float) -> np.ndarray:
@@ -223,29 +248,25 @@ def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, im
     base = ground.ravel()[cell[some]]
     value = brightness[some]
     bright = value > 0.5 * (highest[cell[some]] + base)
-    size = grid.rows * grid.columns
     here = cell[some[bright]]
-    count = np.bincount(here, minlength=size).astype(np.float32).reshape(grid.shape)
-    total = np.bincount(here, weights=value[bright], minlength=size).astype(np.float32).reshape(grid.shape)
     sigma = _PAINT_REACH / CELL / 1.5
-    count, total = (_blurred(layer, sigma) for layer in (count, total))
-    level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest.reshape(grid.shape)).ravel()[cell[some]]
+    count, total = (_blurred(_few_sums(here, values, grid), sigma).ravel()[cell[some]]
+                    for values in (None, value[bright]))
+    level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest[cell[some]])
     return value > 0.5 * (level + base), level
 
 
 def _on_steps(some: np.ndarray, cell: np.ndarray, z: np.ndarray, bright: np.ndarray, grid: Grid,
               step: float) -> np.ndarray:
     """Which of some points lie above lower ground beside them, as on a kerb or a wall, or among bright ones that do."""
-    size = grid.rows * grid.columns
-    low = np.full(size, np.inf, np.float32)
     height = (z - z.min()).astype(np.float32)
-    np.minimum.at(low, cell, height)
+    low = extreme_in_cells(cell, height, grid.rows * grid.columns, highest=False)
     low[np.isinf(low)] = 1e6
     low = low.reshape(grid.shape)
     beside, around = (cv2.erode(low, _disc(reach)).ravel()[cell[some]] for reach in (_STEP_REACH, _FOOT_REACH))
     above = (height[some] - beside > step) | (height[some] - around > max(step, _FOOT))
-    counts = [cv2.GaussianBlur(np.bincount(cell[some[part]], minlength=size).astype(np.float32).reshape(grid.shape),
-                               (0, 0), 1.5).ravel()[cell[some]] for part in (bright & above, bright)]
+    counts = [cv2.GaussianBlur(_few_sums(cell[some[part]], None, grid), (0, 0), 1.5).ravel()[cell[some]]
+              for part in (bright & above, bright)]
     return above | (counts[0] > _STEP_SHARE * counts[1])
 
 

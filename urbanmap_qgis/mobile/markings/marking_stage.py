@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
@@ -13,6 +14,7 @@ import numpy as np
 
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
+from ...io.decoded_points import decoded_once
 from ...io.point_buckets import PointBuckets
 from ...io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud
 from ...progress import SILENT, Progress
@@ -44,7 +46,7 @@ MAX_SCANNERS = 16
 _PIECE_POINTS = 1_500_000
 _MAX_UNITS = 8
 _MARGIN = 2
-_BUCKET_MEMORY = 250_000_000
+_BUCKET_MEMORY = 80_000_000
 _LASER_POINTS = 500_000
 
 
@@ -127,12 +129,13 @@ def extract_markings(cloud: PointCloud, trajectory: Trajectory, calibration: Cal
     InputError : no intensity, no GPS time, times that do not overlap, or an unknown scanner.
     InsufficientDataError : no ground near the vehicle, or no scanner whose asphalt can be told.
     """
-    with PointBuckets(RECORD, _BUCKET_MEMORY) as near, PointBuckets(RECORD, _BUCKET_MEMORY) as ground:
-        survey = SurveyPoints(cloud, trajectory, calibration, settings.max_range, near)
-        survey.read(progress.part(0.0, 0.5))
-        _report_left_out(survey, progress)
-        run = _Run(survey, settings, executor)
-        run.find_ground(near, ground, progress.part(0.5, 0.7))
+    with PointBuckets(RECORD, _BUCKET_MEMORY) as ground:
+        with PointBuckets(RECORD, _BUCKET_MEMORY) as near:
+            survey = SurveyPoints(cloud, trajectory, calibration, settings.max_range, near)
+            survey.read(progress.part(0.0, 0.5))
+            _report_left_out(survey, progress)
+            run = _Run(survey, settings, executor)
+            run.find_ground(near, ground, progress.part(0.5, 0.7))
         run.fit(progress)
         run.tell_lasers(ground, progress)
         run.require_curves()
@@ -180,20 +183,20 @@ class _Run:
     def find_ground(self, near: PointBuckets, ground: PointBuckets, progress: Progress) -> None:
         """Put the ground points of each stretch into other buckets, and count them by range and intensity."""
         progress.message("Finding the ground." if self.method == "cloth" else "Taking the points of ground classes.")
-        owned: list[np.ndarray] = []
+        owned: deque[np.ndarray] = deque()
         work = partial(_ground_of_stretch, settings=self.settings.cloth, by_class=self.method == "classes")
         margin = _MARGIN if self.method == "cloth" else 0
 
         def pieces() -> Iterator[tuple[np.ndarray, np.ndarray]]:
             for records, own in self.survey.stretches(near, self.length, margin):
-                owned.append(records[own])
+                first = int(own.argmax())  # a stretch's own points follow each other
+                owned.append(records[first:first + int(np.count_nonzero(own))])
                 yield records[["x", "y", "z", "ground"]], own
 
         scatters = []
         for step, (mask, scatter) in enumerate(in_order(work, pieces(), self.executor, progress.check)):
-            records = owned[step][mask]
+            records = owned.popleft()[mask]
             scatters.append(scatter)
-            owned[step] = records[:0]
             self.ground_points += len(records)
             self._count(records)
             ground.add(self.survey.unit(records["time"]), records)
@@ -291,23 +294,25 @@ class _Run:
     def find_markings(self, ground: PointBuckets, progress: Progress) -> Extraction:
         """The marking points of all stretches."""
         progress.message("Finding the markings.")
-        owned: list[np.ndarray] = []
+        owned: deque[tuple[np.ndarray, np.ndarray]] = deque()
         plain = self.settings.plain
         work = (partial(_markings_of_stretch, noise=self._noise(), settings=self.settings.marking) if plain is None else
                 partial(_plain_markings_of_stretch, white=self._white(), settings=plain))
 
         def pieces() -> Iterator[tuple[np.ndarray, ...]]:
             for records, own in self.survey.stretches(ground, self.length, _MARGIN):
-                records, own, brightness = self._calibrated(records, own)
-                owned.append(records[own])
-                self.in_range += int(np.count_nonzero(own))
-                yield (*(np.ascontiguousarray(records[name]) for name in "xyz"), brightness, own)
+                brightness = self._calibrated(records)
+                keep = np.isfinite(brightness)
+                mine = np.flatnonzero(keep & own)
+                owned.append((records, mine))
+                self.in_range += len(mine)
+                yield (*(records[name][keep] for name in "xyz"), brightness[keep], own[keep])
 
         found = []
         for step, (rows, weight, contrast, brightness) in enumerate(
                 in_order(work, pieces(), self.executor, progress.check)):
-            found.append((owned[step][rows], weight, contrast, brightness))
-            owned[step] = owned[step][:0]
+            records, mine = owned.popleft()
+            found.append((records[mine[rows]], weight, contrast, brightness))
             progress.step(min((step + 1) / self.pieces, 1.0))
         return self._result(found)
 
@@ -326,15 +331,14 @@ class _Run:
                                     for curve in self.curves.values()]).T
         return Noise(self.scatter, float((points * scatter).sum() / points.sum()))
 
-    def _calibrated(self, records: np.ndarray, own: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Records within R2, which are own, and their brightness (asphalt: 1)."""
+    def _calibrated(self, records: np.ndarray) -> np.ndarray:
+        """Brightness (n,) float32 of records (asphalt: 1), NaN beyond R2."""
         scanner = self._scanner(records["source"])
         brightness = np.full(len(records), np.nan, dtype=np.float32)
         for number, curve in self.curves.items():
             some = slice(None) if len(self.histograms) == 1 else scanner == number
             brightness[some] = calibrated(self._intensity(number, records[some]), records["range"][some], curve, 1.0)
-        keep = np.isfinite(brightness)
-        return records[keep], own[keep], brightness[keep]
+        return brightness
 
     def _result(self, found: list[tuple[np.ndarray, ...]]) -> Extraction:
         read_counts = self.survey.read_counts
@@ -410,8 +414,9 @@ def markings_to_file(paths: Sequence[str | os.PathLike], output: str | os.PathLi
     The points keep their order, times and places. See `extract_markings`.
     """
     cloud = open_cloud(paths)
-    made = extract_markings(cloud, trajectory, calibration, settings, progress.part(0.0, 0.75), executor)
-    _write(cloud, output, made, progress.part(0.75, 1.0))
+    with decoded_once():
+        made = extract_markings(cloud, trajectory, calibration, settings, progress.part(0.0, 0.75), executor)
+        _write(cloud, output, made, progress.part(0.75, 1.0))
     return made
 
 

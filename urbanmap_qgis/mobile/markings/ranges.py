@@ -70,7 +70,7 @@ def _times(epochs: np.ndarray) -> np.ndarray:
     return np.append(epochs[number] + np.diff(epochs)[number] * within / parts[number], epochs[-1])
 
 
-def ranges(x: np.ndarray, y: np.ndarray, z: np.ndarray, time: np.ndarray, track: Track) -> np.ndarray:
-    """Range (n,) in m of points at x, y, z (n,) m measured at times (n,) by the scanner of a track."""
-    tx, ty, tz = track.at(time)
-    return np.sqrt((x - tx) ** 2 + (y - ty) ** 2 + (z - tz) ** 2)
+def ranges(x: np.ndarray, y: np.ndarray, z: np.ndarray,
+           place: tuple[np.ndarray, np.ndarray, np.ndarray]) -> np.ndarray:
+    """Range (n,) in m of points at x, y, z (n,) m from their scanner's place at their times (`Track.at`)."""
+    return np.sqrt((x - place[0]) ** 2 + (y - place[1]) ** 2 + (z - place[2]) ** 2)

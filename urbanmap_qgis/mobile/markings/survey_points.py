@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from pathlib import Path
+from functools import lru_cache
 
 import laspy
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
+from ...io.decoded_points import FileState, file_state
 from ...io.point_buckets import PointBuckets
 from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
@@ -46,6 +47,7 @@ _ABOVE, _BELOW = 0.5, 4.5
 _RISE = 0.15
 _PLACES, _PROBE = 6, 20_000
 _FEW = 0.05
+_CHUNK = 250_000  # points: columns of them stay in memory that is used again
 
 
 @dataclass
@@ -100,7 +102,7 @@ class SurveyPoints:
         ------
         InputError : no intensity, a scanner that the calibration does not know, or no point near the trajectory.
         """
-        for chunk in iter_chunks(self.cloud, progress):
+        for chunk in iter_chunks(self.cloud, progress, _CHUNK):
             first = self.read_counts.points
             self.read_counts.points += len(chunk)
             keep = valid_points(chunk)
@@ -117,22 +119,26 @@ class SurveyPoints:
         rows, time = rows[inside], time[inside]
         if not len(rows):
             return
-        records = np.empty(len(rows), dtype=RECORD)
-        for name in "xyz":
-            records[name] = np.asarray(chunk[name])[rows]
+        x, y, z = (np.asarray(chunk[name])[rows] for name in "xyz")
+        intensity, source = (np.asarray(chunk[name])[rows] for name in ("intensity", "point_source_id"))
+        self.read_counts.least = min(self.read_counts.least, float(intensity.min()))
+        self.read_counts.most = max(self.read_counts.most, float(intensity.max()))
+        near, distance = self._near(x, y, z, time, source)
+        kept = np.flatnonzero(near)
+        self.read_counts.kept += len(kept)
+        if not len(kept):
+            return
+        rows, time = rows[kept], time[kept]
+        records = np.empty(len(kept), dtype=RECORD)
+        for name, values in zip(("x", "y", "z", "range", "intensity", "source"),
+                                (x, y, z, distance, intensity, source)):
+            records[name] = values[kept]
         records["time"], records["number"] = time, first + rows
-        records["intensity"] = np.asarray(chunk["intensity"])[rows]
-        records["source"] = np.asarray(chunk["point_source_id"])[rows]
         records["laser"] = np.asarray(chunk[self.laser_dimension])[rows].astype(np.int64) & 0xFF
         records["ground"] = np.isin(classes[rows], GROUND_CLASSES)
-        self.read_counts.least = min(self.read_counts.least, float(records["intensity"].min()))
-        self.read_counts.most = max(self.read_counts.most, float(records["intensity"].max()))
-        records = records[self._near(records)]
-        self.read_counts.kept += len(records)
-        if len(records):
-            key = self.unit(records["time"])
-            self.units.update(np.unique(key).tolist())
-            self.buckets.add(key, records)
+        key = self.unit(time)
+        self.units.update(np.unique(key).tolist())
+        self.buckets.add(key, records)
 
     def unit(self, time: np.ndarray) -> np.ndarray:
         """Key of the unit of path of each time (n,): units between two breaks follow each other."""
@@ -150,23 +156,23 @@ class SurveyPoints:
         self.read_counts.standing += int(np.count_nonzero(standing))
         return known & ~standing
 
-    def _near(self, records: np.ndarray) -> np.ndarray:
-        """Which records lie within range of their scanner and at heights where its road may be; their range is set."""
-        near = np.zeros(len(records), dtype=bool)
-        sources = np.unique(records["source"]).tolist()
-        for source in sources:
-            some = slice(None) if len(sources) == 1 else np.flatnonzero(records["source"] == source)
-            track = self.tracks.of(source)
-            x, y, z, time = (records[name][some] for name in ("x", "y", "z", "time"))
-            distance = ranges(x, y, z, time, track)
-            height = z - track.at(time)[2]
-            records["range"][some] = distance
-            slope = _RISE * distance
-            near[some] = ((distance <= min(self.max_range, track.max_range)) & (height <= _ABOVE + slope)
+    def _near(self, x: np.ndarray, y: np.ndarray, z: np.ndarray, time: np.ndarray,
+              source: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Which points (n,) lie within range of their scanner and at heights where its road may be; their ranges, m."""
+        near, distance = np.zeros(len(x), dtype=bool), np.empty(len(x), dtype=np.float32)
+        sources = np.unique(source).tolist()
+        for number in sources:
+            some = slice(None) if len(sources) == 1 else np.flatnonzero(source == number)
+            track = self.tracks.of(number)
+            place = track.at(time[some])
+            distance[some] = away = ranges(x[some], y[some], z[some], place)
+            height = z[some] - place[2]
+            slope = _RISE * away
+            near[some] = ((away <= min(self.max_range, track.max_range)) & (height <= _ABOVE + slope)
                           & (height >= -_BELOW - slope))
             if not near[some].any() and len(height):
                 self.read_counts.heights.append(float(np.median(height)))
-        return near
+        return near, distance
 
     def _check(self) -> None:
         """Refuse a survey that cannot be used."""
@@ -230,22 +236,29 @@ def sampled_span(cloud: PointCloud) -> tuple[float, float]:
                                                   for vlr in header.vlrs):
         return time_range(cloud)
     try:
-        times = [_probe(path, int(share * max(header.point_count - _PROBE, 0)))
-                 for path, header in zip(cloud.paths, cloud.headers) if header.point_count
-                 for share in np.linspace(0.0, 1.0, _PLACES)]
+        span = _sampled(tuple(file_state(path) for path, header in zip(cloud.paths, cloud.headers)
+                              if header.point_count))
     except (laspy.errors.LaspyException, RuntimeError, OSError, ValueError, EOFError):
         # Not every LAZ can be entered in its middle; one that is damaged says so when it is read through.
         return time_range(cloud)
+    return span or time_range(cloud)
+
+
+@lru_cache(maxsize=8)
+def _sampled(files: tuple[FileState, ...]) -> tuple[float, float] | None:
+    """Span of the samples of files; None where all times are 0. Each stage of a chain asks it for the same files."""
+    times = [time for path, *_ in files for time in _probes(path)]
     if not any(time.any() for time in times):
-        return time_range(cloud)
+        return None
     return tuple(np.quantile(np.concatenate(times), [_FEW, 1.0 - _FEW]).tolist())
 
 
-def _probe(path: Path, start: int) -> np.ndarray:
-    """Some gps_times from a point on."""
+def _probes(path: str) -> Iterator[np.ndarray]:
+    """Some gps_times of a file from several places on."""
     with laspy.open(path) as reader:
-        reader.seek(start)
-        return np.asarray(reader.read_points(_PROBE)["gps_time"])
+        for share in np.linspace(0.0, 1.0, _PLACES):
+            reader.seek(int(share * max(reader.header.point_count - _PROBE, 0)))
+            yield np.asarray(reader.read_points(_PROBE)["gps_time"])
 
 
 def require_points(number: int, name: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from copy import copy
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,6 +16,20 @@ from .normal_equations import NormalEquations
 _SINGULAR = 1e-6  # ratio of information below which a direction is not observed
 _STEP_SOFTNESS = 0.2  # share of the information that pieces on a step keep
 _NO_WEIGHT = 0.02  # weight that stands for evidence that is not believed at all
+
+
+@dataclass(frozen=True)
+class _Prior:
+    """Normal equations of a model of the error without observations.
+
+    Attributes
+    ----------
+    diagonal : (k, d, 2, d, 2), ahead : (k - 1, d, 2, d, 2) blocks. log_determinant : of its steps' precisions.
+    """
+
+    diagonal: np.ndarray
+    ahead: np.ndarray
+    log_determinant: float
 
 
 class NodeChain:
@@ -30,6 +45,7 @@ class NodeChain:
 
     def _take(self, normals: NormalEquations) -> None:
         self.size = len(normals.active)
+        self._held: tuple[PoseErrorModel, _Prior] | None = None
         self.node, self.ahead = self._next_node(normals.path_parameter)
         moving = np.concatenate([self.fast[:1], np.maximum(self.fast[1:], self.fast[:-1]), self.fast[-1:]]) > 0
         # Where the error changes fast its own linearisation is worth less.
@@ -56,7 +72,27 @@ class NodeChain:
     def solve(self, model: PoseErrorModel, weight: np.ndarray):
         """Most likely states (k, d, 2), their covariances, and the log-likelihood of the model."""
         k, d = len(self.nodes), self.size
-        diagonal, ahead, right = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2)), np.zeros((k, d, 2))
+        prior = self._prior_of(model)
+        diagonal, right = prior.diagonal.copy(), np.zeros((k, d, 2))
+        weighted = self.normals.information * weight[:, None, None]
+        gradient = self.normals.normal_vector * weight[:, None]
+        steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
+        for a in range(2):
+            np.add.at(right[:, :, a], self.node, gradient * steps[:, a, None])
+            for b in range(2):
+                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (steps[:, a] * steps[:, b])[:, None, None])
+        solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
+                               right.reshape(k, 2 * d))
+        likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior.log_determinant
+                            - solution.log_determinant)
+        return solution.state.reshape(k, d, 2), solution.covariance, likelihood
+
+    def _prior_of(self, model: PoseErrorModel) -> _Prior:
+        """What a model says of the nodes; held for the next call, as the same model is solved with many weights."""
+        if self._held is not None and self._held[0] is model:
+            return self._held[1]
+        k, d = len(self.nodes), self.size
+        diagonal, ahead = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2))
         transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast)
         own = np.arange(d)
         carried = np.einsum("kdji,kdjl->kdil", transition, precision)  # F' P
@@ -66,19 +102,9 @@ class NodeChain:
         start = 1.0 / model.start(self.normals.active)
         diagonal[0, own, 0, own, 0] += start[:, 0]
         diagonal[0, own, 1, own, 1] += start[:, 1]
-        weighted = self.normals.information * weight[:, None, None]
-        gradient = self.normals.normal_vector * weight[:, None]
-        steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
-        for a in range(2):
-            np.add.at(right[:, :, a], self.node, gradient * steps[:, a, None])
-            for b in range(2):
-                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (steps[:, a] * steps[:, b])[:, None, None])
-        solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), ahead.reshape(k - 1, 2 * d, 2 * d),
-                               right.reshape(k, 2 * d))
-        determinants = np.linalg.det(precision)
-        prior = float(np.log(determinants).sum() + np.log(start).sum())
-        likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior - solution.log_determinant)
-        return solution.state.reshape(k, d, 2), solution.covariance, likelihood
+        determinant = float(np.log(np.linalg.det(precision)).sum() + np.log(start).sum())
+        self._held = model, _Prior(diagonal, ahead, determinant)
+        return self._held[1]
 
     def unconstrained_likelihood(self, weight: np.ndarray, allowed: np.ndarray) -> float:
         """Log-likelihood that the nodes would reach each on its own, with the densities that their weights stand for.

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg.lapack import dpotrf, dtrtri
 
 
 @dataclass(frozen=True)
@@ -36,18 +37,22 @@ def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> C
     state = right * scale
     inverse = np.empty_like(diagonal)  # of each pivot, the states before eliminated
     gain = np.empty_like(ahead)
-    log_determinant = -2.0 * float(np.log(scale).sum())
+    roots = np.empty_like(state)
     pivot = diagonal[0]
     for k in range(count):
         if k:
-            pivot = diagonal[k] - ahead[k - 1].T @ gain[k - 1]
-            state[k] -= gain[k - 1].T @ state[k - 1]
-        lower = np.linalg.cholesky(pivot)
-        log_determinant += 2.0 * float(np.log(lower.diagonal()).sum())
-        half = np.linalg.inv(lower)
-        inverse[k] = half.T @ half
+            back = gain[k - 1].T
+            pivot = diagonal[k] - back @ ahead[k - 1]
+            state[k] -= back @ state[k - 1]
+        lower, wrong = dpotrf(pivot, lower=1)
+        if wrong:
+            raise np.linalg.LinAlgError("Matrix is not positive definite")
+        roots[k] = lower.diagonal()
+        half, _ = dtrtri(lower, lower=1)
+        np.matmul(half.T, half, out=inverse[k])
         if k < count - 1:
-            gain[k] = inverse[k] @ ahead[k]
+            np.matmul(inverse[k], ahead[k], out=gain[k])
+    log_determinant = 2.0 * float(np.log(roots).sum() - np.log(scale).sum())
     covariance = inverse.copy()
     state[-1] = inverse[-1] @ state[-1]
     for k in range(count - 2, -1, -1):
