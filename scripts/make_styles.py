@@ -407,6 +407,18 @@ def lane_bounds(layer) -> None:
                      "road border": line_symbol("#5a4a42", 0.6), "virtual": line_symbol("#8fa9c9", 0.4, "dot")})
 
 
+def road_edges(layer) -> None:
+    """Edges by kind; doubtful ones dotted."""
+    colours = {"kerb": "#3f8f63", "lowered kerb": "#4a8fe7", "road border": "#c9a227", "guard rail": "#8a6bb0",
+               "wall": "#5a4a42"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || ', ' || \"status\"", [
+        QgsRendererCategory(f"{kind}, {status}", line_symbol(colour, 0.7, pen), f"{kind}, {status}")
+        for kind, colour in colours.items() for status, pen in (("measured", "solid"), ("doubtful", "dot"))]))
+    layer.setMapTipTemplate(
+        "[% \"kind\" %], [% round(\"height\", 2) %] m high<br>sigma [% round(\"sigma\", 3) %] m, in height "
+        "[% round(\"sigma_z\", 3) %] m<br>[% \"status\" %]")
+
+
 def map_findings(layer) -> None:
     """Points by what was found."""
     kinds = {"no lane made": "#e09a2b", "open end": "#4a8fe7", "bound not seen": "#b8b03a",
@@ -669,6 +681,7 @@ FIELDS = {
     lanes: ("Polygon", "lane_id:integer kind:string evidence:string length:double width:double successors:string"),
     lane_centres: ("LineStringZ", "lane_id:integer kind:string width:double"),
     lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
+    road_edges: ("LineStringZ", "kind:string height:double sigma:double sigma_z:double status:string"),
     map_findings: ("Point", "kind:string text:string"),
     map_faults: ("Point", "rule:string severity:string text:string element:string"),
     marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),

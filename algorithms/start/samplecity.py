@@ -56,9 +56,10 @@ class SampleCity(UrbanMapAlgorithm):
                         "canyon")
         self.add_text("FAULTS", "Faults", "Faults of real surveys to put in, with commas between them: steps (in the "
                       "trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), "
-                      "ground (heights of the airborne points that are off), rails (and decks), paint (worn and "
-                      "patched), surface (wet and concrete stretches). Without any the city is as ever.", "",
-                      optional=True, advanced=True)
+                      "ground (heights of the airborne points that are off), rails (and decks), "
+                      "driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). "
+                      "Without any the city is as ever.", "", optional=True,
+                      advanced=True)
         self.add_number("WORKERS", "Workers", "Number of sensors that measure at the same time. The result does not "
                         "depend on it.", 2, 1, 16, integer=True, advanced=True)
         self.add_folder_output("OUTPUT", "Sample city", "A new or empty folder.")

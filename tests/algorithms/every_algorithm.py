@@ -52,6 +52,7 @@ RECIPES: dict[str, dict] = {
     "tiledrun": {"ALGORITHM": "buildingsfromals", "POINTS": ["city:als/als.laz"], **OUTLINES, "TILE": 100},
     "loadgsidem": {"INPUT": "made:FG-GML-5339-46-11-DEM5A-20161001.xml", "CRS": "EPSG:6677"},
     "markinglines": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"]},
+    "roadedges": {**DRIVE, "WALLS": "wallsfrommms:OUTPUT"},
     "vectormap": {"LINES": "markinglines:OUTPUT", "TRAJECTORY": [DRIVE["TRAJECTORY"]]},
     "lanemap": {"MARKINGS": MAP["MARKINGS"], "GROUND": HEIGHTS["GROUND"], **TRUTH},
     "checkvectormap": {"INPUT": "vectormap:OUTPUT_LANELET2"},

@@ -22,7 +22,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
             "buildingsfromals", "tiledrun",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
-            "lanemap", "localisationaccuracy")
+            "lanemap", "roadedges", "localisationaccuracy")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

@@ -15,6 +15,7 @@ from urbanmap_qgis.samplecity import write
 from urbanmap_qgis.samplecity.faults import FAULTS, LASERS, checked_faults, ghost_rows, laser_of, surface_factor
 from urbanmap_qgis.samplecity.scene.model import GROUND
 from urbanmap_qgis.samplecity.scene.world import make_scene
+from urbanmap_qgis.samplecity.truth.edges import true_kerbs, true_rails
 
 SIZE, SEED = 60.0, 1
 
@@ -122,6 +123,25 @@ def test_paint_is_worn_and_patched_and_rails_stand():
     decks = [thing for thing in faulty.furniture[len(plain.furniture):] if thing.z_high - thing.z_low < 0.5]
     assert decks and len(faulty.furniture) > len(plain.furniture) + 2 * len(decks) - 1
     assert faulty.buildings == plain.buildings and faulty.trees == plain.trees and faulty.vehicles == plain.vehicles
+
+
+def test_kerbs_come_down_at_driveways():
+    plain, faulty = make_scene(140.0, "canyon", SEED), make_scene(140.0, "canyon", SEED, ["driveways"])
+    assert faulty.ground.lowered and not plain.ground.lowered
+    place = faulty.ground.lowered[0]
+    street = next(s for s in faulty.ground.streets if s.name == place.street)
+    along = np.array([0.5 * (place.start + place.end), place.start - 1.0])
+    heights = []
+    for scene in (plain, faulty):
+        across = street.at + place.side * (street.half_width + np.array([[-0.001], [0.001], [2.0]]))
+        u, v = np.meshgrid(along, across[:, 0])
+        heights.append(scene.ground_height(*scene.ground.to_world(*((u, v) if street.along == "u" else (v, u)))))
+    assert heights[0][1] - heights[0][0] == pytest.approx(0.15, abs=1e-3)
+    assert (heights[1][1] - heights[1][0]).tolist() == pytest.approx([0.02, 0.15], abs=1e-3)
+    assert heights[1][2].tolist() == pytest.approx(heights[0][2].tolist(), abs=1e-6)
+    kerbs, rails = true_kerbs(faulty), true_rails(faulty)
+    assert min(kerbs.fields["height"]) == pytest.approx(0.02, abs=0.002) and sum(kerbs.fields["lowered"]) > 8
+    assert len(rails.geometries) and min(rails.fields["height"]) > 0.7
 
 
 def test_a_whole_city_says_its_faults(tmp_path):

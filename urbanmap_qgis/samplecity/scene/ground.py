@@ -18,6 +18,12 @@ PAVEMENT_FALL = 0.02
 PAVEMENT_REACH = 2.5
 """The pavement rises by `PAVEMENT_FALL` over its first metres from the kerb; all beyond lies as high as there."""
 
+LOWERED_HEIGHT = 0.02
+"""Height of a lowered kerb, m."""
+
+LOWERED_SLOPE, LOWERED_DEPTH = 0.6, 1.2
+"""m along the kerb in which it comes down, and behind it in which the pavement reaches its height again."""
+
 WAVE_LENGTH = 170.0
 """Of the undulation, m."""
 
@@ -58,6 +64,16 @@ class Street:
 
 
 @dataclass(frozen=True)
+class LoweredKerb:
+    """A place where a kerb is lowered: name of the street, side (1, -1) of it, begin and end along it, m."""
+
+    street: str
+    side: int
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
 class Ground:
     """Ground of the city. Public functions take projected x, y; u, v are the axes of the streets.
 
@@ -68,6 +84,7 @@ class Ground:
     wave : half height of the gentle undulation along u, m.
     streets : at least one along u and one along v.
     parking : polygons of parking lots (projected coordinates).
+    lowered : places where kerbs are lowered.
     """
 
     origin: tuple[float, float]
@@ -77,6 +94,7 @@ class Ground:
     wave: float
     streets: tuple[Street, ...]
     parking: tuple[shapely.Polygon, ...] = ()
+    lowered: tuple[LoweredKerb, ...] = ()
 
     def to_local(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """u, v of projected x, y."""
@@ -106,7 +124,21 @@ class Ground:
                   + np.maximum(rise_u, rise_v) * (1 - shape_u) * (1 - shape_v))
         kerb = _kerb_distance(*self._beyond(u, v, near_u, near_v))
         step = np.where(kerb > 0, KERB_HEIGHT + PAVEMENT_FALL * np.minimum(kerb, PAVEMENT_REACH), 0.0)
+        if self.lowered:
+            step = np.where(kerb > 0, step - self._lowering(u, v, kerb), 0.0)
         return self._general(u, v) + camber + step
+
+    def _lowering(self, u: np.ndarray, v: np.ndarray, kerb: np.ndarray) -> np.ndarray:
+        """By how much the pavement lies lower than behind a full kerb (m), at places `kerb` m behind the kerb line."""
+        share = np.zeros(np.shape(kerb))
+        streets = {street.name: street for street in self.streets}
+        for place in self.lowered:
+            street = streets[place.street]
+            along, across = (u, v) if street.along == "u" else (v, u)
+            inside = np.minimum(along - place.start, place.end - along) / LOWERED_SLOPE
+            beside = np.abs((across - street.at) * place.side - street.half_width - kerb) < 1e-6
+            share = np.maximum(share, np.where(beside, np.clip(inside, 0.0, 1.0), 0.0))
+        return share * np.clip(1.0 - kerb / LOWERED_DEPTH, 0.0, 1.0) * (KERB_HEIGHT - LOWERED_HEIGHT)
 
     def bounds_of_relief(self) -> tuple[float, float]:
         """Least and greatest difference of the height from the general plane z0 + slope . (u, v), m."""

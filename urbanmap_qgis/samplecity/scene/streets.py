@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .ground import Ground, Street
+from .ground import Ground, LoweredKerb, Street
 from .model import Lane
 
 AVENUE_PITCH, STREET_PITCH = 72.0, 80.0
@@ -45,3 +45,14 @@ def make_lanes(ground: Ground, size: float) -> tuple[Lane, ...]:
                 lanes.append(Lane(street.name, start, end, street.lane_width,
                                   survey=street.name in ("A", "B") and number == street.lanes - 1))
     return tuple(lanes)
+
+
+def lowered_kerbs(ground: Ground, size: float) -> tuple[LoweredKerb, ...]:
+    """Driveways over the pavements of the main streets, clear of crossings."""
+    places = []
+    for street in (s for s in ground.streets if s.name in ("A", "B")):
+        others = [other for other in ground.streets if other.along != street.along]
+        for start in np.arange(-size / 2 + 14.5, size / 2 - 10.0, 30.0):
+            if all(abs(start + 2.0 - other.at) > other.half_width + 12.0 for other in others):
+                places += [LoweredKerb(street.name, side, float(start), float(start) + 4.0) for side in (1, -1)]
+    return tuple(places)

@@ -23,7 +23,7 @@ from .ground import Ground, Surface
 from .markings import make_markings, worn_and_patched
 from .model import AERIAL, GROUND, Building, Crowns, Faces, Furniture, Lane, Marking, Material, Tree, Vehicle
 from .paint import Paint
-from .streets import make_ground, make_lanes
+from .streets import lowered_kerbs, make_ground, make_lanes
 
 CRS = "EPSG:6677"
 SURVEYED = date(2024, 4, 1)
@@ -155,9 +155,11 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     ground = make_ground(size, ORIGIN, layout)
     buildings, parking = make_buildings(ground, size, scene, built)
     ground = replace(ground, parking=parking)
+    faults = checked_faults(faults)
+    if "driveways" in faults:
+        ground = replace(ground, lowered=lowered_kerbs(ground, size))
     lanes = make_lanes(ground, size)
     trees = make_trees(ground, size, planted)
-    faults = checked_faults(faults)
     markings = make_markings(ground, size, scene, painted)
     furniture = make_furniture(ground, size, scene, trees, furnished)
     if "paint" in faults:

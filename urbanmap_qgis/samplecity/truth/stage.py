@@ -12,6 +12,7 @@ from ..scene.faces import ring_of
 from ..scene.ground import KERB_RADIUS
 from ..scene.model import AERIAL, GROUND, FaceKind
 from ..scene.world import Scene
+from .edges import true_kerbs, true_rails
 from .geopackage import Layer, write_geopackage
 from .geotiff import write_mask
 from .lanes import true_lanes
@@ -24,7 +25,7 @@ BORDER = 30.0
 
 
 def write_truth(scene: Scene, folder: Path) -> dict:
-    """Write truth/markings.gpkg, roofs.gpkg, footprints.gpkg, areas.gpkg, lanes.gpkg and ground.tif below `folder`."""
+    """Write the layers markings, roofs, footprints, areas, lanes, edges and ground.tif to truth/ below `folder`."""
     truth = folder / "truth"
     truth.mkdir(parents=True, exist_ok=True)
     write_geopackage(truth / "markings.gpkg", [_markings(scene, AERIAL, "aerial"), _markings(scene, GROUND, "mms")])
@@ -32,6 +33,7 @@ def write_truth(scene: Scene, folder: Path) -> dict:
     write_geopackage(truth / "footprints.gpkg", [_footprints(scene)])
     write_geopackage(truth / "areas.gpkg", [_areas(scene)])
     write_geopackage(truth / "lanes.gpkg", [true_lanes(scene)])
+    write_geopackage(truth / "edges.gpkg", [true_kerbs(scene), true_rails(scene)])
     _write_ground(scene, truth / "ground.tif")
     return {"buildings": len(scene.buildings), "roofs": sum(len(building.parts) for building in scene.buildings),
             "markings": len(scene.markings), "trees": len(scene.trees), "vehicles": len(scene.vehicles)}

@@ -1,0 +1,157 @@
+"""urbanmap:roadedges."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from qgis.core import QgsProcessing
+
+from ...urbanmap_qgis.errors import InputError
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.layers import make_fields
+from ..framework.parameters import tr
+from ..mobile.survey_inputs import read_survey
+from .feature_package import PackageLayer, geometry_type_of, write_package
+
+FIELDS = (("edge_id", "int"), ("kind", "text"), ("height", "real"), ("sigma", "real"), ("sigma_z", "real"),
+          ("length", "real"), ("points", "int"), ("passes", "int"), ("completeness", "real"), ("chain", "int"),
+          ("gap", "real"), ("status", "text"), ("reason", "text"))
+GEOPACKAGE_FILTER = "GeoPackage (*.gpkg)"
+
+
+class RoadEdges(UrbanMapAlgorithm):
+    ID = "roadedges"
+    NAME = "Road edges"
+    SOURCE = "Javanmardi 2018, 6.2"
+    KEYWORDS = ("road", "kerb", "curb", "edge", "border", "guard rail", "wall", "MMS", "breakline", "lane map")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "laspy", "lazrs", "rasterio")
+    HELP = (
+        "Finds kerbs, lowered kerbs, road borders without kerb, guard rails and walls along the drive of a corrected "
+        "mobile survey, as lines with heights, standard deviations and the share of their length that was measured.\n"
+        "Kerbs are steps between two smooth sides. Each half metre a profile across the edge gives its foot, top and "
+        "face; passes through the same place are fitted apart and combined by their sigma. Where neither side is seen, "
+        "as behind parked cars, a line ends: “gap” tells how far the next part of its chain is away, nothing is drawn "
+        "in between.\n"
+        "A kerb whose face is not seen, and rails that may be the sides of vehicles, are doubtful, with the reason. "
+        "Points and trajectory must be corrected ones: lines are as wrong as the survey is.\n"
+        "Objects of “Objects from images” and walls of “Walls of the mobile survey” can be put into one GeoPackage "
+        "with the edges."
+    )
+
+    def declare(self):
+        self.add_points(help="The survey, placed by the trajectory: LAS, LAZ or COPC files with GPS times, in one "
+                        "projected coordinate system.")
+        self.add_trajectory()
+        self.add_trajectory_reading()
+        self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, from which those of the "
+                        "points are counted. Without it the ground is found among the points; where the raster has no "
+                        "value no edge is found.", optional=True)
+        self.add_distance("WIDTH", "Half width", "Edges up to so far from the path, in metres.", 12.0, 3.0, 50.0)
+        self.add_distance("MIN_HEIGHT", "Lowest kerb", "Lower steps, in metres, are no kerbs; between two parts of a "
+                          "kerb they are its lowered places.", 0.03, 0.02, 0.2)
+        self.add_distance("MAX_HEIGHT", "Highest kerb", "Higher steps, in metres, are no kerbs.", 0.30, 0.1, 0.6,
+                          advanced=True)
+        self.add_distance("MIN_LENGTH", "Minimum length", "Shorter edges, in metres, are left out.", 3.0, 1.0, 100.0,
+                          advanced=True)
+        self.add_distance("SIGMA", "Standard deviation of the survey", "How well the survey is placed as a whole, in "
+                          "metres; it enters the sigma of all edges.", 0.01, 0.0, 10.0)
+        self.add_vector("OBJECTS", "Objects", "Objects of “Objects from images” for the GeoPackage.", optional=True,
+                        source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
+        self.add_vector("WALLS", "Walls", "Walls of “Walls of the mobile survey” for the GeoPackage.",
+                        optional=True, source_type=QgsProcessing.SourceType.TypeVectorPolygon)
+        self.add_points_crs()
+        line = QgsProcessing.SourceType.TypeVectorLine
+        self.add_layer_output("OUTPUT", "Road edges", "LineStringZ along the foot: edge_id, kind (kerb, lowered kerb, "
+                              "road border, guard rail, wall), height, sigma (across), sigma_z, length (m), points, "
+                              "passes, completeness (share of the line that was measured), chain (parts of one edge), "
+                              "gap (m to the next part), status (measured, doubtful), reason.", source_type=line)
+        self.add_layer_output("OUTPUT_TOPS", "Upper edges", "The same along the top: edge_id, kind, height, sigma, "
+                              "sigma_z, status.", optional=True, by_default=True, source_type=line)
+        self.add_file_output("OUTPUT_PACKAGE", "All features", "One GeoPackage with the layers edges, upper_edges and, "
+                             "where given, objects and walls.", GEOPACKAGE_FILTER, optional=True)
+        self.add_number_output("EDGES", "Edges", "Number of lines.")
+        self.add_number_output("KERB_LENGTH", "Length of kerbs", "Kerbs and lowered kerbs.", "m")
+        self.add_number_output("BORDER_LENGTH", "Length of road borders", "Without a kerb.", "m")
+        self.add_number_output("RAIL_LENGTH", "Length of guard rails", "Measured and doubtful ones.", "m")
+        self.add_number_output("WALL_LENGTH", "Length of walls", "Walls at the road.", "m")
+        self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Median standard deviation of measured kerbs across; "
+                               "no value without kerbs.", "m")
+
+    def check(self, parameters, context):
+        wanted = parameters.get("OUTPUT_PACKAGE") not in (None, "")
+        given = [name for name in ("OBJECTS", "WALLS") if parameters.get(name) not in (None, "")]
+        if given and not wanted:
+            raise InputError(tr("{0} is given but {1} is not: name the GeoPackage that it is to go into.").format(
+                self.label_of(given[0]), self.label_of("OUTPUT_PACKAGE")))
+
+    def compute(self, parameters, context, feedback):
+        import numpy as np
+
+        from ...urbanmap_qgis.roadmap.edges_records import KERB, MEASURED, EdgeSettings
+
+        progress = self.progress(feedback)
+        paths, crs, read = read_survey(self, parameters, context, progress)
+        carried = self._carried(parameters, context, crs)
+        settings = EdgeSettings(*(self.parameterAsDouble(parameters, name, context) for name in (
+            "WIDTH", "MIN_HEIGHT", "MAX_HEIGHT", "MIN_LENGTH", "SIGMA")))
+        found = self._find(parameters, context, paths, crs, read.trajectory, settings, progress.part(0.0, 0.9))
+        self._tell(found, progress)
+        results = self._write(parameters, context, found, crs, carried, progress.part(0.9, 1.0))
+        sigmas = [edge.sigma for edge in found.edges if edge.kind == KERB and edge.status == MEASURED]
+        return {**results, "EDGES": len(found.edges), "KERB_LENGTH": found.length("kerb", "lowered kerb"),
+                "BORDER_LENGTH": found.length("road border"), "RAIL_LENGTH": found.length("guard rail"),
+                "WALL_LENGTH": found.length("wall"), "MEDIAN_SIGMA": float(np.median(sigmas)) if sigmas else None}
+
+    def _find(self, parameters, context, paths, crs, trajectory, settings, progress):
+        from ...urbanmap_qgis.io.raster import RasterSampler
+        from ...urbanmap_qgis.roadmap.edges_stage import road_edges
+
+        ground = self.raster_path(parameters, "GROUND", context)
+        if ground is None:
+            return road_edges(paths, trajectory, settings, progress=progress)
+        with RasterSampler(ground) as heights:
+            self.same_crs("GROUND", heights.crs_wkt, "POINTS", crs)
+            return road_edges(paths, trajectory, settings, heights.sample, progress)
+
+    def _carried(self, parameters, context, crs):
+        """Layers of OBJECTS and WALLS for the GeoPackage, in the CRS of the points."""
+        layers = []
+        for name, title in (("OBJECTS", "objects"), ("WALLS", "walls")):
+            table = self.read_vector(parameters, name, context)
+            if table is None:
+                continue
+            self.same_crs("POINTS", crs, name, table.crs)
+            layers.append(PackageLayer(title, table.fields, table.columns, table.geometries,
+                                       geometry_type_of(table.geometries)))
+        return layers
+
+    def _write(self, parameters, context, found, crs, carried, progress):
+        import shapely
+
+        edges = found.edges
+        columns = {"edge_id": list(range(len(edges))),
+                   **{name: [getattr(edge, name) for edge in edges] for name, _ in FIELDS[1:]}}
+        columns["reason"] = [tr(edge.reason) if edge.reason else None for edge in edges]
+        fields, top_fields = make_fields(*FIELDS), make_fields(*FIELDS[:5], FIELDS[-2])
+        feet = [shapely.linestrings(edge.foot) for edge in edges]
+        tops = [shapely.linestrings(edge.top) for edge in edges]
+        top_columns = {item.name(): columns[item.name()] for item in top_fields}
+        results = {
+            "OUTPUT": self.write_layer(parameters, "OUTPUT", context, fields, columns, crs, feet, "LineStringZ",
+                                       style="road_edges", progress=progress),
+            "OUTPUT_TOPS": self.write_layer(parameters, "OUTPUT_TOPS", context, top_fields, top_columns, crs, tops,
+                                            "LineStringZ", style="road_edges")}
+        package = self.output_path(parameters, "OUTPUT_PACKAGE", context)
+        if package is not None:
+            own = [PackageLayer("edges", fields, columns, feet, "LineStringZ"),
+                   PackageLayer("upper_edges", top_fields, top_columns, tops, "LineStringZ")]
+            write_package(package, own + carried, crs)
+            results["OUTPUT_PACKAGE"] = str(package)
+        return {name: place for name, place in results.items() if place}
+
+    def _tell(self, found, progress):
+        for (kind, status), count in sorted(Counter((edge.kind, edge.status) for edge in found.edges).items()):
+            progress.message(tr("{0}, {1}: {2}").format(kind, status, count))
+        if not found.length("kerb", "lowered kerb"):
+            progress.warn(tr("No kerb was found along {0:.0f} m of path: the road has none, or the points are too "
+                             "sparse or too noisy to show steps of a few centimetres.").format(found.path_length))

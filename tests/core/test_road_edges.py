@@ -1,0 +1,117 @@
+"""Kerbs, rails and walls of a made-up street of known geometry."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tests.core.road_scene import KERB_AT, RAIL_AT, WALL_AT, Street, to_local, write_drive
+from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.roadmap.edges_profile import fit_profile
+from urbanmap_qgis.roadmap.edges_records import EdgeSettings
+from urbanmap_qgis.roadmap.edges_stage import road_edges
+
+SETTINGS = EdgeSettings(survey_sigma=0.0)
+
+
+def edges_of(tmp_path, street, angle=0.0, passes=1, settings=SETTINGS):
+    trajectory = write_drive(tmp_path / "drive.las", street, angle, passes)
+    return road_edges([tmp_path / "drive.las"], trajectory, settings)
+
+
+def across(edge, angle):
+    return to_local(edge.foot, angle)[:, 1]
+
+
+@pytest.mark.parametrize("angle", [0.0, 25.0, 77.0, 200.0])
+def test_a_kerb_lies_where_it_is_whatever_its_direction(tmp_path, angle):
+    kerb, = edges_of(tmp_path, Street(), angle).edges
+    assert (kerb.kind, kerb.status) == ("kerb", "measured") and kerb.length > 57.0
+    assert np.abs(across(kerb, angle) - KERB_AT).max() < 0.02
+    assert kerb.height == pytest.approx(0.12, abs=0.005)
+    assert np.abs(to_local(kerb.foot, angle)[:, 2] + 0.04).max() < 0.015
+    assert 0.0003 < kerb.sigma < 0.01 and kerb.completeness > 0.95
+
+
+def test_two_passes_are_surer_than_one(tmp_path):
+    once, = edges_of(tmp_path, Street(length=30.0)).edges
+    twice, = edges_of(tmp_path, Street(length=30.0), passes=2).edges
+    assert (once.passes, twice.passes) == (1, 2) and twice.points > 1.8 * once.points
+    assert twice.sigma < 0.9 * once.sigma
+    assert np.abs(across(twice, 0.0) - KERB_AT).max() < 0.012
+
+
+def test_no_kerb_no_edge(tmp_path):
+    assert not edges_of(tmp_path, Street(kerb=0.0)).edges
+
+
+def test_a_lowered_place_is_a_section_of_its_own(tmp_path):
+    # The ground behind is lowered too: its own borders, which run away from the road, are steps as well.
+    edges = [edge for edge in edges_of(tmp_path, Street(lowered=(25.0, 30.0))).edges if across(edge, 0.0).max() < 4.3]
+    assert [edge.kind for edge in sorted(edges, key=lambda edge: to_local(edge.foot, 0.0)[:, 0].min())] == [
+        "kerb", "lowered kerb", "kerb"]
+    low = next(edge for edge in edges if edge.kind == "lowered kerb")
+    assert 3.5 < low.length < 6.5 and low.height < 0.05
+    assert np.abs(across(low, 0.0) - KERB_AT).max() < 0.05
+    assert len({edge.chain for edge in edges}) == 1
+
+
+def test_nothing_is_drawn_where_nothing_is_seen(tmp_path):
+    first, second = sorted(edges_of(tmp_path, Street(hidden=(25.0, 31.0))).edges,
+                           key=lambda edge: to_local(edge.foot, 0.0)[:, 0].min())
+    along = [to_local(edge.foot, 0.0)[:, 0] for edge in (first, second)]
+    assert along[0].max() < 25.6 and along[1].min() > 30.4
+    assert first.chain == second.chain and max(first.gap, second.gap) == pytest.approx(
+        along[1].min() - along[0].max(), abs=0.1)
+
+
+def test_rail_and_wall_stand_where_they_are(tmp_path):
+    rail = [edge for edge in edges_of(tmp_path, Street(rail=0.8)).edges if edge.kind == "guard rail"]
+    wall = [edge for edge in edges_of(tmp_path, Street(wall=2.5)).edges if edge.kind == "wall"]
+    for (edge,), at, height in ((rail, RAIL_AT, 0.92), (wall, WALL_AT, 2.62)):
+        assert edge.status == "measured" and edge.length > 55.0
+        assert np.abs(across(edge, 0.0) - at).max() < 0.02
+        assert edge.height == pytest.approx(height, abs=0.14)
+
+
+def test_a_kerb_before_a_rail_is_found(tmp_path):
+    kerb = [edge for edge in edges_of(tmp_path, Street(rail=0.8)).edges if edge.kind == "kerb"]
+    assert sum(edge.length for edge in kerb) > 50.0
+    assert max(np.abs(across(edge, 0.0) - KERB_AT).max() for edge in kerb) < 0.02
+
+
+def test_steps_of_a_stair_are_no_kerb_higher_than_asked(tmp_path):
+    found = edges_of(tmp_path, Street(kerb=0.28), settings=EdgeSettings(max_height=0.2, survey_sigma=0.0))
+    assert not [edge for edge in found.edges if edge.kind == "kerb"]
+
+
+def test_thinned_points_are_refused(tmp_path):
+    trajectory = write_drive(tmp_path / "drive.las", Street(spacing=0.6))
+    with pytest.raises(InsufficientDataError, match="ground points a square metre"):
+        road_edges([tmp_path / "drive.las"], trajectory)
+
+
+def test_points_of_another_height_are_refused(tmp_path):
+    trajectory = write_drive(tmp_path / "drive.las", Street(length=20.0))
+    with pytest.raises(InsufficientDataError, match="beside the path"):
+        road_edges([tmp_path / "drive.las"],
+                   replace(trajectory, place=trajectory.place + np.array([0.0, 0.0, 60.0])))
+
+
+@pytest.mark.parametrize("lean", [0.0, 0.06])
+def test_a_leaning_face_parts_foot_and_top(lean):
+    rng = np.random.default_rng(3)
+    a = rng.uniform(-1.2, 1.2, 400)
+    z = np.clip((a - 0.05) / max(lean, 1e-9) * 0.12, 0.0, 0.12) if lean else np.where(a > 0.05, 0.12, 0.0)
+    face_z = rng.uniform(0.0, 0.12, 40)
+    a, z = np.append(a, 0.05 + lean * face_z / 0.12), np.append(z, face_z)
+    fit = fit_profile(a + 0.004 * rng.standard_normal(len(a)), z + 0.004 * rng.standard_normal(len(a)))
+    assert fit.foot == pytest.approx(0.05, abs=0.012) and fit.top == pytest.approx(0.05 + lean, abs=0.012)
+    assert fit.height == pytest.approx(0.12, abs=0.004) and fit.sigma < 0.005
+
+
+def test_a_profile_needs_both_sides():
+    a = np.linspace(-1.0, -0.05, 100)
+    assert fit_profile(a, np.zeros(100)) is None

@@ -1,0 +1,122 @@
+"""Edges of a surveyed road from its points: kerbs, borders, rails and walls, stretch by stretch of the map."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..errors import InsufficientDataError
+from ..io.point_buckets import PointBuckets
+from ..io.pointcloud import open_cloud
+from ..mobile.trajectory import Trajectory
+from ..progress import SILENT, Progress
+from .edges_assembly import kerb_lines
+from .edges_courses import find_courses, lengthened, linked
+from .edges_ground import above_ground, near_ground
+from .edges_points import EdgePoints, EdgeTile
+from .edges_records import POINT, Course, EdgeCandidates, EdgeSettings, RoadEdge, joined
+from .edges_stations import Stations, measure_stations
+from .edges_steps import step_candidates
+from .edges_uprights import Uprights, measure_uprights, upright_candidates, upright_lines
+
+DEFAULTS = EdgeSettings()
+
+_SPARSE = 8.0  # points a square metre of tiles at the path below which no edge can be told
+
+
+@dataclass(frozen=True)
+class EdgesFound:
+    """Edges and what they come from.
+
+    Attributes
+    ----------
+    edges : kerbs first, then rails and walls, each kind in the order in which it was found.
+    path_length : m driven. points_read, points_used : of the survey.
+    """
+
+    edges: list[RoadEdge]
+    path_length: float
+    points_read: int
+    points_used: int
+
+    def length(self, *kinds: str) -> float:
+        """Length of the edges of some kinds, m."""
+        return float(sum(edge.length for edge in self.edges if edge.kind in kinds))
+
+
+def road_edges(paths: Sequence[str | os.PathLike], trajectory: Trajectory, settings: EdgeSettings = DEFAULTS,
+               ground: Callable[[np.ndarray, np.ndarray], np.ndarray] | None = None, progress: Progress = SILENT
+               ) -> EdgesFound:
+    """Find the edges along a drive.
+
+    Parameters
+    ----------
+    paths : LAS or LAZ files with GPS times, in a projected CRS in metres, placed by `trajectory`.
+    ground : heights (m) of the ground at places x, y; without it the ground is found among the points.
+
+    Raises
+    ------
+    InsufficientDataError : no points beside the path, or too few to tell edges.
+    InputError : the files cannot be read.
+    """
+    with PointBuckets(POINT) as buckets:
+        survey = EdgePoints(open_cloud(paths), trajectory, settings.width, buckets)
+        survey.read(progress.part(0.0, 0.4))
+        local = None if ground is None else lambda x, y: ground(x + survey.corner[0], y + survey.corner[1])
+        steps, uprights = _candidates(survey, settings, local, progress.part(0.4, 0.65))
+        kerbs, faces = _courses(steps), _courses(uprights)
+        stations, upright_stations = Stations.of(kerbs), Uprights.of(faces)
+        for tile in survey.tiles(progress.part(0.65, 1.0)):
+            height = above_ground(tile.points, local)
+            measure_stations(stations, tile, near_ground(tile.points, height))
+            measure_uprights(upright_stations, tile, height)
+    edges = kerb_lines(stations, settings, survey.corner)
+    edges += upright_lines(upright_stations, settings, survey.corner, len(kerbs))
+    return EdgesFound([_placed(edge, settings) for edge in edges], float(survey.chainage[-1]), survey.read_points,
+                      survey.kept_points)
+
+
+def _candidates(survey: EdgePoints, settings: EdgeSettings, ground, progress: Progress
+                ) -> tuple[EdgeCandidates, EdgeCandidates]:
+    """Candidates of steps and of upright faces within the width of the path."""
+    steps, uprights, density = [], [], []
+    for tile in survey.tiles(progress):
+        height = above_ground(tile.points, ground)
+        low = near_ground(tile.points, height)
+        steps.append(_beside(step_candidates(tile, low, settings), survey))
+        uprights.append(_beside(upright_candidates(tile, height, survey.path_tree), survey))
+        density += _densities(tile, low, survey)
+    if not density or np.median(density) < _SPARSE:
+        found = float(np.median(density)) if density else 0.0
+        raise InsufficientDataError(f"There are {found:.1f} ground points a square metre beside the path: edges need "
+                                    f"{_SPARSE:.0f} or more; give the whole survey, not a thinned one.")
+    return joined(steps), joined(uprights)
+
+
+def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]:
+    """Ground points within a square metre about each fourth place of the path in a tile."""
+    places = survey.path[tile.owns(survey.path)][::4]
+    x, y = tile.points["x"][low], tile.points["y"][low]
+    return [int(np.count_nonzero((np.abs(x - place[0]) < 0.5) & (np.abs(y - place[1]) < 0.5))) for place in places]
+
+
+def _beside(candidates: EdgeCandidates, survey: EdgePoints) -> EdgeCandidates:
+    """Those within the width of the path."""
+    if not len(candidates):
+        return candidates
+    near = survey.within(candidates.place)
+    return EdgeCandidates(candidates.place[near], candidates.normal[near], candidates.height[near],
+                          candidates.score[near])
+
+
+def _courses(candidates: EdgeCandidates) -> list[Course]:
+    return [lengthened(course) for course in linked(find_courses(candidates))]
+
+
+def _placed(edge: RoadEdge, settings: EdgeSettings) -> RoadEdge:
+    """The edge with how well the survey itself is placed in its standard deviations."""
+    return replace(edge, sigma=float(np.hypot(edge.sigma, settings.survey_sigma)),
+                   sigma_z=float(np.hypot(edge.sigma_z, settings.survey_sigma)))
