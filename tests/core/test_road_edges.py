@@ -9,7 +9,7 @@ import pytest
 
 from tests.core.road_scene import KERB_AT, RAIL_AT, WALL_AT, Street, to_local, write_drive
 from urbanmap_qgis.errors import InsufficientDataError
-from urbanmap_qgis.roadmap.edges_profile import fit_profile
+from urbanmap_qgis.roadmap.edges_profile import fit_edge_profile
 from urbanmap_qgis.roadmap.edges_records import EdgeSettings
 from urbanmap_qgis.roadmap.edges_stage import road_edges
 
@@ -107,11 +107,11 @@ def test_a_leaning_face_parts_foot_and_top(lean):
     z = np.clip((a - 0.05) / max(lean, 1e-9) * 0.12, 0.0, 0.12) if lean else np.where(a > 0.05, 0.12, 0.0)
     face_z = rng.uniform(0.0, 0.12, 40)
     a, z = np.append(a, 0.05 + lean * face_z / 0.12), np.append(z, face_z)
-    fit = fit_profile(a + 0.004 * rng.standard_normal(len(a)), z + 0.004 * rng.standard_normal(len(a)))
+    fit = fit_edge_profile(a + 0.004 * rng.standard_normal(len(a)), z + 0.004 * rng.standard_normal(len(a)))
     assert fit.foot == pytest.approx(0.05, abs=0.012) and fit.top == pytest.approx(0.05 + lean, abs=0.012)
     assert fit.height == pytest.approx(0.12, abs=0.004) and fit.sigma < 0.005
 
 
 def test_a_profile_needs_both_sides():
     a = np.linspace(-1.0, -0.05, 100)
-    assert fit_profile(a, np.zeros(100)) is None
+    assert fit_edge_profile(a, np.zeros(100)) is None

@@ -77,7 +77,7 @@ class _Line:
         return float(self.noise * np.sqrt(1.0 / self.number + (a - self.middle)**2 / self.spread))
 
 
-def fit_profile(a: np.ndarray, z: np.ndarray) -> Profile | None:
+def fit_edge_profile(a: np.ndarray, z: np.ndarray) -> Profile | None:
     """Fit one pass's points about a station; None where one of the sides was not measured.
 
     Parameters

@@ -94,7 +94,7 @@ class RoadEdge:
         return float(np.hypot(*np.diff(self.foot[:, :2], axis=0).T).sum())
 
 
-def joined(parts: list[EdgeCandidates]) -> EdgeCandidates:
+def joined_candidates(parts: list[EdgeCandidates]) -> EdgeCandidates:
     """All candidates of some lists."""
     if not parts:
         return EdgeCandidates(np.zeros((0, 2)), np.zeros((0, 2)), np.zeros(0), np.zeros(0))

@@ -17,7 +17,7 @@ from .edges_assembly import kerb_lines
 from .edges_courses import find_courses, lengthened, linked
 from .edges_ground import above_ground, near_ground
 from .edges_points import EdgePoints, EdgeTile
-from .edges_records import POINT, Course, EdgeCandidates, EdgeSettings, RoadEdge, joined
+from .edges_records import POINT, Course, EdgeCandidates, EdgeSettings, RoadEdge, joined_candidates
 from .edges_stations import Stations, measure_stations
 from .edges_steps import step_candidates
 from .edges_uprights import Uprights, measure_uprights, upright_candidates, upright_lines
@@ -93,7 +93,7 @@ def _candidates(survey: EdgePoints, settings: EdgeSettings, ground, progress: Pr
         found = float(np.median(density)) if density else 0.0
         raise InsufficientDataError(f"There are {found:.1f} ground points a square metre beside the path: edges need "
                                     f"{_SPARSE:.0f} or more; give the whole survey, not a thinned one.")
-    return joined(steps), joined(uprights)
+    return joined_candidates(steps), joined(uprights)
 
 
 def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from .edges_points import EdgeTile
-from .edges_profile import FAR_REACH, HALF_LENGTH, Profile, fit_profile
+from .edges_profile import FAR_REACH, HALF_LENGTH, Profile, fit_edge_profile
 from .edges_records import Course
 
 _CHANCE = 3.0  # misfit of a degree of freedom that may be chance
@@ -83,7 +83,7 @@ def measure_stations(stations: Stations, tile: EdgeTile, near_ground: np.ndarray
         fits = []
         for drive in np.unique(points["drive"][rows]).tolist():
             of_drive = points["drive"][rows] == drive
-            fits.append(fit_profile(across[of_drive], points["z"][rows][of_drive]))
+            fits.append(fit_edge_profile(across[of_drive], points["z"][rows][of_drive]))
         _put(stations, row, [fit for fit in fits if fit is not None])
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d
 
 from .edges_points import EdgeTile
-from .edges_records import EdgeCandidates, EdgeSettings, joined
+from .edges_records import EdgeCandidates, EdgeSettings, joined_candidates
 
 STRIP = 0.5
 """Width of a strip, m: the length of edge that one candidate stands for."""
@@ -54,7 +54,7 @@ def step_candidates(tile: EdgeTile, near_ground: np.ndarray, settings: EdgeSetti
             angle = np.pi * number / DIRECTIONS
             along = np.array([np.cos(angle), np.sin(angle)])
             found.append(_in_strips(place, along, settings))
-    every = joined(found)
+    every = joined_candidates(found)
     mine = tile.owns(every.place)
     return EdgeCandidates(every.place[mine], every.normal[mine], every.height[mine], every.score[mine])
 
@@ -62,7 +62,7 @@ def step_candidates(tile: EdgeTile, near_ground: np.ndarray, settings: EdgeSetti
 def _in_strips(place: np.ndarray, along: np.ndarray, settings: EdgeSettings) -> EdgeCandidates:
     """Candidates of points (n, 3) whose normals run along the direction (2,) or against it."""
     if len(place) < 4 * _FEWEST:
-        return joined([])
+        return joined_candidates([])
     across = np.array([-along[1], along[0]])
     a, b = place[:, :2] @ along, place[:, :2] @ across
     first, first_strip = np.floor(a.min() / CELL), np.floor(b.min() / STRIP)

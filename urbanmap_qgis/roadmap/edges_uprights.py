@@ -9,7 +9,17 @@ from scipy.spatial import cKDTree
 
 from .edges_courses import STATION
 from .edges_points import EdgeTile
-from .edges_records import DOUBTFUL, MEASURED, RAIL, WALL, Course, EdgeCandidates, EdgeSettings, RoadEdge, joined
+from .edges_records import (
+    DOUBTFUL,
+    MEASURED,
+    RAIL,
+    WALL,
+    Course,
+    EdgeCandidates,
+    EdgeSettings,
+    RoadEdge,
+    joined_candidates,
+)
 
 CELL = 0.1
 """m."""
@@ -76,7 +86,7 @@ def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> Edg
     band = (height > LOWEST) & (height < BAND)
     points, up = tile.points[band], height[band]
     if len(points) < _FEWEST:
-        return joined([])
+        return joined_candidates([])
     column, row = (np.floor(points[name] / CELL).astype(np.int64) for name in "xy")
     flat = (column - column.min()) * (int(np.ptp(row)) + 1) + row - row.min()
     order = np.argsort(flat, kind="stable")
@@ -85,12 +95,12 @@ def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> Edg
     rise = np.maximum.reduceat(up[order], starts) - np.minimum.reduceat(up[order], starts)
     tall = (rise >= _RISE) & (count >= _FEWEST)
     if np.count_nonzero(tall) < _FEWEST:
-        return joined([])
+        return joined_candidates([])
     place = np.column_stack([np.add.reduceat(points[name][order], starts)[tall] / count[tall] for name in "xy"])
     normal, thin = _directions(place)
     mine = thin & tile.owns(place)
     if not mine.any():
-        return joined([])
+        return joined_candidates([])
     place, normal, rise = place[mine], normal[mine], rise[tall][mine]
     away = place - path.data[path.query(place)[1]]
     return EdgeCandidates(place, normal * np.where((normal * away).sum(axis=1) < 0, -1.0, 1.0)[:, None], rise, rise)
