@@ -93,7 +93,7 @@ def _candidates(survey: EdgePoints, settings: EdgeSettings, ground, progress: Pr
         found = float(np.median(density)) if density else 0.0
         raise InsufficientDataError(f"There are {found:.1f} ground points a square metre beside the path: edges need "
                                     f"{_SPARSE:.0f} or more; give the whole survey, not a thinned one.")
-    return joined_candidates(steps), joined(uprights)
+    return joined_candidates(steps), joined_candidates(uprights)
 
 
 def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]:
