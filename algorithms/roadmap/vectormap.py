@@ -50,6 +50,10 @@ class VectorMap(UrbanMapAlgorithm):
             "TRAJECTORY", tr("Trajectories"), QgsProcessing.SourceType.TypeFile, None, True),
             "Corrected trajectories of drives in the CRS of the lines: they show directions and ways through "
             "junctions.")
+        self.add_vector("ROADS", "Road axes", "Axes of roads of another map, in the CRS of the lines, with any of the "
+                        "fields oneway, lanes and speed_limit or maxspeed as OpenStreetMap has them: they tell "
+                        "directions where nothing else does, and speed limits.", optional=True,
+                        source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_choice("TRAFFIC", "Side of the traffic", "Auto: the side that drives in both directions show, left "
                         "where they do not.", TRAFFIC, "auto")
         self.add_distance("MIN_WIDTH", "Minimum lane width", "Narrower strips are no lanes.", 2.2, 1.0, 5.0,
@@ -58,8 +62,8 @@ class VectorMap(UrbanMapAlgorithm):
                           advanced=True)
         self.add_distance("BRIDGE", "Longest unseen bound", "A bound is drawn through gaps of its line up to this "
                           "length, which are told.", 30.0, 0.0, 500.0, advanced=True)
-        self.add_number("SPEED_LIMIT", "Speed limit", "Written to every lane; left empty, none is.", None, 1.0, 200.0,
-                        unit="km/h", optional=True)
+        self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
+                        "none.", None, 1.0, 200.0, unit="km/h", optional=True)
         self.add_choice("PROJECTOR", "Projector", "Of the local coordinates in the Lanelet2 file, for Autoware.",
                         PROJECTORS, "TransverseMercator", advanced=True)
         self.add_choice("VERTICAL_DATUM", "Vertical datum", "Of the lines' heights, for Autoware's projector file.",
@@ -110,7 +114,7 @@ class VectorMap(UrbanMapAlgorithm):
                                traffic=self.parameterAsString(parameters, "TRAFFIC", context),
                                bridge=self.parameterAsDouble(parameters, "BRIDGE", context))
         built = build_vector_map(lines, self._areas(parameters, context, table), drives, settings,
-                                 progress.part(0.1, 0.8))
+                                 progress.part(0.1, 0.8), self._axes(parameters, context, table))
         self._tell(built, drives, progress)
         results = write_map_layers(self, parameters, context, built, table.crs)
         results |= write_map_files(self, parameters, context, built, table.crs_wkt,
@@ -138,6 +142,15 @@ class VectorMap(UrbanMapAlgorithm):
             raise InputError(tr("{0} has no fields class and heading; give the areas of “Lines from road "
                                 "markings”.").format(table.label))
         return areas_of(table.geometries, table.columns)
+
+    def _axes(self, parameters, context, lines):
+        from ...urbanmap_qgis.roadmap.road_axes import axes_of
+
+        table = self.read_vector(parameters, "ROADS", context)
+        if table is None:
+            return []
+        self.same_crs("LINES", lines.crs, "ROADS", table.crs)
+        return axes_of(table.geometries, table.columns)
 
     def _limit(self, parameters, context):
         given = parameters.get("SPEED_LIMIT") not in (None, "")

@@ -12,6 +12,7 @@ from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.roadmap.lanelet_map import META, lanelet_elements
 from urbanmap_qgis.roadmap.map_projection import map_coordinates, write_projector
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, MapSettings, areas_of, lines_of
+from urbanmap_qgis.roadmap.road_axes import axes_of
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
@@ -233,3 +234,45 @@ def test_lanelet2_loads_the_map_and_routes_through_the_junction(crossing, tmp_pa
     assert graph.getRoute(start, end) is not None and graph.getRoute(end, start) is None
     assert graph.right(start) is not None and graph.left(start) is None
     assert len(start.regulatoryElements) == 1
+
+
+def street(*kinds):
+    """Lines of 60 m, 3.5 m apart."""
+    return [line(3.5 * k, 0, 60, kind) for k, kind in enumerate(kinds)]
+
+
+def axis_along(y=3.5, **told):
+    shape = shapely.LineString(place([(-20, y), (80, y)]))
+    return axes_of([shape], {name: [value] for name, value in told.items()})
+
+
+def test_fields_of_road_axes_are_read_as_openstreetmap_has_them():
+    (one,) = axis_along(oneway="yes", maxspeed="30 mph", lanes="2")
+    assert (one.oneway, one.lanes) == (1, 2) and one.speed_limit == pytest.approx(48.28, abs=0.01)
+    assert [axis_along(oneway=word)[0].oneway for word in ("-1", "no", None)] == [-1, 0, None]
+    assert np.isnan(axis_along(maxspeed="none")[0].speed_limit) and axis_along(speed_limit=40)[0].speed_limit == 40
+
+
+def test_one_way_axis_gives_undriven_strips_direction_and_speed_limit():
+    built = build_vector_map(street("solid", "solid", "solid"), axes=axis_along(oneway="-1", maxspeed="40"))
+    assert [course(lane) for lane in built.lanes] == [-1.0, -1.0]
+    assert {lane.evidence for lane in built.lanes} == {"road axis"}
+    assert {lane.speed_limit for lane in built.lanes} == {40.0}
+    tags = [one.tags for one in lanelet_elements(built, WKT, speed_limit=60)[0].relations.values()]
+    assert {tag["speed_limit"] for tag in tags} == {"40"}
+
+
+def test_two_way_axis_tells_only_where_the_numbers_of_lanes_agree_and_the_side_is_known():
+    left, right = MapSettings(traffic="left"), MapSettings(traffic="right")
+    lines = street("solid", "solid", "solid")
+    for settings, wanted in ((left, {1.7: -1.0, 5.2: 1.0}), (right, {1.7: 1.0, 5.2: -1.0})):
+        built = build_vector_map(lines, settings=settings, axes=axis_along(oneway="no"))
+        assert {y: course(built.lanes[kerb_lane(built, 30, y)]) for y in wanted} == wanted
+    assert not build_vector_map(lines, settings=left, axes=axis_along(oneway="no", lanes="4")).lanes
+    assert not build_vector_map(lines, axes=axis_along(oneway="no")).lanes
+    assert not build_vector_map(lines, settings=left, axes=axis_along(y=40.0, oneway="no")).lanes
+
+
+def test_drive_is_believed_more_than_a_road_axis():
+    built = build_vector_map(street("solid", "solid"), (), [drive((0, 1.7), (60, 1.7))], axes=axis_along(oneway="-1"))
+    assert [course(lane) for lane in built.lanes] == [1.0]

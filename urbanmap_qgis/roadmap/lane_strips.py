@@ -38,7 +38,8 @@ MOSTLY_SEEN = 0.5
 """The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line."""
 
 BESIDE, ACROSS = "beside a dashed line", "across the centre line"
-INFERRED = (BESIDE, ACROSS)
+ALONG_AXIS = "road axis"
+INFERRED = (BESIDE, ACROSS, ALONG_AXIS)
 DRIVEN, PAINTED = "drive", "arrow or stop line"
 
 DRIVE_ANGLE = np.radians(25.0)
@@ -286,12 +287,8 @@ def _middle(section: RoadSection, strip: Strip, chainage: float) -> float:
                           for k in (strip.right, strip.left)]))
 
 
-def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
-    """Give each strip its direction, from its own evidence or from its neighbours'; strips without any stay at 0.
-
-    Direct evidence of a strip holds along its whole bounds. Across a dashed line goes the same direction. Across a
-    yellow or double line lies the other direction, where the rule of the road allows it.
-    """
+def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Finding]:
+    """Give each strip the direction that its own evidence shows, along its whole bounds; others stay at 0."""
     findings = []
     for pair in {(strip.right, strip.left): None for strip in strips}:
         members = [strip for strip in strips if (strip.right, strip.left) == pair]
@@ -300,6 +297,15 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
             findings.append(_finding(section, members[0], "direction contradicts", contradicts))
         for one in members:
             one.sign, one.source, one.contradicted = sign, source, bool(contradicts) and not sign
+    return findings
+
+
+def spread_directions(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
+    """Give strips without a direction one from their neighbours.
+
+    Across a dashed line goes the same direction. Across a yellow or double line lies the other direction, where the
+    rule of the road allows it. What breaks that rule is taken back and told.
+    """
     changed = True
     while changed:
         changed = False
@@ -308,7 +314,7 @@ def settle_directions(strips: Sequence[Strip], section: RoadSection, left_hand: 
                 sign, source = _from_neighbours(strip, strips, section, left_hand)
                 if sign:
                     strip.sign, strip.source, changed = sign, source, True
-    return findings + _against_the_rule(strips, section, left_hand)
+    return _against_the_rule(strips, section, left_hand)
 
 
 def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
@@ -331,7 +337,7 @@ def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: 
                                      "Lanes beside each other would keep to the wrong side of the road here" + (
                                          "; those that were not driven were not made." if doubted else ".")))
             for one in doubted:
-                one.sign, one.source = 0, ""
+                one.sign, one.source, one.contradicted = 0, "", True
     return findings
 
 

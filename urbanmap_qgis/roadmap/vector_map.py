@@ -18,8 +18,10 @@ from .lane_strips import (
     lane_strips,
     left_hand_traffic,
     settle_directions,
+    spread_directions,
 )
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
+from .road_axes import RoadAxis, add_axes, add_speed_limits
 from .road_sections import road_sections
 
 STOP_REACH = 5.0
@@ -29,11 +31,13 @@ BOUNDS = ("solid", "dashed", "road border")
 
 
 def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), drives: Sequence[DrivenPath] = (),
-                     settings: MapSettings | None = None, progress: Progress = SILENT) -> VectorMap:
+                     settings: MapSettings | None = None, progress: Progress = SILENT,
+                     axes: Sequence[RoadAxis] = ()) -> VectorMap:
     """Lanes with shared bounds, directions, neighbours, successors, stop lines and crosswalks.
 
     A lane is made only where two lines lie at a lane's width and a drive, an arrow, a stop line or a neighbouring lane
-    shows its direction. What is missing for a lane becomes a finding with its place.
+    shows its direction; road axes (`axes`) tell only where these do not. What is missing for a lane becomes a finding
+    with its place.
     """
     settings = settings or MapSettings()
     built = VectorMap()
@@ -56,11 +60,15 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     for section, strips, near in worked:
         add_arrows(strips, section, arrows)
         add_stops(strips, section, near, built.left_hand)
-        built.findings += settle_directions(strips, section, built.left_hand is not False)
+        built.findings += settle_directions(strips, section)
+        built.findings += spread_directions(strips, section, built.left_hand is not False)
+        add_axes(strips, section, axes, built.left_hand)
+        built.findings += spread_directions(strips, section, built.left_hand is not False)
         add_section(built, section, strips)
     if not drives:
         built.findings.append(_without_drives(lines))
     connect_by_drives(built, drives)
+    add_speed_limits(built, axes)
     _refer(built, stops, crosswalks)
     _tell_open_ends(built)
     _tell_heights(built)
