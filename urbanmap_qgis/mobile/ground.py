@@ -34,7 +34,8 @@ MIN_GROUND_SHARE = 0.01
 _MOST_NODES = 100_000_000
 _TILE = 64.0
 _TILE_POINTS = 2_000_000
-_BUCKET_MEMORY = 120_000_000
+_BUCKET_MEMORY = 60_000_000
+_CHUNK = 250_000
 _RECORD = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8"), ("t", "<f8")])
 
 
@@ -124,7 +125,7 @@ class _Survey:
         """Sort the points into tiles and find the passes."""
         timed = self.cloud.has_dimension("gps_time")
         positions, counts = BlockPositions(), Counter()
-        for chunk in iter_chunks(self.cloud, progress):
+        for chunk in iter_chunks(self.cloud, progress, _CHUNK):
             records = np.zeros(len(chunk), dtype=_RECORD)
             for name in "xyz":
                 records[name] = chunk[name]
@@ -152,10 +153,12 @@ class _Survey:
             return
         self.tiling, keys = Tiling(self.tiling.cell, cells), set()
         for key in self.keys:
-            records = self.buckets.read(key)
-            tile = self.tiling.keys(records["x"], records["y"])
-            keys.update(np.unique(tile).tolist())
-            self.smaller.add(tile, records)
+            whole = self.buckets.take(key)
+            for start in range(0, len(whole), _CHUNK):
+                records = whole[start:start + _CHUNK].copy()  # a part of the whole would keep all of it in memory
+                tile = self.tiling.keys(records["x"], records["y"])
+                keys.update(np.unique(tile).tolist())
+                self.smaller.add(tile, records)
         self.keys, self.buckets = sorted(keys), self.smaller
 
     def grounds(self, progress: Progress) -> list[PassGround | None]:
@@ -213,18 +216,24 @@ class _Survey:
         known = set(keys)
         for key in keys:
             box, (column, row) = self.tiling.box(key), self.tiling.place(key)
-            parts = [self._of_pass(key, pass_number)]
+            parts = [_columns(self._of_pass(key, pass_number))]
             for near in self.tiling.around(key)[1:]:
                 if near in known:  # read anew each time: a slow drive has millions of points in each tile
                     other_column, other_row = self.tiling.place(near)
-                    parts.append(_beside(self._of_pass(near, pass_number), box, margin, other_column - column,
-                                         other_row - row))
-            yield TilePoints(np.concatenate(parts), len(parts[0]), box)
+                    parts.append(_columns(_beside(self._of_pass(near, pass_number), box, margin,
+                                                  other_column - column, other_row - row)))
+            own = len(parts[0]["x"])
+            yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, own, box)
 
     def _of_pass(self, key: int, pass_number: int) -> np.ndarray:
         """The points of a tile that were measured in a pass."""
         records = self.buckets.read(key)
         return records if self.passes.count == 1 else records[self.passes.of(records["t"]) == pass_number]
+
+
+def _columns(records: np.ndarray) -> dict[str, np.ndarray]:
+    """Coordinates of records, a column each: less memory than records, and what the filter works on."""
+    return {name: np.ascontiguousarray(records[name]) for name in "xyz"}
 
 
 def _beside(records: np.ndarray, box: tuple[float, float, float, float], margin: float, right: int,
@@ -248,7 +257,7 @@ def _write(cloud: PointCloud, output: str | os.PathLike, passes: SurveyPasses, g
     layout = PointLayout(cloud)
     total = candidates = 0
     with cloud_writer(output, layout) as writer:
-        for chunk in iter_chunks(cloud, progress):
+        for chunk in iter_chunks(cloud, progress, _CHUNK):
             ground = _ground_of(chunk, passes, grounds, settings.threshold)
             total += int(np.count_nonzero(ground))
             classes = np.asarray(chunk.classification)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,10 +80,11 @@ class TilePoints:
 
     Attributes
     ----------
-    records : (n,) of dtype `POINT`. own : number of own points. box : of the tile.
+    records : (n,) of dtype `POINT`, or columns (n,) by the names that are needed. own : number of own points.
+    box : of the tile.
     """
 
-    records: np.ndarray
+    records: np.ndarray | Mapping[str, np.ndarray]
     own: int
     box: tuple[float, float, float, float]
 
