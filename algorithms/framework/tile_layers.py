@@ -23,7 +23,13 @@ TILE_FIELD = "tile"
 
 @contextmanager
 def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Callable[[list], None]]:
-    """A new GeoPackage with one table; gives the function that adds features to it."""
+    """A new GeoPackage with one table; gives the function that adds features to it.
+
+    Raises
+    ------
+    OutputError : it cannot be written, or not all features are in it in the end: the last ones are written when it is
+        closed, and nobody tells when that fails.
+    """
     options = QgsVectorFileWriter.SaveVectorOptions()
     options.driverName, options.layerName = "GPKG", name or path.stem
     kept = QgsFields()
@@ -33,7 +39,10 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
     held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
     places = [fields.lookupField(item.name()) for item in kept]
 
+    added = [0]
+
     def add(features: list) -> None:  # takes the features as its own
+        added[0] += len(features)
         for feature in features:
             feature.setAttributes([feature.attributes()[place] for place in places])
         if not held[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
@@ -45,6 +54,19 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
         yield add
     finally:
         held.clear()  # the file is whole when its writer is gone
+    if _count(path) != added[0]:
+        raise OutputError(tr("{0} cannot be written whole: make room on its disk, and run again.").format(path))
+
+
+def _count(path: Path) -> int:
+    """Number of features in the only layer of a GeoPackage; -1 where it is damaged."""
+    try:
+        with closing(sqlite3.connect(path)) as database:
+            (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+            (count,), = database.execute(f'SELECT count(*) FROM "{table}"')
+    except (sqlite3.Error, ValueError):
+        return -1
+    return count
 
 
 def style_of(path: Path) -> str:

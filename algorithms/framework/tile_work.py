@@ -6,6 +6,7 @@ import shutil
 import sqlite3
 import sys
 import time
+import traceback
 from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import dataclass, replace
@@ -20,8 +21,8 @@ from qgis.core import (
     QgsVectorLayer,
 )
 
-from ...urbanmap_qgis.errors import Cancelled, UrbanMapError
-from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish
+from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, OutputError, UrbanMapError, system_sentence
+from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish, require_room
 from ...urbanmap_qgis.tiling.tile_grid import GridTile
 from .layers import make_fields, without_times
 from .outlines import BUILDING_ID, NUMBER
@@ -33,7 +34,7 @@ from .tiled_algorithms import CUTTABLE
 if TYPE_CHECKING:
     from ...urbanmap_qgis.tiling.point_pieces import PointFile
 
-INPUTS = "inputs"
+INPUTS, FAULT = "inputs", "fault.txt"
 POINTS_SUFFIX = ".laz"
 
 
@@ -89,15 +90,29 @@ def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) ->
             record = replace(record, outputs=outputs, figures=figures)
         except EmptyTile as nothing:
             record = replace(record, status=EMPTY, reason=str(nothing))
-        except (UrbanMapError, QgsProcessingException, OSError, MemoryError) as error:
-            if cancelled():
-                raise Cancelled() from None
+        except (UrbanMapError, QgsProcessingException, *SYSTEM_TROUBLES) as error:
+            _end_where_hopeless(job, error, cancelled)
             record = replace(record, status=FAILED, reason=str(error).strip() or type(error).__name__)
+        except Exception as error:  # a fault of ours in one tile must not end the night
+            _end_where_hopeless(job, error, cancelled)
+            (folder / FAULT).write_text(traceback.format_exc(), encoding="utf-8")
+            record = replace(record, status=FAILED, reason=tr("A fault in the program ({0}: {1}); {2} in the tile's "
+                                                              "folder tells where.").format(
+                type(error).__name__, error, FAULT))
         shutil.rmtree(folder / INPUTS, ignore_errors=True)
         record = replace(record, seconds=round(time.perf_counter() - start, 2),
                          cpu=round(time.process_time() - start_cpu, 2), memory=round(_peak_memory(), 1))
         publish(job.run_folder, job.tile, record, folder)
     return record
+
+
+def _end_where_hopeless(job: TileJob, error: Exception, cancelled: Callable[[], bool]) -> None:
+    """End the run where a tile failed because the run was cancelled or its disk is full: the next would fail too."""
+    if cancelled():
+        raise Cancelled() from None
+    if isinstance(error, OSError) and system_sentence(error):
+        raise OutputError(tr("{0} Tiles that are whole are kept.").format(system_sentence(error))) from error
+    require_room(job.run_folder)
 
 
 def _make(job: TileJob, folder: Path, cancelled: Callable[[], bool]) -> dict[str, float]:

@@ -11,6 +11,7 @@ import pytest
 import rasterio
 from pyproj import CRS
 
+from tests.small_disk import small_disk
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.pointcloud import open_cloud, read_all
@@ -24,6 +25,7 @@ from urbanmap_qgis.tiling.journal import (
     new_tile_folder,
     only_run,
     publish,
+    require_room,
     tile_folder,
 )
 from urbanmap_qgis.tiling.mosaic_tiles import mosaic_tiles, write_tile_raster
@@ -153,6 +155,7 @@ def test_rasters_whose_cells_do_not_meet_are_refused(tmp_path):
 
 
 def done_tile(folder, tile, state="s", status=DONE):
+    (folder / "tiles").mkdir(exist_ok=True)
     with new_tile_folder(folder, tile) as made:
         (made / "output.gpkg").write_bytes(b"12345")
         record = TileRecord(tile.name, status, fingerprint=state, outputs={"output.gpkg": 5})
@@ -182,6 +185,23 @@ def test_an_interrupted_tile_leaves_nothing(tmp_path):
         raise KeyboardInterrupt
     assert kept_record(tmp_path, tile, "s") is not None
     assert [item.name for item in (tmp_path / "tiles").iterdir()] == [tile.name]
+
+
+def test_a_vanished_folder_of_the_run_is_not_made_again(tmp_path):
+    tile = TileGrid(50.0, 0.0).tile(0, 0)
+    with pytest.raises(OutputError, match="not there any more"), new_tile_folder(tmp_path / "share", tile):
+        pass
+    with pytest.raises(OutputError, match="no room"):
+        require_room(tmp_path / "share")
+    assert not (tmp_path / "share").exists()
+
+
+def test_room_is_seen(tmp_path):
+    (tmp_path / "tiles").mkdir()
+    require_room(tmp_path)
+    with pytest.raises(OutputError, match="kept"), small_disk(tmp_path / "tiles", "512k"):
+        require_room(tmp_path)
+    assert not list((tmp_path / "tiles").iterdir())
 
 
 def test_the_fingerprint_follows_files_and_settings(tmp_path):

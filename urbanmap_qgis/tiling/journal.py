@@ -19,6 +19,8 @@ from .tile_grid import GridTile
 RECORD = "tile.json"
 DONE, EMPTY, FAILED = "done", "empty", "failed"
 TILES, PART = "tiles", ".part"
+ROOM = 1 << 20
+"""Bytes: where a tile fails and not even so many can be written, the disk is full."""
 
 
 @dataclass(frozen=True)
@@ -61,11 +63,21 @@ def tile_folder(run_folder: Path, tile: GridTile) -> Path:
 
 @contextmanager
 def new_tile_folder(run_folder: Path, tile: GridTile):
-    """Empty folder in which a tile is made; `publish` it when its record is written. Leftovers are removed."""
+    """Empty folder in which a tile is made; `publish` it when its record is written. Leftovers are removed.
+
+    Raises
+    ------
+    OutputError : the folder of the run is not there any more, or cannot be written. It is not made again: where a
+        share was, the disk of the machine would be filled.
+    """
     place = tile_folder(run_folder, tile)
     scratch = place.with_name(place.name + PART)
     shutil.rmtree(scratch, ignore_errors=True)
-    scratch.mkdir(parents=True)
+    try:
+        scratch.mkdir()
+    except OSError as error:
+        raise OutputError(f"The folder of the run, {run_folder}, is not there any more or cannot be written "
+                          f"({error.strerror}): put it right and run again; tiles that are whole are kept.") from error
     try:
         yield scratch
     finally:
@@ -94,6 +106,27 @@ def write_record(folder: Path, record: TileRecord) -> None:
         temporary.write_text(json.dumps(asdict(record), indent=1, ensure_ascii=False), encoding="utf-8")
 
 
+def require_room(run_folder: Path, room: int = ROOM) -> None:
+    """See whether there is room, bytes, for another tile.
+
+    Raises
+    ------
+    OutputError : the disk of the folder is full, or the folder is gone.
+    """
+    probe = run_folder / TILES / f".room-{os.getpid()}"
+    try:
+        try:
+            with probe.open("wb") as file:
+                file.write(bytes(room))
+                file.flush()
+                os.fsync(file.fileno())
+        finally:
+            probe.unlink(missing_ok=True)
+    except OSError as error:
+        raise OutputError(f"There is no room in the folder of the run, {run_folder} ({error.strerror}): make some and "
+                          "run again; tiles that are whole are kept.") from error
+
+
 def kept_record(run_folder: Path, tile: GridTile, expected: str) -> TileRecord | None:
     """The record of a tile that an earlier run did with the same settings and inputs, if all its results are whole.
 
@@ -117,7 +150,7 @@ def only_run(run_folder: Path):
     OutputError : it cannot be written, or another run is working in it.
     """
     try:
-        run_folder.mkdir(parents=True, exist_ok=True)
+        (run_folder / TILES).mkdir(parents=True, exist_ok=True)
         lock = (run_folder / "lock").open("a+")
     except OSError as error:
         raise OutputError(f"The folder {run_folder} cannot be written ({error.strerror}): choose another.") from error
