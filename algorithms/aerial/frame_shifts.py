@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from ...urbanmap_qgis.errors import InputError
 from ..framework.layers import make_fields
+from ..framework.parameters import tr
 
 FIELDS = (("first", "text"), ("second", "text"), ("east", "real"), ("north", "real"), ("length", "real"),
           ("sigma", "real"), ("pair_east", "real"), ("pair_north", "real"), ("pair_length", "real"),
@@ -37,3 +39,19 @@ class FrameShiftsOutput:
                 parameters, "OUTPUT_SHIFTS", context, make_fields(*FIELDS), columns, crs, points, "Point",
                 style="frame_shifts", progress=progress)
         return results
+
+
+def read_pairs(algorithm, parameters, context):
+    """Shifts by pairs of frames, from the points' layer; None where none was given."""
+    from ...urbanmap_qgis.aerial.marking_report import PairShift
+
+    table = algorithm.read_vector(parameters, "SHIFTS", context)
+    if table is None:
+        return None
+    names = ("first", "second", "pair_east", "pair_north", "pair_sigma", "patches", "status")
+    missing = [name for name in names if name not in table.columns]
+    if missing:
+        raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
+            table.label, missing[0]))
+    rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
+    return [PairShift(*row[:-1], row[-1] == "apart", row[-1] == "height") for row in rows]

@@ -8,6 +8,7 @@ from ..framework.crs import crs_from, horizontal, metres_per_unit
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
 from ..framework.workers import workers
+from .frame_shifts import read_pairs
 
 METHODS = ("profile", "paper")
 
@@ -67,6 +68,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
                         "report.", optional=True)
         self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings.", advanced=True)
+        self.add_text("LEVELS", "Levels", "Low, high, middle and noise of the brightness of the image that this one "
+                      "is a part of; a run over tiles gives them. Left out: of this image itself.", advanced=True)
         self.add_workers()
         self.add_raster_output("OUTPUT", "Marking mask", "255 where there is a marking, otherwise 0; pixels as the "
                                "orthophoto's.")
@@ -100,14 +103,12 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                 self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
+        from ...urbanmap_qgis.aerial.marking_files import markings_from_orthophoto
 
         progress = self.progress(feedback)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         settings = self._settings(parameters, context)
-        places = SearchArea(self._polygons(parameters, "ROADS", context, progress.part(0.0, 0.02)),
-                        self._polygons(parameters, "BUILDINGS", context, progress.part(0.02, 0.04)),
-                        self.raster_path(parameters, "MASK", context))
+        places = self._places(parameters, context, progress.part(0.0, 0.04))
         mask = self.output_layer_path(parameters, "OUTPUT", context, style="marking_mask")
         with workers(self.parameterAsInt(parameters, "WORKERS", context)) as executor:
             found = markings_from_orthophoto(self.raster_path(parameters, "INPUT", context), mask, places, settings,
@@ -122,10 +123,28 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         layer = self._write(parameters, context, found.polygons, crs, progress)
         return {**results, "OUTPUT_POLYGONS": layer} if layer else results
 
+    def shared_settings(self, parameters, context, progress):
+        """What all parts of the orthophoto must share when they are worked on apart."""
+        from ...urbanmap_qgis.aerial.marking_files import levels_of_orthophoto
+
+        crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
+        levels = levels_of_orthophoto(self.raster_path(parameters, "INPUT", context),
+                                      self._places(parameters, context, progress),
+                                      self._settings(parameters, context), metres_per_unit(crs), progress)
+        return {"LEVELS": levels.text} if levels else {}
+
+    def _places(self, parameters, context, progress):
+        """Where markings are looked for."""
+        from ...urbanmap_qgis.aerial.marking_files import SearchArea
+
+        return SearchArea(self._polygons(parameters, "ROADS", context, progress),
+                          self._polygons(parameters, "BUILDINGS", context, progress),
+                          self.raster_path(parameters, "MASK", context))
+
     def _settings(self, parameters, context):
         """How markings are told from the road."""
         from ...urbanmap_qgis.aerial.marking_filter import CleanSettings
-        from ...urbanmap_qgis.aerial.road_markings import MarkingSettings
+        from ...urbanmap_qgis.aerial.road_markings import LevelAdjustment, MarkingSettings
 
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         rules = CleanSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
@@ -135,7 +154,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         clean = self.parameterAsBool(parameters, "CLEAN", context) and not paper
         return MarkingSettings(self.parameterAsDouble(parameters, "BLOCK_SIZE", context),
                                self.parameterAsDouble(parameters, "CONTRAST", context), paper,
-                               rules if clean else None)
+                               rules if clean else None,
+                               LevelAdjustment.of_text(self.parameterAsString(parameters, "LEVELS", context)))
 
     def _report(self, parameters, context, found, contrast):
         """Write the report where it is wanted; its path."""
@@ -145,27 +165,12 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         from ...urbanmap_qgis.aerial.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
 
         count = self.raster_path(parameters, "FRAME_COUNT", context)
-        evidence = OrthophotoQuality(self._pairs(parameters, context), count and frame_count_shares(count),
+        evidence = OrthophotoQuality(read_pairs(self, parameters, context), count and frame_count_shares(count),
                             bool(parameters.get("ROADS")), contrast)
         settings = self.settings_of({name: value for name, value in parameters.items() if name != "NOTE"})
         write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence, settings,
                              self.parameterAsString(parameters, "NOTE", context))
         return str(path)
-
-    def _pairs(self, parameters, context):
-        """Shifts by pairs of frames, from the points' layer; None where none was given."""
-        from ...urbanmap_qgis.aerial.marking_report import PairShift
-
-        table = self.read_vector(parameters, "SHIFTS", context)
-        if table is None:
-            return None
-        names = ("first", "second", "pair_east", "pair_north", "pair_sigma", "patches", "status")
-        missing = [name for name in names if name not in table.columns]
-        if missing:
-            raise InputError(tr("{0} has no field {1}; give the points of “Orthorectify frames”.").format(
-                table.label, missing[0]))
-        rows = dict.fromkeys(zip(*(table.columns[name] for name in names)))
-        return [PairShift(*row[:-1], row[-1] == "apart", row[-1] == "height") for row in rows]
 
     def _polygons(self, parameters, name, context, progress):
         """Polygons of a layer in any projected CRS, repaired where invalid; None where none was given."""

@@ -17,7 +17,7 @@ from ...urbanmap_qgis.tiling.tile_grid import GridTile, TileGrid
 from . import layers
 from .crs import crs_from, wkt_of
 from .outlines import BUILDING_ID, building_names
-from .parameters import HTML_FILTER, LAZ_FILTER, tr
+from .parameters import HTML_FILTER, LAZ_FILTER, tr, with_words
 from .tile_layers import LAYER_SUFFIX, layer_file
 from .tile_work import POINTS_SUFFIX, TileJob
 from .tiled_algorithms import CUTTABLE
@@ -120,6 +120,8 @@ class TiledInputs:
         copies, state = _copied(tables, owner, run_folder, progress)
         if crs is None:
             crs = crs_from(open_cloud([file.path for file in next(iter(points.values()))]).crs_wkt or "")
+        if hasattr(stage, "shared_settings"):  # what each tile would find otherwise
+            rest = {**stage.shared_settings(with_words(given, stage.parameterDefinitions()), context, progress), **rest}
         grid = make_grid(wkt_of(crs))
         if cut.along:
             grid = _stretches(grid, stage, rest, cut.along, crs, context)

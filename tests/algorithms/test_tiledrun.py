@@ -136,3 +136,126 @@ def test_records_tell_time_and_outputs(run, town, tmp_path):
     assert record["seconds"] > 0 and record["outputs"]["output.gpkg"] > 0
     assert record["figures"]["BUILDINGS"] >= 1
     assert not list(Path(tmp_path).glob("run/tiles/*/inputs"))
+
+
+def test_tiles_on_meshes_carry_their_codes(run, town, read_layer, tmp_path):
+    results = run_tiles(run, town, tmp_path, GRID="mesh250m", SETTINGS="MIN_ROOF_AREA=20")
+    tiles = read_layer(tmp_path / "tiles.gpkg")
+    assert results["FAILED"] == 0 and len(tiles) >= 1
+    for row in tiles:  # the origin of system 9 is 36 degrees north, 139 degrees 50 minutes east
+        assert row.attributes["tile"][:8] in ("54390606", "53397696")
+        assert len(row.attributes["tile"]) == 10
+    merged = read_layer(tmp_path / "run" / "merged" / "output.gpkg")
+    assert sorted(row.attributes["building_id"] for row in merged) == sorted(town["heights"])
+
+
+def test_tiles_on_map_sheets_carry_their_codes(run, town, read_layer, tmp_path):
+    run_tiles(run, town, tmp_path, GRID="sheet500")
+    assert {row.attributes["tile"] for row in read_layer(tmp_path / "tiles.gpkg")} == {"09JE9090", "09KE0000"}
+
+
+def test_what_cannot_be_cut_is_named_with_the_reason(run, plugin):
+    from qgis.core import QgsApplication, QgsProcessingContext
+
+    tables = plugin("algorithms.framework.tiled_algorithms")
+    known = {item.name() for item in QgsApplication.processingRegistry().providerById("urbanmap").algorithms()}
+    assert set(tables.CUTTABLE) | set(tables.WHOLE) <= known and not set(tables.CUTTABLE) & set(tables.WHOLE)
+    stage = QgsApplication.processingRegistry().createAlgorithmById("urbanmap:tiledrun")
+    for name in ("registermms", "urbanmap:markinglines"):
+        accepted, message = stage.checkParameterValues({"ALGORITHM": name}, QgsProcessingContext())
+        assert not accepted and "cannot be run over tiles: " in message
+
+
+def street(path, side=60.0, pixel=0.2):
+    """An orthophoto of asphalt with an edge line from end to end and dashes of 3 m."""
+    import rasterio
+    from pyproj import CRS
+
+    count = round(side / pixel)
+    grey = np.random.default_rng(3).normal(80, 3, (count, count))
+    for line, gaps in ((int(20.9 / pixel), 1e9), (int(30.1 / pixel), 6.0)):
+        for column in range(count):
+            if (column * pixel) % gaps < 3.0 or gaps > side:
+                grey[line - 1:line + 1, column] = 210
+    place = rasterio.Affine(pixel, 0, 0, 0, -pixel, side)
+    with rasterio.open(path, "w", driver="GTiff", width=count, height=count, count=1, dtype="uint8", transform=place,
+                       crs=CRS.from_epsg(6677).to_wkt()) as file:
+        file.write(grey.clip(0, 255).astype(np.uint8), 1)
+    return path
+
+
+def test_markings_across_tiles_are_there_once_and_whole(run, read_layer, tmp_path):
+    from urbanmap_qgis.io.raster import read_raster
+
+    image = street(tmp_path / "street.tif")
+    run("urbanmap:roadmarkingsfromorthophoto", {"INPUT": str(image), "OUTPUT": str(tmp_path / "mask.tif"),
+                                                "OUTPUT_POLYGONS": str(tmp_path / "whole.gpkg")})
+    run("urbanmap:tiledrun", {"ALGORITHM": "roadmarkingsfromorthophoto", "INPUT": str(image), "TILE": 20, "BUFFER": 8,
+                              "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})
+    whole = read_layer(tmp_path / "whole.gpkg")
+    tiled = read_layer(tmp_path / "run" / "merged" / "output_polygons.gpkg")
+    assert len(whole) == 11 and len(tiled) == len(whole)
+    masks = [read_raster(path)[0] for path in (tmp_path / "mask.tif", tmp_path / "run" / "merged" / "output.tif")]
+    assert masks[0].any() and np.array_equal(*masks)
+    longest = max(tiled, key=lambda row: row.geometry.area())
+    assert longest.geometry.boundingBox().width() == pytest.approx(60.0, abs=0.5)
+    assert longest.attributes["seam"] == "joined" and not any(row.attributes["seam"] == "cut" for row in tiled)
+    assert longest.attributes["area"] == pytest.approx(longest.geometry.area(), rel=0.01)
+    total = [sum(row.geometry.area() for row in rows) for rows in (whole, tiled)]
+    assert total[1] == pytest.approx(total[0], rel=0.02)
+
+
+def test_a_mobile_survey_goes_by_stretches(run, small_city, tmp_path):
+    from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+
+    survey = {"POINTS": [str(small_city / "mms" / "survey_01.laz")],
+              "TRAJECTORY": str(small_city / "mms" / "survey_01_trajectory.csv"),
+              "CALIBRATION": str(small_city / "mms" / "calibration.json")}
+    results = run("urbanmap:tiledrun", {
+        "ALGORITHM": "roadmarkingsfrommms", "POINTS": survey["POINTS"], "TILE": 40, "BUFFER": 15,
+        "SETTINGS": "\n".join(f"{name}={survey[name]}" for name in ("TRAJECTORY", "CALIBRATION")),
+        "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})
+    assert results["DONE"] == 2 and results["FAILED"] == 0
+    run("urbanmap:roadmarkingsfrommms", {**survey, "OUTPUT": str(tmp_path / "whole.laz")})
+    whole = read_all(open_cloud([tmp_path / "whole.laz"]), ("gps_time",))["gps_time"]
+    parts = [read_all(open_cloud([path]), ("gps_time",))["gps_time"]
+             for path in sorted(tmp_path.glob("run/tiles/stretch_*/output.laz"))]
+    assert len(parts) == 2 and parts[0].max() < parts[1].min()
+    both = np.intersect1d(np.concatenate(parts), whole)
+    assert len(both) > 0.99 * max(len(whole), sum(map(len, parts)))
+
+
+def test_stretches_are_no_meshes(run, small_city, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="stretches of the drive"):
+        run("urbanmap:tiledrun", {
+            "ALGORITHM": "roadmarkingsfrommms", "POINTS": [str(small_city / "mms" / "survey_01.laz")],
+            "SETTINGS": f"TRAJECTORY={small_city / 'mms' / 'survey_01_trajectory.csv'}", "GRID": "mesh250m",
+            "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})
+
+
+def test_frames_over_tiles_are_the_mosaic_of_one_run(run, small_city, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    from urbanmap_qgis.io.raster import read_raster
+
+    aerial = small_city / "aerial"
+    frames = {"FRAMES": [str(path) for path in sorted(aerial.glob("frame_*.tif"))],
+              "CAMERA": str(aerial / "camera.json"), "EXTERIOR": str(aerial / "exterior.csv")}
+    ground = str(small_city / "truth" / "ground.tif")
+    run("urbanmap:orthorectifyframes", {**frames, "GROUND": ground, "RESOLUTION": 1,
+                                        "OUTPUT": str(tmp_path / "one.tif")})
+    given = {"ALGORITHM": "orthorectifyframes", "TILE": 100, "BUFFER": 20, "OUTPUT": "TEMPORARY_OUTPUT",
+             "OUTPUT_FOLDER": str(tmp_path / "run")}
+    lines = [f"{name}={';'.join(value) if isinstance(value, list) else value}" for name, value in frames.items()]
+    lines.append(f"GROUND={ground}")
+    with pytest.raises(QgsProcessingException, match="RESOLUTION"):
+        run("urbanmap:tiledrun", {**given, "SETTINGS": "\n".join(lines)})
+    results = run("urbanmap:tiledrun", {**given, "SETTINGS": "\n".join([*lines, "RESOLUTION=1"])})
+    assert results["FAILED"] == 0 and results["DONE"] >= 4
+    one, place, _ = read_raster(tmp_path / "one.tif")
+    tiled, where, _ = read_raster(tmp_path / "run" / "merged" / "output.tif")
+    assert np.allclose((where.bounds[0], where.bounds[3]), (place.bounds[0], place.bounds[3]))
+    rows, columns = min(one.shape[0], tiled.shape[0]), min(one.shape[1], tiled.shape[1])
+    assert np.mean(np.abs(one[:rows, :columns] - tiled[:rows, :columns]) > 3) < 0.01

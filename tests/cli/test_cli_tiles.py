@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import os
+import re
 import signal
+import subprocess
+import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -64,6 +69,62 @@ def test_a_killed_run_goes_on_and_ends_as_one_that_was_not(linked_profile, town,
     assert kept <= again.results["KEPT"] < 16 and again.results["DONE"] == 16
     assert (cut / "run/merged/output.gpkg").read_bytes() == (whole / "run/merged/output.gpkg").read_bytes()
     assert not list(cut.glob("run/tiles/*.part"))
+
+
+def workers_of(process):
+    """Numbers of the processes that a run started for tiles, in Linux's list of processes."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            parent = int(re.search(r"^PPid:\s*(\d+)", (folder / "status").read_text(), re.MULTILINE).group(1))
+            if parent == process and b"spawn_main" in (folder / "cmdline").read_bytes():
+                found.append(int(folder.name))
+        except (OSError, AttributeError):  # it has ended meanwhile
+            continue
+    return found
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the list of processes is Linux's")
+def test_a_killed_worker_costs_no_tile(linked_profile, town, tmp_path):
+    profile = linked_profile()
+    process = profile.start("run", "urbanmap:tiledrun", "--", *arguments_of(settings(town, tmp_path, 2)),
+                            start_new_session=True)
+    until = time.monotonic() + 300
+    while len(list(tmp_path.glob("run/tiles/*/tile.json"))) < 2:
+        assert process.poll() is None and time.monotonic() < until
+        time.sleep(0.05)
+    os.kill(workers_of(process.pid)[0], signal.SIGKILL)
+    _, err = process.communicate()
+    assert process.returncode == 0, err
+    records = [json.loads(path.read_text(encoding="utf-8")) for path in tmp_path.glob("run/tiles/*/tile.json")]
+    assert [record["status"] for record in records] == ["done"] * 16
+
+
+SERVE = """
+import sys
+from distributed import LocalCluster
+if __name__ == "__main__":
+    with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
+        print(cluster.scheduler_address, flush=True)
+        sys.stdin.read()
+"""
+
+
+@pytest.mark.skipif(importlib.util.find_spec("distributed") is None, reason="distributed is not installed")
+def test_pieces_of_tiles_go_to_a_cluster_from_a_linked_folder(linked_profile, town, tmp_path):
+    """Two processes of tiles here, each with its own way to the cluster's two workers."""
+    script = tmp_path / "serve.py"
+    script.write_text(SERVE, encoding="utf-8")
+    cluster = subprocess.Popen([sys.executable, str(script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+                               cwd=tmp_path, env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+    address = cluster.stdout.readline().strip()
+    try:
+        done = linked_profile().run_algorithm("urbanmap:tiledrun", **settings(town, tmp_path, 2), SCHEDULER=address,
+                                              ESTIMATE=4)
+    finally:
+        cluster.communicate("", timeout=60)
+    assert done.code == 0, done.err
+    assert (done.results["DONE"], done.results["FAILED"]) == (4, 0)
 
 
 def test_a_stage_without_the_setting_is_told(run_algorithm, town, tmp_path):

@@ -223,6 +223,20 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
             raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error
 
 
+def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = None,
+                         settings: MarkingSettings | None = None, metres_per_unit: float = 1.0,
+                         progress: Progress = SILENT) -> LevelAdjustment | None:
+    """Levels of an orthophoto that is worked on in parts; None where nothing of it is to be looked at.
+
+    Parameters and errors are those of `markings_from_orthophoto`.
+    """
+    settings = settings or MarkingSettings()
+    with own_gdal(CACHE), ExitStack() as stack:
+        min_pixel = 0.0 if settings.paper else MIN_PIXEL
+        scene = _OrthophotoReader(path, places or SearchArea(), metres_per_unit, min_pixel, stack)
+        return _levels(scene, settings, progress)
+
+
 @dataclass(frozen=True)
 class _TileFound:
     """What a tile holds: its rows and columns of the scene, mask, outlines, and pixels that could show markings."""
@@ -335,6 +349,8 @@ def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progr
 
     They are taken once for the whole image, so that tiles do not differ.
     """
+    if settings.levels is not None:
+        return settings.levels
     samples = list(_samples(scene, progress.part(0.0, 0.8)))  # a few megapixels at most: read once
     values = np.concatenate([image_brightness(bands, settings)[seen if roads is None else seen & roads]
                              for bands, seen, roads in samples])

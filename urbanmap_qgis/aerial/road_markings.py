@@ -13,6 +13,7 @@ from functools import lru_cache
 import cv2
 import numpy as np
 
+from ..errors import InputError
 from .image_strips import grown, row_strips, within
 from .marking_confidence import clear_of_paint, texture
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
@@ -54,12 +55,14 @@ class MarkingSettings:
     paper : whether the plain adaptive threshold of J 3.2.2 is taken, see `thresholded`; `cleaning` is None
     then.
     cleaning : rules for what is no marking; None keeps all that passes the threshold.
+    levels : of the image that this one is a part of, so that its parts do not differ; None takes them of this one.
     """
 
     block_size: float = 2.5
     contrast: float = 17.0
     paper: bool = False
     cleaning: CleanSettings | None = field(default_factory=CleanSettings)
+    levels: LevelAdjustment | None = None
 
     def __post_init__(self) -> None:
         if self.paper and self.cleaning is not None:
@@ -81,6 +84,25 @@ class LevelAdjustment:
     high: float
     middle: float
     noise: float = 0.0
+
+    @property
+    def text(self) -> str:
+        """The four numbers, to the last bit."""
+        return " ".join(repr(value) for value in (self.low, self.high, self.middle, self.noise))
+
+    @classmethod
+    def of_text(cls, text: str) -> LevelAdjustment | None:
+        """What `text` gave; None of an empty one. Raises `InputError` where it holds no four such numbers."""
+        try:
+            numbers = [float(word) for word in text.split()]
+        except ValueError:
+            numbers = []
+        if not text.strip():
+            return None
+        if len(numbers) != 4 or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
+            raise InputError("Levels are four numbers, low, high, middle and noise, the second above the first: give "
+                             "those, or none.")
+        return cls(*numbers)
 
 
 @dataclass(frozen=True)
