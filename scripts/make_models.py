@@ -112,7 +112,7 @@ LANE_MAP = (
          outputs={"OUTPUT_LANES": "Lanes", "OUTPUT_CENTRES": "Centre lines of lanes",
                   "OUTPUT_BOUNDS": "Bounds of lanes", "OUTPUT_FINDINGS": "Findings",
                   "OUTPUT_LANELET2": "Lanelet2 file", "OUTPUT_PROJECTOR": "Projector file",
-                  "OUTPUT_OPENDRIVE": "OpenDRIVE file"}),
+                  "OUTPUT_OPENDRIVE": "OpenDRIVE file", "OUTPUT_REPORT": "Report"}),
 )
 
 CHAINS = (("buildings_from_als", "Buildings from ALS (model)", "buildingsfromals", BUILDINGS_FROM_ALS),

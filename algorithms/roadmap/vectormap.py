@@ -8,9 +8,10 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
+from ..framework.parameters import HTML_FILTER, tr
 from .driven_paths import check_drives, read_drives
 from .map_outputs import DATUMS, write_map_files, write_map_layers
+from .map_report import write_map_report
 
 TRAFFIC = ("auto", "left", "right")
 PROJECTORS = ("TransverseMercator", "MGRS")
@@ -87,6 +88,8 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_FINDINGS", "Findings", "Points: kind and a sentence on what is missing or "
                               "contradicts.", optional=True, by_default=True,
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: verdict, figures, pictures of the junctions and "
+                             "findings with their places.", HTML_FILTER, optional=True)
         self.add_number_output("LANES", "Lanes", "Number of lanes, virtual ones included.")
         self.add_number_output("LENGTH", "Length of lanes", "Of their centre lines, virtual ones not counted.", "m")
         self.add_number_output("FINDINGS", "Findings", "Number of findings.")
@@ -119,6 +122,7 @@ class VectorMap(UrbanMapAlgorithm):
         results = write_map_layers(self, parameters, context, built, table.crs)
         results |= write_map_files(self, parameters, context, built, table.crs_wkt,
                                    self._limit(parameters, context), progress)
+        results |= write_map_report(self, parameters, context, built, drives)
         results = {name: place for name, place in results.items() if place}
         return {**results, "LANES": len(built.lanes), "FINDINGS": len(built.findings), "LENGTH": built.driven_length()}
 

@@ -39,7 +39,8 @@ def outputs(tmp_path, *more):
 
 def test_markings_and_drives_become_lanes_and_files(run, read_layer, given, tmp_path):
     results = run(ALGORITHM, {**given, **outputs(tmp_path, ("OUTPUT_LINES", "gpkg"), ("OUTPUT_LANELET2", "osm"),
-                                                 ("OUTPUT_OPENDRIVE", "xodr"), ("OUTPUT_FINDINGS", "gpkg"))})
+                                                 ("OUTPUT_OPENDRIVE", "xodr"), ("OUTPUT_REPORT", "html"),
+                                                 ("OUTPUT_FINDINGS", "gpkg"))})
     lanes = [row.attributes for row in read_layer(results["OUTPUT_LANES"])]
     assert results["LANES"] == len(lanes) == 4
     assert [lane["width"] for lane in lanes] == pytest.approx([3.25] * 4, abs=0.05)
@@ -48,6 +49,8 @@ def test_markings_and_drives_become_lanes_and_files(run, read_layer, given, tmp_
     root = ET.parse(tmp_path / "OUTPUT_OPENDRIVE.xodr").getroot()
     (road,) = root.findall("road")
     assert road.get("rule") == "LHT" and sorted(int(lane.get("id")) for lane in road.iter("lane")) == [-2, -1, 0, 1, 2]
+    page = (tmp_path / "OUTPUT_REPORT.html").read_text(encoding="utf-8")
+    assert "connected along all that was driven" in page and page.count("<svg") == 1 and "open end" in page
     assert results["FINDINGS"] == len(read_layer(results["OUTPUT_FINDINGS"]))
 
 
