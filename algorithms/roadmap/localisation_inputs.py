@@ -12,8 +12,6 @@ from ..framework.outlines import numbers
 from ..framework.parameters import Declarations, tr
 from ..framework.trajectories import trajectory_exists, trajectory_of
 
-SCANNERS = ("2D", "multi-layer")
-MATCHING = ("NDT", "ICP")
 SIGMA_FIELDS = ("wall_sigma", "sigma_xy")
 DEFAULT_FIELDS = {"TOP_FIELD": ("z_top", "top"), "BASE_FIELD": ("z_base", "base", "z_low"),
                   "BUILDING_FIELD": ("building_id", "building", "building_i"), "SIGMA_FIELD": SIGMA_FIELDS}
@@ -58,72 +56,6 @@ class LocalisationInputs(Declarations):
                  "are found by themselves.")):
             self.add_field(name, label, help, "BUILDINGS", advanced=True)
 
-    def add_satellites(self):
-        self.declare_parameter(QgsProcessingParameterMultipleLayers(
-            "NAVIGATION", tr("Navigation"), QgsProcessing.SourceType.TypeFile, None, True),
-            "RINEX navigation files or SP3 orbits: then satellites count too.")
-        self.add_text("TIME", "Time", "Time in UTC for roads and areas, such as 2024-04-18 02:30:00; left empty, six "
-                      "times over the hours of the navigation files. A trajectory has times of its own.")
-        self.add_number("ELEVATION_MASK", "Elevation mask", "Satellites lower than this are not used.", 10.0, 0.0, 60.0,
-                        unit="degrees", advanced=True)
-        self.add_text("SYSTEMS", "Satellite systems", "G GPS, R GLONASS, E Galileo, C BeiDou, J QZSS.", "GRECJ",
-                      advanced=True)
-
-    def add_sensors(self):
-        self.add_choice("SCANNER", "Scanner", "Of the vehicle to be localised.", SCANNERS, "2D")
-        self.add_distance("MAX_RANGE", "Range of the scanner", "Walls farther away are not seen.", 60.0, 2.0, 300.0)
-        self.add_distance("SENSOR_HEIGHT", "Height of the scanner", "Above the road.", 2.0, 0.1, 10.0)
-        self.add_choice("MATCHING", "Matching", "How scans are matched to the map.", MATCHING, "NDT")
-        self.add_number("ANGLE_STEP", "Angular resolution", "Between rays of a layer.", 0.5, 0.05, 5.0, unit="degrees",
-                        advanced=True)
-        self.add_distance("NOISE", "Noise of ranges", "Standard deviation.", 0.03, 0.001, 1.0, advanced=True)
-        self.add_number("LAYERS", "Layers", "Of a multi-layer scanner.", 16, 2, 256, integer=True, advanced=True)
-        self.add_number("LOWEST", "Lowest layer", "Its elevation.", -15.0, -60.0, 60.0, unit="degrees", advanced=True)
-        self.add_number("HIGHEST", "Highest layer", "Its elevation.", 15.0, -60.0, 80.0, unit="degrees", advanced=True)
-        self.add_number("HIDDEN", "Share of hidden rays", "Rays that end at vehicles, trees or people.", 0.3, 0.0, 0.95,
-                        advanced=True)
-        self.add_distance("CELL", "Cells of the NDT", "Side of the cells of the normal distributions.", 2.0, 0.2, 10.0,
-                          advanced=True)
-        self.add_distance("COMMON_SIGMA", "Common sigma of a building", "Standard deviation of a displacement that all "
-                          "walls of a building share.", 0.0, 0.0, 5.0, advanced=True)
-        self.add_distance("START_SIGMA", "Sigma before matching", "What is known before, of east and of north: a "
-                          "direction without evidence keeps it.", 2.0, 0.1, 10.0, advanced=True)
-        self.add_number("START_HEADING", "Sigma of the heading before matching", "Likewise.", 2.0, 0.1, 20.0,
-                        unit="degrees", advanced=True)
-        self.add_distance("SEARCH", "Search for repetitions", "Places that look alike are searched for within this "
-                          "distance; 0: not at all.", 15.0, 0.0, 40.0, advanced=True)
-        self.add_distance("MARKING_RANGE", "Range of markings", "Markings farther away are not seen.", 25.0, 2.0, 100.0,
-                          advanced=True)
-        self.add_number("MARKING_VIEW", "View of markings", "Angle ahead in which markings are seen: 360 for the "
-                        "intensity of a scanner around, about 100 for a camera.", 360.0, 10.0, 360.0, unit="degrees",
-                        advanced=True)
-        self.add_number("DETECTION", "Detection rate of markings", "Share of the markings within sight that are found.",
-                        0.8, 0.05, 1.0, advanced=True)
-        self.add_distance("CODE_SIGMA", "Sigma of satellite ranges", "Standard deviation of a code range at the "
-                          "zenith.", 2.0, 0.1, 50.0, advanced=True)
-        self.add_number("NLOS_SHARE", "Share of reflected signals", "Of the hidden satellites those that are received "
-                        "by reflection and used.", 0.3, 0.0, 1.0, advanced=True)
-        self.add_distance("GOOD", "Limit of good", "Largest sigma of the weakest direction of a good place.", 0.3, 0.01,
-                          10.0, advanced=True)
-        self.add_distance("USABLE", "Limit of usable", "The same of a usable place.", 1.0, 0.01, 20.0, advanced=True)
-
-    def settings_from(self, parameters, context):
-        """The core's settings."""
-        from ...urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
-
-        def number(name):
-            return self.parameterAsDouble(parameters, name, context)
-
-        scanner = VehicleScanner(
-            self.parameterAsString(parameters, "SCANNER", context), number("SENSOR_HEIGHT"), number("MAX_RANGE"),
-            number("ANGLE_STEP"), number("NOISE"), self.parameterAsInt(parameters, "LAYERS", context),
-            number("LOWEST"), number("HIGHEST"), number("HIDDEN"))
-        return LocalisationSettings(
-            scanner, self.parameterAsString(parameters, "MATCHING", context), number("CELL"), number("COMMON_SIGMA"),
-            number("START_SIGMA"), number("START_HEADING"), number("SEARCH"), number("GOOD"), number("USABLE"),
-            marking_range=number("MARKING_RANGE"), marking_view=number("MARKING_VIEW"), detection=number("DETECTION"),
-            marking_common=number("MARKING_COMMON"), code_sigma=number("CODE_SIGMA"), nlos_share=number("NLOS_SHARE"))
-
     def files_of(self, parameters, name, context):
         """Files of a parameter that takes several; they exist."""
         texts = [text for text in self.parameterAsFileList(parameters, name, context) if text]
@@ -134,23 +66,42 @@ class LocalisationInputs(Declarations):
                     self.label_of(name), text))
         return texts
 
+    def read_pieces(self, parameters, name, context, progress):
+        """A layer of buildings, the core's walls (None without heights), the middles of the buildings that have none,
+        the number of the building of each feature, and its sigma (None without a field)."""
+        import numpy as np
+
+        from ...urbanmap_qgis.localisation.wall_map import walls_with_heights
+
+        table = read_buildings(self, parameters, name, context, progress)
+        chosen = parameters if name == "BUILDINGS" else {}
+        field = {each: self.chosen_field(chosen, each, context, table) for each in DEFAULT_FIELDS}
+        key = table.columns[field["BUILDING_FIELD"]] if field["BUILDING_FIELD"] else list(range(len(table)))
+        first = {each: number for number, each in enumerate(dict.fromkeys(map(str, key)))}
+        building = np.array([first[str(each)] for each in key])
+        top, base, sigma = (numbers(table, field[each]) if field[each] else None
+                            for each in ("TOP_FIELD", "BASE_FIELD", "SIGMA_FIELD"))
+        return table, *walls_with_heights(table.geometries, building, top, base), building, sigma
+
+    def read_truth(self, parameters, context, crs, progress):
+        """Walls of the true city; None where none was given."""
+        if not parameters.get("TRUTH_BUILDINGS"):
+            return None
+        table, pieces, *_ = self.read_pieces(parameters, "TRUTH_BUILDINGS", context, progress)
+        self.same_crs("TRUTH_BUILDINGS", table.crs, "BUILDINGS", crs)
+        if pieces is None:
+            raise InputError(tr("{0}: no building has a height; give solids or outlines with heights.").format(
+                table.label))
+        return pieces
+
     def read_walls(self, parameters, context, progress):
         """The layer of buildings, the core's walls with their sigmas (None without heights), and the middles of the
         buildings that have none; None where no buildings were given."""
         if not parameters.get("BUILDINGS"):
             return None
-        import numpy as np
+        from ...urbanmap_qgis.localisation.wall_map import WallMap, building_sigmas, wall_sigmas
 
-        from ...urbanmap_qgis.localisation.wall_map import WallMap, building_sigmas, wall_sigmas, walls_with_heights
-
-        table = read_buildings(self, parameters, "BUILDINGS", context, progress)
-        field = {name: self.chosen_field(parameters, name, context, table) for name in DEFAULT_FIELDS}
-        key = table.columns[field["BUILDING_FIELD"]] if field["BUILDING_FIELD"] else list(range(len(table)))
-        first = {name: number for number, name in enumerate(dict.fromkeys(map(str, key)))}
-        building = np.array([first[str(name)] for name in key])
-        top, base, sigma = (numbers(table, field[name]) if field[name] else None
-                            for name in ("TOP_FIELD", "BASE_FIELD", "SIGMA_FIELD"))
-        pieces, without = walls_with_heights(table.geometries, building, top, base)
+        table, pieces, without, building, sigma = self.read_pieces(parameters, "BUILDINGS", context, progress)
         if pieces is None:
             return table, None, without
         own = None if sigma is None else building_sigmas(building, sigma)
@@ -200,3 +151,26 @@ class LocalisationInputs(Declarations):
                 progress.warn(note)
             drives.append(read.trajectory)
         return drives
+
+    def read_sky(self, parameters, context, table, drives, progress):
+        """The core's sky (None without navigation), and GPS seconds less the drives' time."""
+        import numpy as np
+
+        from ...urbanmap_qgis.gnss.orbits.ephemeris import read_navigation
+        from ...urbanmap_qgis.gnss.rays.visibility import gps_time_of
+        from ...urbanmap_qgis.gnss.signals.observations import trajectory_shift
+        from ...urbanmap_qgis.localisation.accuracy_tables import times_of_day
+        from ...urbanmap_qgis.localisation.satellite_evidence import SkyTimes
+
+        files = self.files_of(parameters, "NAVIGATION", context)
+        if not files:
+            return None, 0.0
+        navigation = read_navigation(files)
+        for note in navigation.notes:
+            progress.warn(note)
+        time = self.parameterAsString(parameters, "TIME", context).strip()
+        shift = trajectory_shift(drives[0], [navigation.span()], "navigation files") if drives else 0.0
+        times = np.array([gps_time_of(time)]) if time else times_of_day(navigation)
+        return SkyTimes(navigation, times, self.parameterAsString(parameters, "SYSTEMS", context).upper(),
+                        self.parameterAsDouble(parameters, "ELEVATION_MASK", context), table.crs_wkt,
+                        0.0 if drives else None), shift

@@ -9,13 +9,14 @@ from qgis.core import QgsProcessing
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
-from ..framework.parameters import tr
+from ..framework.parameters import HTML_FILTER, tr
 from .localisation_inputs import LocalisationInputs
+from .localisation_sensors import LocalisationSensors
 
 WORDS, WHOLE = ("class", "status"), ("street", "n_walls")
 
 
-class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
+class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgorithm):
     ID = "localisationaccuracy"
     NAME = "Map of localisation accuracy"
     SOURCE = "Javanmardi 2018, 6.2"
@@ -37,6 +38,7 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
         self.add_map_inputs()
         self.add_satellites()
         self.add_sensors()
+        self.add_simulation()
         self.add_layer_output("OUTPUT", "Localisation accuracy", "Points along the roads: sigma_along, "
                               "sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, "
                               "…_markings, …_satellites); major, minor (m) and weakest (bearing of the major "
@@ -46,6 +48,8 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)
         self.add_raster_output("OUTPUT_RASTER", "Localisation accuracy, raster", "Sigma of the weakest direction, m, "
                                "in cells of the spacing.", optional=True)
+        self.add_file_output("OUTPUT_REPORT", "Report", "Road by class, the worst stretches with pictures, and what "
+                             "was simulated.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("PLACES", "Places", "Number of places.")
         self.add_number_output("MEDIAN_SIGMA", "Median sigma", "Of the weakest direction, over the places that have "
                                "one.", "m")
@@ -54,6 +58,9 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
         self.add_number_output("LENGTH_POOR", "Length of poor road", "Road of class poor.", "m")
         self.add_number_output("LENGTH_NONE", "Length of road without", "Road of which nothing can be said.", "m")
         self.add_number_output("REPEATED", "Repeated places", "Number of places that look like others.")
+        self.add_number_output("RANK", "Spearman's coefficient", "Of observed and predicted errors, where scans were "
+                               "simulated.")
+        self.add_number_output("INSIDE", "Share within the ellipse", "Of simulated errors within the 95 % ellipse.")
 
     def check(self, parameters, context):
         if not parameters.get("BUILDINGS") and not parameters.get("MARKINGS"):
@@ -63,6 +70,9 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
         if self.files_of(parameters, "NAVIGATION", context) and not parameters.get("BUILDINGS"):
             raise InputError(tr("{0}: satellites need buildings that hide them; give these too.").format(
                 self.label_of("NAVIGATION")))
+        if self.parameterAsBool(parameters, "SIMULATE", context) and not parameters.get("BUILDINGS"):
+            raise InputError(tr("{0}: scans are simulated of buildings; give these.").format(
+                self.label_of("SIMULATE")))
 
     def compute(self, parameters, context, feedback):
         import numpy as np
@@ -70,11 +80,13 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
 
         from ...urbanmap_qgis.localisation.accuracy_map import accuracy_map
         from ...urbanmap_qgis.localisation.accuracy_tables import accuracy_columns, lengths_by_class
+        from ...urbanmap_qgis.localisation.localisation_report import write_localisation_report
 
         progress = self.progress(feedback)
         settings = self.settings_from(parameters, context)
         city, places, crs = self.read_map(parameters, context, progress.part(0.0, 0.2))
-        made = accuracy_map(city, places, settings, progress.part(0.2, 0.8))
+        made = accuracy_map(city, places, settings, progress.part(0.2, 0.4))
+        check = self._simulated(parameters, context, city, made, settings, crs, progress.part(0.4, 0.9))
         columns = accuracy_columns(made)
         fields = make_fields(*((name, "text" if name in WORDS else "int" if name in WHOLE else "real")
                                for name in columns))
@@ -84,6 +96,12 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
                                               shapely.points(place), "PointZ", "localisation_accuracy",
                                               progress.part(0.9, 1.0))}
         self._raster(parameters, context, made, crs, results)
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report is not None:
+            write_localisation_report(report, city, made, check, self.settings_of(parameters))
+            results["OUTPUT_REPORT"] = str(report)
+        if check is not None:
+            results |= {"RANK": _number(check.rank), "INSIDE": _number(check.inside)}
         known = np.isfinite(made.ellipse.major)
         length = lengths_by_class(made)
         if not known.any():
@@ -92,6 +110,21 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
             "PLACES": len(places), "MEDIAN_SIGMA": float(np.median(made.ellipse.major[known])) if known.any() else None,
             **{f"LENGTH_{name.upper()}": value for name, value in length.items()},
             "REPEATED": int((made.alias_share >= settings.alias_share).sum())}
+
+    def _simulated(self, parameters, context, city, made, settings, crs, progress):
+        """The core's check of the prediction; None where it is not asked for."""
+        if not self.parameterAsBool(parameters, "SIMULATE", context):
+            return None
+        from ...urbanmap_qgis.localisation.prediction_check import check_prediction
+
+        truth = self.read_truth(parameters, context, crs, progress)
+        if city.walls is None:
+            progress.warn(tr("Nothing was simulated: no building has a height."))
+            return None
+        return check_prediction(city.walls, made, settings,
+                                self.parameterAsInt(parameters, "SIMULATE_EVERY", context),
+                                self.parameterAsInt(parameters, "DRAWS", context),
+                                self.parameterAsInt(parameters, "SEED", context), truth, progress)
 
     def read_map(self, parameters, context, progress):
         """The core's map, the places, and the CRS of both."""
@@ -107,7 +140,7 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
             progress.warn(tr("{0}: {1} of {2} features have no heights and are left out; give the field with the "
                              "height of their tops.").format(table.label, len(buildings[2]), len(table)))
         drives = self.drives_of(parameters, context, table.crs_wkt, progress)
-        sky, shift = self._sky(parameters, context, table, drives, progress)
+        sky, shift = self.read_sky(parameters, context, table, drives, progress)
         places = self._places(parameters, context, table, drives, shift)
         city = LocalisationMap(buildings[1] if buildings else None, markings[1] if markings else None, sky,
                                buildings[2] if buildings else None)
@@ -155,29 +188,6 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
             self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
             return replace(places, ground=ground_under_places(ground, places))
 
-    def _sky(self, parameters, context, table, drives, progress):
-        """The core's sky (None without navigation), and GPS seconds less the drives' time."""
-        import numpy as np
-
-        from ...urbanmap_qgis.gnss.orbits.ephemeris import read_navigation
-        from ...urbanmap_qgis.gnss.rays.visibility import gps_time_of
-        from ...urbanmap_qgis.gnss.signals.observations import trajectory_shift
-        from ...urbanmap_qgis.localisation.accuracy_tables import times_of_day
-        from ...urbanmap_qgis.localisation.satellite_evidence import SkyTimes
-
-        files = self.files_of(parameters, "NAVIGATION", context)
-        if not files:
-            return None, 0.0
-        navigation = read_navigation(files)
-        for note in navigation.notes:
-            progress.warn(note)
-        time = self.parameterAsString(parameters, "TIME", context).strip()
-        shift = trajectory_shift(drives[0], [navigation.span()], "navigation files") if drives else 0.0
-        times = np.array([gps_time_of(time)]) if time else times_of_day(navigation)
-        return SkyTimes(navigation, times, self.parameterAsString(parameters, "SYSTEMS", context).upper(),
-                        self.parameterAsDouble(parameters, "ELEVATION_MASK", context), table.crs_wkt,
-                        0.0 if drives else None), shift
-
     def _raster(self, parameters, context, made, crs, results):
         from ...urbanmap_qgis.io.raster import write_raster
         from ...urbanmap_qgis.localisation.accuracy_tables import accuracy_raster
@@ -187,3 +197,8 @@ class LocalisationAccuracy(LocalisationInputs, UrbanMapAlgorithm):
             values, grid = accuracy_raster(made, self.parameterAsDouble(parameters, "SPACING", context))
             write_raster(path, values, grid, crs.toWkt())
             results["OUTPUT_RASTER"] = str(path)
+
+
+def _number(value):
+    """A number among the results; None where there is none."""
+    return None if value != value else value

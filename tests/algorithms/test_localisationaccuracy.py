@@ -67,6 +67,7 @@ def test_markings_alone(run, inputs, small_city):
 
 @pytest.mark.parametrize("change, words", [
     ({"BUILDINGS": None}, "Give buildings, markings or both"),
+    ({"BUILDINGS": None, "MARKINGS": "MARKINGS", "SIMULATE": True}, "simulated of buildings"),
     ({"BUILDINGS": None, "MARKINGS": "MARKINGS", "NAVIGATION": "NAVIGATION"}, "satellites need buildings"),
     ({"ROADS": "ROADS", "TRAJECTORY": "DRIVE"}, "not both"),
     ({"NAVIGATION": ["nowhere.nav"]}, "does not exist"),
@@ -89,3 +90,13 @@ def test_roads_in_another_crs_are_refused(run, inputs):
     roads = QgsVectorLayer("LineString?crs=EPSG:6676", "roads", "memory")
     with pytest.raises(QgsProcessingException, match=r"Roads.*Buildings|Buildings.*Roads"):
         run(ALGORITHM, inputs | {"ROADS": roads})
+
+
+def test_simulated_scans_and_the_report(run, inputs, small_city, tmp_path):
+    report = tmp_path / "report.html"
+    result = run(ALGORITHM, inputs | {
+        "TRAJECTORY": [str(small_city / "truth" / "survey_01_trajectory.csv")], "SPACING": 10.0, "SIMULATE": True,
+        "SIMULATE_EVERY": 2, "DRAWS": 2, "OUTPUT_REPORT": str(report)})
+    assert 0.5 <= result["INSIDE"] <= 1.0 and -1.0 <= result["RANK"] <= 1.0
+    text = report.read_text(encoding="utf-8")
+    assert "Predicted against observed" in text and "Worst stretches" in text

@@ -66,11 +66,14 @@ def test_covariance_is_that_of_drawn_displacements():
 
 def test_more_points_do_not_make_a_displaced_wall_better():
     walls = canyon(0.3)
-    coarse, fine = (predicted(walls, place(0, 0), LocalisationSettings(VehicleScanner(resolution=step)))
-                    for step in (2.0, 0.1))
+    coarse, fine = (predicted(walls, place(0, 0), LocalisationSettings(
+        VehicleScanner(resolution=step, hidden=0.0), "ICP")) for step in (2.0, 0.1))
     # Two walls: the mean of both displacements.
     assert coarse.sigma["walls"][0, 1] == pytest.approx(0.3 / np.sqrt(2), rel=0.03)
     assert fine.sigma["walls"][0, 1] == pytest.approx(coarse.sigma["walls"][0, 1], rel=0.02)
+    # Hidden walls, and the mixture of an NDT, let it grow.
+    hidden = predicted(walls, place(0, 0), LocalisationSettings(VehicleScanner(hidden=0.3)))
+    assert hidden.sigma["walls"][0, 1] == pytest.approx(0.3 / np.sqrt(2 * 0.7) * np.sqrt(1.055), rel=0.03)
 
 
 def test_smooth_street_slides_along():
@@ -211,3 +214,8 @@ def test_places_along_lines_and_drives():
     assert drive.time[0] == pytest.approx(0.5) and 5.0 < drive.time[1] < 5.5
     from urbanmap_qgis.geometry.grid import Grid
     assert len(places_on_grid(Grid(0, 100, 5.0, 4, 3))) == 12
+
+
+def test_street_that_slides_is_not_usable_however_well_it_was_known_before():
+    settings = LocalisationSettings(start_sigma=0.5, usable=1.0)
+    assert predicted(canyon(), place(0, 0), settings).kind[0] == POOR

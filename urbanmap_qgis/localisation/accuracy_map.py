@@ -11,7 +11,7 @@ from ..progress import SILENT, Progress
 from .ellipses import PlanEllipse, along_and_across, plan_ellipses
 from .evidence import covariance, fused
 from .localisation_settings import LocalisationSettings
-from .map_aliases import STEP, AliasModes, ScoreField, alias_modes
+from .map_aliases import EVIDENCE_OF_CELL, STEP, AliasModes, ScoreField, alias_modes
 from .marking_map import MarkingMap, marking_evidence, visible_markings
 from .place_checks import refusals, sky_covered
 from .place_status import SourceSigns, place_classes, place_words
@@ -32,9 +32,6 @@ _FIGURES = ("points", "walls", "covered", "sky_covered", "cell_rms", "two_surfac
 
 APART = 3.0
 """Another place is farther away than this, m."""
-
-EVIDENCE_OF_CELL = 0.2
-"""Share of an independent observation that a cell of the score, half a metre of wall or paint, counts for."""
 
 
 @dataclass(frozen=True)
@@ -118,22 +115,29 @@ def accuracy_map(city: LocalisationMap, places: RoadPlaces, settings: Localisati
     return _joined(blocks)
 
 
+def field_of_walls(walls: WallMap, places: RoadPlaces, settings: LocalisationSettings) -> ScoreField:
+    """Score of the walls around places, for shifts within the search and of the start."""
+    points, _ = wall_points(walls.walls, pieces_at_height(walls.walls, settings.scanner.height))
+    return ScoreField.of(points, _bounds(places, settings), max(float(np.median(walls.sigma)), STEP))
+
+
+def _bounds(places: RoadPlaces, settings: LocalisationSettings) -> tuple[float, float, float, float]:
+    reach = max(settings.scanner.max_range, settings.marking_range) + max(settings.search, 6 * settings.start_sigma)
+    low, high = (end + side * (reach + 5.0) for end, side in ((places.place[:, :2].min(axis=0), -1),
+                                                              (places.place[:, :2].max(axis=0), 1)))
+    return (*low.tolist(), *high.tolist())
+
+
 def _prepared(city: LocalisationMap, places: RoadPlaces, settings: LocalisationSettings) -> _Prepared:
-    reach = max(settings.scanner.max_range, settings.marking_range) + settings.search + 5.0
-    low, high = places.place[:, :2].min(axis=0) - reach, places.place[:, :2].max(axis=0) + reach
-    bounds = (*low.tolist(), *high.tolist())
     cells = wall_field = marking_field = tree = None
     if city.walls is not None:
-        level = settings.scanner.height
-        cells = wall_plan_cells(city.walls, settings.cell, level)
-        points, _ = wall_points(city.walls.walls, pieces_at_height(city.walls.walls, level))
+        cells = wall_plan_cells(city.walls, settings.cell, settings.scanner.height)
         if settings.search > 0:
-            blur = max(float(np.median(city.walls.sigma)), STEP)
-            wall_field = ScoreField.of(points, bounds, blur)
+            wall_field = field_of_walls(city.walls, places, settings)
     if city.markings is not None:
         tree = cKDTree(city.markings.xy)
         if settings.search > 0:
-            marking_field = ScoreField.of(city.markings.xy, bounds, STEP / 2)
+            marking_field = ScoreField.of(city.markings.xy, _bounds(places, settings), STEP / 2)
     return _Prepared(cells, wall_field, marking_field, tree)
 
 

@@ -30,7 +30,7 @@ class VehicleScanner:
     layers: int = 16
     lowest: float = -15.0
     highest: float = 15.0
-    hidden: float = 0.3
+    hidden: float = 0.1
 
     def elevations(self, most: int | None = None) -> np.ndarray:
         """Elevations of the layers, radians; at most so many of them, evenly taken."""
@@ -48,7 +48,7 @@ class LocalisationSettings:
     ----------
     scanner : see `VehicleScanner`.
     matcher : "NDT" weighs each wall with the variance of its cells, "ICP" all points alike.
-    cell : side of the NDT's cells, m.
+    cell : side of the NDT's cells, m.  outliers : share of outliers that its mixture expects.
     common_sigma : of a displacement that all walls of a building share, m.
     start_sigma : standard deviation of what is known before matching, each of east and north, m.
     start_heading : the same of the heading, degrees.
@@ -83,6 +83,7 @@ class LocalisationSettings:
     code_sigma: float = 2.0
     nlos_share: float = 0.3
     nlos_delay: float = 15.0
+    outliers: float = 0.3
 
     def prior(self) -> np.ndarray:
         """(3, 3) information of what is known before: east, north (1/m2), heading (1/rad2)."""

@@ -17,6 +17,9 @@ from scipy.ndimage import gaussian_filter, maximum_filter
 STEP = 0.5
 """Cells and steps of the shifts, m."""
 
+EVIDENCE_OF_CELL = 0.2
+"""Share of an independent observation that a cell of the score, half a metre of wall or paint, counts for."""
+
 _BACKGROUND = 0.05
 _VALLEY = 0.6
 _POINTS = 400

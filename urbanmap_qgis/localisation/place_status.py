@@ -53,10 +53,10 @@ class SourceSigns:
 
 
 def place_classes(ellipse: PlanEllipse, signs: SourceSigns, settings: LocalisationSettings) -> np.ndarray:
-    """(n,) class of each place; one that repeats is no better than poor."""
+    """(n,) class of each place; one that repeats, or keeps in a direction what was known before, is poor."""
     major = ellipse.major
     kind = np.where(major <= settings.good, GOOD, np.where(major <= settings.usable, USABLE, POOR)).astype(object)
-    kind[(signs.alias_share >= settings.alias_share) & (kind != NONE)] = POOR
+    kind[(signs.alias_share >= settings.alias_share) | (major > _WEAK * settings.start_sigma)] = POOR
     kind[~np.isfinite(major)] = NONE
     return kind
 

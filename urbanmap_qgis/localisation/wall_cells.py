@@ -71,19 +71,29 @@ def wall_plan_cells(walls: WallMap, cell: float, above: float) -> PlanWallCells:
     return PlanWallCells(ndt, mean < _OTHER_SURFACE)
 
 
-def space_cells(walls: WallMap, cell: float, height: float, foot: float) -> NdtMap:
-    """Distributions in space, of the walls up to `height` m above their feet; `foot` where these are not known, m."""
-    pieces = np.arange(len(walls.walls))
-    plan, piece = wall_points(walls.walls, pieces, 2 * _STEP)
+def space_cells(walls: WallMap, cell: float, height: float, foot: float, xy: np.ndarray, reach: float,
+                ground_sigma: float) -> NdtMap:
+    """Distributions in space around a place (2,), m: walls within `reach` m up to `height` m above their feet, and a
+    level road at the height `foot`, m, with its sigma."""
+    middle = (walls.walls.start + walls.walls.end) / 2
+    half = np.hypot(*(walls.walls.end - walls.walls.start).T) / 2
+    plan, piece = wall_points(walls.walls, np.flatnonzero(np.hypot(*(middle - xy).T) - half < reach), 2 * _STEP)
+    near = np.hypot(*(plan - xy).T) < reach
+    plan, piece = plan[near], piece[near]
     low = walls.walls.low.min(axis=1)[piece]
     low = np.where(np.isfinite(low), low, foot)
-    top = np.minimum(walls.walls.top.max(axis=1)[piece], low + height)
-    count = np.maximum(np.ceil((top - low) / (2 * _STEP)).astype(np.int64), 1)
+    top = np.minimum(walls.walls.top.max(axis=1)[piece], foot + height)
+    count = np.maximum(np.ceil((top - low) / (2 * _STEP)).astype(np.int64), 0)
     row = np.repeat(np.arange(len(plan)), count)
     share = (np.arange(len(row)) - np.repeat(np.cumsum(count) - count, count) + 0.5) / count[row]
     points = np.column_stack([plan[row], low[row] + share * (top - low)[row]])
     normal = np.column_stack([walls.walls.normal[piece[row]], np.zeros(len(row))])
-    return _distributions(points, normal, walls.sigma[walls.walls.wall[piece[row]]], cell)[0]
+    east, north = (values.ravel() for values in np.meshgrid(*[np.arange(-reach, reach, 4 * _STEP)] * 2))
+    road = np.column_stack([xy[0] + east, xy[1] + north, np.full(len(east), foot)])
+    road = road[~walls.obstacles.inside(road + np.array([0.0, 0.0, 1.0]))]
+    up = np.broadcast_to([0.0, 0.0, 1.0], road.shape)
+    sigma = np.concatenate([walls.sigma[walls.walls.wall[piece[row]]], np.full(len(road), ground_sigma)])
+    return _distributions(np.concatenate([points, road]), np.concatenate([normal, up]), sigma, cell)[0]
 
 
 def _distributions(points: np.ndarray, normal: np.ndarray, sigma: np.ndarray, cell: float
@@ -105,7 +115,9 @@ def _distributions(points: np.ndarray, normal: np.ndarray, sigma: np.ndarray, ce
             own = off[:, a] * off[:, b] + sigma ** 2 * normal[:, a] * normal[:, b]
             covariance[:, a, b] = covariance[:, b, a] = np.bincount(index, own) / count
     values, vectors = np.linalg.eigh(covariance)
-    inverse = np.einsum("nij,nj,nkj->nik", vectors, 1.0 / np.maximum(values, _LEAST ** 2), vectors)
+    # Ends of walls are no better known than walls: a cell with little of a wall does not pin it along itself.
+    least = np.maximum(np.bincount(index, sigma ** 2) / count, _LEAST ** 2)
+    inverse = np.einsum("nij,nj,nkj->nik", vectors, 1.0 / np.maximum(values, least[:, None]), vectors)
     number = np.full(math.prod(shape), -1, dtype=np.int32)
     number[filled] = np.arange(len(filled), dtype=np.int32)
     return NdtMap(cell, origin, shape, number, mean, inverse), index

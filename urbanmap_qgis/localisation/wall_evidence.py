@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..mobile.registration.matching.ndt_match import Mixture
 from .evidence import Evidence, SharedError, surface_rows
 from .localisation_settings import LocalisationSettings
 from .wall_cells import PlanWallCells
@@ -24,11 +25,26 @@ def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pla
     rays = scan.weight * (1.0 - settings.scanner.hidden)
     weight = rays * _point_weights(walls, scan, sensor, cells, settings)
     noise = settings.scanner.noise / np.sqrt(np.maximum(rays, 1e-6))
-    shared = [SharedError(wall, np.ones(len(wall)), sigma)]
+    grown = np.sqrt(_losses(weight / rays, sigma, settings))
+    shared = [SharedError(wall, grown, sigma)]
     if settings.common_sigma > 0:
         common = np.full(len(wall), settings.common_sigma)
-        shared += [SharedError(pieces.building[scan.piece], normal[:, axis], common) for axis in range(2)]
+        shared += [SharedError(pieces.building[scan.piece], grown * normal[:, axis], common) for axis in range(2)]
     return Evidence(scan.of, surface_rows(normal, scan.offset[:, :2]), weight, noise, tuple(shared))
+
+
+def _losses(weight: np.ndarray, sigma: np.ndarray, settings: LocalisationSettings) -> np.ndarray:
+    """(m,) by which the variance of the walls' part grows beyond that of the linear solution.
+
+    Vehicles hide whole walls: with a share h of them missing at a time, 1 / (1 - h). The mixture of an NDT with the
+    sharpness c pulls with psi(e) = e exp(-c u e^2 / 2); of errors e with the variance s^2 its estimate has
+    E[psi^2] / E[psi']^2 = s^2 (1 + q)^3 / (1 + 2 q)^(3/2), q = c u s^2.
+    """
+    missing = 1.0 / (1.0 - settings.scanner.hidden)
+    if settings.matcher == "ICP":
+        return np.full(len(weight), missing)
+    q = Mixture.of(settings.outliers, settings.cell, 2).sharpness * weight * sigma ** 2
+    return missing * (1 + q) ** 3 / (1 + 2 * q) ** 1.5
 
 
 def _point_weights(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells,

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""Predicted against simulated accuracy of localisation: on buildings and drives, and on streets that repeat.
+
+    python3 scripts/evaluate_localisation.py BUILDINGS TRAJECTORY.csv [--sigma 0.3] [--scanner multi-layer]
+    python3 scripts/evaluate_localisation.py --streets 60
+
+BUILDINGS is a vector file of outlines with z_top and z_base or of solids. Without --truth every scan has a true city of
+its own, the map displaced by its sigmas. --streets: rows of houses at equal and at unequal distances, on which the
+places that look alike are counted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import shapely
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map
+from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
+from urbanmap_qgis.localisation.prediction_check import check_prediction
+from urbanmap_qgis.localisation.road_places import joined_places, places_on_drive, places_on_roads
+from urbanmap_qgis.localisation.wall_map import WallMap, wall_sigmas, walls_with_heights
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory
+
+ALIASED = 0.1
+
+
+def read_walls(path: str):
+    """Walls of a vector file."""
+    from osgeo import ogr
+
+    name, _, layer = path.partition("|")
+    source = ogr.Open(name)
+    table = source.GetLayerByName(layer) if layer else source.GetLayer(0)
+    shapes, top, base, key = [], [], [], []
+    for number, feature in enumerate(table):
+        shapes.append(shapely.from_wkb(bytes(feature.GetGeometryRef().ExportToWkb())))
+        values = feature.items()
+        top.append(next((values[name] for name in ("z_top", "z_max") if values.get(name) is not None), np.nan))
+        base.append(next((values[name] for name in ("z_base", "z_ground") if values.get(name) is not None), np.nan))
+        key.append(str(values.get("building_id", values.get("building", number))))
+    building = np.unique(key, return_inverse=True)[1].ravel()
+    return walls_with_heights(np.array(shapes, object), building, np.array(top, float), np.array(base, float))[0]
+
+
+def on_city(given) -> dict:
+    """Figures of a city."""
+    walls = read_walls(given.buildings)
+    rng = np.random.default_rng(5)
+    sigma = rng.choice([0.05, 0.15, 0.3, 0.6], walls.count) if given.mixed else wall_sigmas(walls, given.sigma)
+    city = WallMap.of(walls, sigma)
+    drives = [read_trajectory(path).trajectory for path in given.trajectory]
+    places = joined_places([places_on_drive(drive.place, drive.time, given.spacing, number)
+                            for number, drive in enumerate(drives)])
+    places = places.with_heights(np.full(len(places), np.nan))
+    settings = LocalisationSettings(VehicleScanner(given.scanner))
+    begin = time.process_time()
+    made = accuracy_map(LocalisationMap(city), places, settings)
+    speed = len(places) / (time.process_time() - begin)
+    truth = read_walls(given.truth) if given.truth else None
+    found = check_prediction(city, made, settings, given.every, given.draws, given.seed, truth)
+    return {"places": len(places), "places a second": speed, "simulated": len(found.rows), "scans": given.draws,
+            "rank": found.rank, "rank in street": found.rank_in_street, "inside": found.inside,
+            "observed": float(np.median(found.observed)), "predicted": float(np.median(found.predicted)),
+            "hidden": float(found.hidden.mean()), "beyond 1 m": float((np.hypot(
+                *np.moveaxis(found.errors[:, :, :2], 2, 0)) > 1.0).mean()),
+            "elsewhere": float(found.elsewhere.mean())}
+
+
+def street(rng: np.random.Generator, unequal: float) -> tuple[WallMap, float]:
+    """Two rows of houses with gaps, their distances and sizes unequal by up to a share; and their period, m."""
+    period, width, depth = rng.uniform(8, 14), rng.uniform(0.5, 0.75), rng.uniform(6, 10)
+    shapes = []
+    for side in (1, -1):
+        shift = rng.uniform(0, period)
+        for number in range(-12, 13):
+            a = number * period + shift + unequal * rng.uniform(-0.5, 0.5) * period
+            b = a + period * width * (1 + unequal * rng.uniform(-0.5, 0.5))
+            near = 8 + unequal * rng.uniform(0, 4)
+            shapes.append(shapely.box(a, min(side * near, side * (near + depth)), b,
+                                      max(side * near, side * (near + depth))))
+    walls = building_walls(np.array(shapes, object), None, np.full(len(shapes), 12.0), np.zeros(len(shapes)))
+    return WallMap.of(walls, wall_sigmas(walls, 0.2)), period
+
+
+def on_streets(count: int, seed: int, draws: int) -> dict:
+    """How many of the places that look alike are found, and how many others are."""
+    rng = np.random.default_rng(seed)
+    predicted, observed = [], []
+    settings = LocalisationSettings()
+    for _ in range(count):
+        city, _ = street(rng, float(rng.choice([0.0, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8])))
+        places = places_on_roads([shapely.LineString([(-20, 1, 0), (20, 1, 0)])], 10.0)
+        made = accuracy_map(LocalisationMap(city), places, settings)
+        found = check_prediction(city, made, settings, 1, draws, seed)
+        predicted.append(made.alias_share[found.rows] >= settings.alias_share)
+        observed.append(found.elsewhere >= ALIASED)
+    predicted, observed = np.concatenate(predicted), np.concatenate(observed)
+    return {"places": len(predicted), "that look alike": int(observed.sum()),
+            "found": float(predicted[observed].mean()), "false alarms": float(predicted[~observed].mean())}
+
+
+def main() -> None:
+    """Evaluate what the command line names."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("buildings", nargs="?")
+    parser.add_argument("trajectory", nargs="*")
+    parser.add_argument("--truth", default="")
+    parser.add_argument("--scanner", default="2D")
+    parser.add_argument("--mixed", action="store_true", help="sigmas of 5, 15, 30 and 60 cm, drawn by wall")
+    parser.add_argument("--streets", type=int, default=0)
+    for name, usual in (("sigma", 0.3), ("spacing", 2.0)):
+        parser.add_argument(f"--{name}", type=float, default=usual)
+    for name, usual in (("every", 5), ("draws", 20), ("seed", 1)):
+        parser.add_argument(f"--{name}", type=int, default=usual)
+    given = parser.parse_args()
+    made = on_streets(given.streets, given.seed, given.draws) if given.streets else on_city(given)
+    print(json.dumps(made, indent=1))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,129 @@
+"""Simulated scans and their registration, and what is made of them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import shapely
+
+from urbanmap_qgis.gnss.rays.tracing import WallObstacles
+from urbanmap_qgis.gnss.rays.wall_faces import building_walls
+from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map, field_of_walls
+from urbanmap_qgis.localisation.localisation_report import stretches, write_localisation_report
+from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
+from urbanmap_qgis.localisation.prediction_check import check_prediction, compared, rank_agreement
+from urbanmap_qgis.localisation.road_places import places_on_roads
+from urbanmap_qgis.localisation.simulated_matches import match_error, plan_matching_map, space_matching_map
+from urbanmap_qgis.localisation.simulated_scans import displaced, ray_directions, simulated_scans
+from urbanmap_qgis.localisation.wall_map import WallMap, wall_sigmas
+
+BOXES = [(10, 10, 40, 40), (-35, 12, -10, 40), (-40, -40, -9, -10), (11, -40, 40, -12), (-6, 45, 5, 60)]
+
+
+@pytest.fixture(scope="module")
+def walls():
+    shapes = np.array([shapely.box(*box) for box in BOXES], object)
+    pieces = building_walls(shapes, None, np.full(len(BOXES), 15.0), np.zeros(len(BOXES)))
+    return WallMap.of(pieces, wall_sigmas(pieces, 0.2))
+
+
+@pytest.fixture(scope="module")
+def places():
+    return places_on_roads([shapely.LineString([(-20, 1, 0), (20, 1, 0)])], 10.0)
+
+
+def settings(**scanner):
+    return LocalisationSettings(VehicleScanner(**({"hidden": 0.0, "noise": 0.01} | scanner)))
+
+
+def test_displaced_walls_stand_where_they_should(walls):
+    moved = displaced(walls.walls, walls.sigma, np.random.default_rng(1))
+    along = np.column_stack([-moved.normal[:, 1], moved.normal[:, 0]])
+    shift = moved.start - walls.walls.start
+    assert np.einsum("ij,ij->i", shift, along) == pytest.approx(0, abs=1e-9)
+    assert np.einsum("ij,ij->i", moved.start, moved.normal) == pytest.approx(moved.offset)
+    drawn = np.concatenate([displaced(walls.walls, walls.sigma, np.random.default_rng(k)).offset - walls.walls.offset
+                            for k in range(200)])
+    assert np.std(drawn) == pytest.approx(0.2, rel=0.05) and abs(np.mean(drawn)) < 0.01
+
+
+def test_scans_lie_on_walls_and_on_the_road(walls):
+    scanner = VehicleScanner("multi-layer", hidden=0.0, noise=1e-6)
+    sensor = np.array([[0.0, 0.0, 2.0]])
+    scan, = simulated_scans(walls.obstacles, sensor, np.zeros(1), scanner, 120, np.random.default_rng(1))
+    points = scan.offset + sensor
+    low = points[:, 2] < 1e-3
+    lines = shapely.union_all([shapely.box(*box).exterior for box in BOXES])
+    assert low.any() and (~low).any() and points[:, 2].min() > -1e-3
+    assert shapely.distance(lines, shapely.points(points[~low, :2])).max() < 1e-3
+    assert len(ray_directions(scanner, 120)) == 16 * 120 and scan.hidden == 0
+
+
+@pytest.mark.parametrize("share", [0.1, 0.3])
+def test_vehicles_and_trees_hide_about_what_is_asked_for(walls, share):
+    sensor = np.tile([[0.0, 1.0, 2.0]], (300, 1))
+    scans = simulated_scans(walls.obstacles, sensor, np.full(300, np.pi / 2), VehicleScanner(hidden=share), 60,
+                            np.random.default_rng(1))
+    assert np.mean([scan.hidden for scan in scans]) == pytest.approx(share, rel=0.5)
+
+
+@pytest.mark.parametrize("kind", ["2D", "multi-layer"])
+def test_registration_in_the_city_as_mapped_is_exact(walls, places, kind):
+    """Without displacement, noise and vehicles the matcher must find the place from a metre away."""
+    own = settings(kind=kind, max_range=40.0)
+    field = field_of_walls(walls, places, own)
+    place = np.array([2.0, 1.0, 2.0])
+    scan, = simulated_scans(walls.obstacles, place[None], np.zeros(1), own.scanner, 120, np.random.default_rng(1))
+    city = (plan_matching_map(walls, field, own) if kind == "2D"
+            else space_matching_map(walls, field, own, place[:2], 0.0))
+    for seed in range(2):
+        error = match_error(scan.offset, place, city, own, np.random.default_rng(seed))
+        assert np.hypot(*error[:2]) < 0.06 and abs(np.degrees(error[2])) < 0.2
+
+
+def test_prediction_holds_what_is_simulated(walls, places):
+    made = accuracy_map(LocalisationMap(walls), places, settings())
+    check = check_prediction(walls, made, settings(), 1, 8, 3)
+    assert len(check.rows) == 4 and check.errors.shape == (4, 8, 3)
+    assert np.median(check.observed / check.predicted) == pytest.approx(1.0, abs=0.3)
+    assert check.inside > 0.8 and check.elsewhere.max() < 0.2
+    some, again = (check_prediction(walls, made, settings(), 2, 2, 3) for _ in range(2))
+    assert np.array_equal(some.errors, again.errors)
+
+
+def test_true_city_is_scanned_where_one_is_given(walls, places):
+    """All of the true city a metre to the east: the scans say so."""
+    from dataclasses import replace
+
+    shift = np.array([0.6, 0.0])
+    pieces = walls.walls
+    truth = replace(pieces, start=pieces.start + shift, end=pieces.end + shift,
+                    offset=pieces.offset + pieces.normal @ shift)
+    made = accuracy_map(LocalisationMap(walls), places, settings())
+    check = check_prediction(walls, made, settings(), 2, 3, 3, truth)
+    assert np.median(check.errors[:, :, 0]) == pytest.approx(-0.6, abs=0.1)
+    assert isinstance(WallObstacles.of(truth), WallObstacles)
+
+
+def test_shares_and_ranks(walls, places):
+    made = accuracy_map(LocalisationMap(walls), places, settings())
+    rng = np.random.default_rng(1)
+    rows = np.arange(len(places))
+    drawn = np.stack([rng.multivariate_normal(np.zeros(3), made.by_source["walls"][row], 2000) for row in rows])
+    check = compared(rows, drawn, np.zeros(len(rows)), np.zeros(len(rows)), made)
+    assert check.inside == pytest.approx(0.95, abs=0.01)
+    assert check.observed == pytest.approx(check.predicted, rel=0.05)
+    assert check.observed_parts == pytest.approx(check.predicted_parts, rel=0.06)
+    assert rank_agreement(np.arange(5.0), np.arange(5.0) ** 3) == pytest.approx(1.0)
+    assert rank_agreement(np.arange(5.0), -np.arange(5.0)) == pytest.approx(-1.0)
+    assert np.isnan(rank_agreement(np.arange(2.0), np.arange(2.0))) and np.isnan(rank_agreement(np.ones(5), rows[:5]))
+
+
+def test_report_has_classes_worst_stretches_and_what_was_simulated(walls, places, tmp_path):
+    made = accuracy_map(LocalisationMap(walls), places, settings())
+    check = check_prediction(walls, made, settings(), 2, 2, 3)
+    write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, check, {"Range": "60"})
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    for words in ("Worst stretches", "Predicted against observed", "<ellipse", "good", "Spearman"):
+        assert words in text
+    assert sorted(np.concatenate(stretches(made)).tolist()) == list(range(len(places)))
