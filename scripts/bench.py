@@ -25,6 +25,7 @@ sys.path.insert(0, str(ROOT))
 
 from scripts.bench_faults import fault_tables  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
+from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models  # noqa: E402
@@ -221,6 +222,7 @@ def main() -> int:
     """Print all tables that the data here allow."""
     reference = reference_seconds()
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
+    stage_tables(print_table)
     ground_table(reference)
     if DELFT.is_dir():
         delft = Delft.read()

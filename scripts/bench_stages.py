@@ -1,0 +1,199 @@
+#!/usr/bin/env python3
+"""Cost of whole runs on the command line beside what reading their data costs alone: a part of `make bench`.
+
+    python scripts/bench_stages.py [--only buildings] [--sizes 1 4 16]
+
+Each run is a `qgis_process` of its own: CPU seconds (user and system, its workers with it) and greatest memory. The
+reference beside it is what any program must do at least: LAZ is decoded by laspy, an image copied by GDAL, QGIS
+started without the plugin. The ratio of the two lasts from machine to machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import laspy
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from scripts import scale_trial  # noqa: E402
+from scripts.bench_street import city  # noqa: E402
+
+DATA = ROOT.parent / "shared" / "data"
+URBANMAP = ROOT / "scripts" / "urbanmap"
+HEADER = ("work", "CPU s", "MB", "reference", "reference CPU s", "CPU / reference")
+
+
+@dataclass(frozen=True)
+class Work:
+    """One run: its name in the table, the algorithm with its parameters, and the files whose reading it is held to."""
+
+    name: str
+    algorithm: str
+    parameters: dict[str, object]
+    inputs: tuple[Path, ...]
+
+
+def cost(command: list[object], environment: dict[str, str] | None = None) -> tuple[float, float]:
+    """CPU seconds and greatest memory (MB) of a program and what it starts.
+
+    Raises
+    ------
+    SystemExit : the program fails.
+    """
+    process = subprocess.Popen([str(part) for part in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, env=environment)
+    told = process.stdout.read().decode(errors="replace")
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        raise SystemExit(f"{' '.join(map(str, command[:3]))} ended with {process.returncode}:\n{told[-2000:]}")
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def run_cost(algorithm: str, parameters: dict[str, object]) -> tuple[float, float]:
+    """CPU seconds and memory (MB) of a run; a list gives its parameter several times."""
+    given = [f"{name}={one}" for name, value in parameters.items()
+             for one in (value if isinstance(value, (list, tuple)) else [value])]
+    return cost([URBANMAP, algorithm, *given])
+
+
+def reading_cost(paths: Iterable[Path]) -> tuple[str, float]:
+    """What reading the files alone is called and costs in CPU seconds."""
+    paths = list(paths)
+    start = time.process_time()
+    if paths[0].suffix == ".laz":
+        for path in paths:
+            laspy.read(path)
+        return "LAZ decoded", time.process_time() - start
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    with tempfile.TemporaryDirectory() as folder:
+        for path in paths:
+            gdal.Translate(str(Path(folder, "copy.tif")), str(path))
+    return "GDAL copy", time.process_time() - start
+
+
+def works(data: Path, out: Path) -> list[Work]:
+    """The runs on a city, in an order in which each finds what it reads; results go to the folder `out`."""
+    als, survey = data / "als" / "als.laz", data / "mms" / "survey_01.laz"
+    frames, outlines = sorted((data / "aerial").glob("frame_*.tif")), data / "footprints" / "gsi_buildings.gpkg"
+    camera = {"CAMERA": data / "aerial" / "camera.json", "EXTERIOR": data / "aerial" / "exterior.csv"}
+    driven = {"POINTS": survey, "TRAJECTORY": data / "mms" / "survey_01_trajectory.csv",
+              "CALIBRATION": data / "mms" / "calibration.json"}
+    flat = {"ROOFS": "levels", "OUTPUT_CITYJSON": out / "models.json", "OUTPUT": out / "models.gpkg"}
+    delft = DATA / "als" / "delft_west"
+    list_ = [
+        Work("surface and ground", "surfacefromals", {
+            "POINTS": als, "OUTPUT": out / "dsm.tif", "OUTPUT_GROUND": out / "ground.tif"}, (als,)),
+        Work("occlusion map, one frame", "occlusionmap", {
+            "FRAME": frames[0], **camera, "DSM": out / "dsm.tif", "GROUND": out / "ground.tif",
+            "OUTPUT": out / "mask.tif"}, (frames[0],)),
+        Work("markings from an orthophoto", "roadmarkingsfromorthophoto", {
+            "INPUT": data / "aerial" / "ortho.tif", "OUTPUT": out / "marks.tif",
+            "OUTPUT_POLYGONS": out / "marks.gpkg"}, (data / "aerial" / "ortho.tif",)),
+        Work(f"aerial markings, {len(frames)} frames", "aerialmarkings", {
+            "FRAMES": frames, **camera, "ALS": als, "FOOTPRINTS": outlines, "OUTPUT": out / "aerial.tif",
+            "OUTPUT_POLYGONS": out / "aerial.gpkg"}, tuple(frames)),
+        Work("ground of a drive", "groundfrommms", {"POINTS": survey, "OUTPUT": out / "ground.laz"}, (survey,)),
+        Work("mobile chain, one drive", "georeferencemms", {
+            **driven, "MARKINGS": out / "aerial.gpkg", "GROUND": out / "ground.tif", "OUTPUT": out / "survey.laz",
+            "OUTPUT_TRAJECTORY": out / "way.csv", "OUTPUT_PATCHES": out / "patches.gpkg"}, (survey,)),
+        Work("buildings, level roofs", "buildingsfromals", {"POINTS": als, "FOOTPRINTS": outlines, **flat}, (als,)),
+        Work("buildings, roof planes", "buildingsfromals", {
+            "POINTS": als, "FOOTPRINTS": outlines, **flat, "ROOFS": "planes"}, (als,)),
+    ]
+    if delft.is_dir():
+        points = delft / "points.laz"
+        list_.append(Work("buildings of Delft, level roofs", "buildingsfromals", {
+            "POINTS": points, "FOOTPRINTS": delft / "outlines.gpkg", **flat}, (points,)))
+    return list_
+
+
+def start_row(folder: Path) -> tuple:
+    """The start of QGIS's command line with the plugin, beside the same with an empty profile: the least of five."""
+    scale = [(cost([URBANMAP, "help", "segmentroofs"]), _bare_start(folder)) for _ in range(5)]
+    (spent, memory), (bare, _) = min(one for one, _ in scale), min(two for _, two in scale)
+    return "start of qgis_process", spent, round(memory), "without plugin", bare, spent / bare
+
+
+def _bare_start(folder: Path) -> tuple[float, float]:
+    """CPU seconds and memory (MB) of `qgis_process help` for one of QGIS's own algorithms, with an empty profile."""
+    environment = {**os.environ, "QGIS_CUSTOM_CONFIG_PATH": str(folder / "empty"), "QT_QPA_PLATFORM": "offscreen",
+                   "XDG_RUNTIME_DIR": str(folder), "LC_ALL": os.environ.get("LC_ALL", "C.UTF-8")}
+    environment.pop("QGIS_PLUGINPATH", None)
+    names = [place / name for name in ("qgis_process.bin", "qgis_process") for place in map(
+        Path, os.environ.get("PATH", "/usr/bin").split(os.pathsep)) if (place / name).is_file()]
+    return cost([names[0], "help", "native:buffer"], environment)
+
+
+def linear_rows(sizes: Iterable[int], folder: Path) -> list[tuple]:
+    """Cost of a tile of Delft's buildings against the number of tiles, each size the square of a whole number."""
+    from osgeo import gdal
+
+    gdal.UseExceptions()
+    delft = DATA / "als" / "delft_west"
+    block = folder / "block.geojson"
+    gdal.VectorTranslate(str(block), str(delft / "outlines.gpkg"), format="GeoJSON")
+    trial = scale_trial.Trial(tile=150, buffer=30, workers=2)
+    rows = []
+    for tiles in sizes:
+        inputs = scale_trial.make_town(delft / "points.laz", block, tiles, folder / f"town_{tiles}", trial.tile)
+        run = folder / f"run_{tiles}"
+        run.mkdir()
+        cost(scale_trial.command(inputs, run, trial))
+        done = [record for record in scale_trial.records(run) if record["status"] == "done"]
+        spent = sum(record["cpu"] for record in done)
+        # A tile among others reads their edges, too: the town's rows and columns, each with its inner buffers.
+        rows_of_tiles = math.sqrt(tiles)
+        read = (rows_of_tiles + 2 * (rows_of_tiles - 1) * trial.buffer / trial.tile) ** 2
+        rows.append((tiles, len(done), read, spent, spent / read, spent / read / rows[0][4] if rows else 1.0,
+                     round(max(record["memory"] for record in done))))
+    return rows
+
+
+def stage_tables(print_table: Callable, only: str = "", sizes: Iterable[int] = (1, 4, 16)) -> None:
+    """Print the costs of the runs whose names hold `only`, and of more and more tiles."""
+    rows = []
+    with city(DATA / "city") as data, tempfile.TemporaryDirectory() as folder:
+        for work in works(data, Path(folder)):
+            if only in work.name:
+                name, reference = reading_cost(work.inputs)
+                spent, memory = run_cost(work.algorithm, work.parameters)
+                rows.append((work.name, spent, round(memory), name, reference, spent / reference))
+        rows.append(start_row(Path(folder)))
+    print_table("Whole runs on the command line, each with a start of QGIS, beside reading their data alone", HEADER,
+                rows)
+    if sizes and (DATA / "als" / "delft_west").is_dir():
+        with tempfile.TemporaryDirectory() as folder:
+            print_table("Buildings of Delft over and over, run over tiles",
+                        ("tiles", "done", "tiles read with buffers", "CPU s", "CPU s a tile read",
+                         "beside the first row", "MB"),
+                        linear_rows(sizes, Path(folder)))
+
+
+def main() -> int:
+    """Print these tables alone."""
+    from scripts.bench import print_table
+
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--only", default="", help="words in the names of the runs to make")
+    parser.add_argument("--sizes", type=int, nargs="*", default=[1, 4, 16], help="numbers of tiles")
+    given = parser.parse_args()
+    stage_tables(print_table, given.only, given.sizes)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
