@@ -43,6 +43,12 @@ class Work:
     parameters: dict[str, object]
     inputs: tuple[Path, ...]
 
+    def makes_what(self, other: Work) -> bool:
+        """Whether another run reads what this one writes."""
+        made = {value for name, value in self.parameters.items() if name.startswith("OUTPUT")}
+        return any(value in made for name, value in other.parameters.items()
+                   if not name.startswith("OUTPUT") and isinstance(value, Path))
+
 
 def cost(command: list[object], environment: dict[str, str] | None = None) -> tuple[float, float]:
     """CPU seconds and greatest memory (MB) of a program and what it starts.
@@ -167,11 +173,15 @@ def stage_tables(print_table: Callable, only: str = "", sizes: Iterable[int] = (
     """Print the costs of the runs whose names hold `only`, and of more and more tiles."""
     rows = []
     with city(DATA / "city") as data, tempfile.TemporaryDirectory() as folder:
-        for work in works(data, Path(folder)):
-            if only in work.name:
+        given = works(data, Path(folder))
+        wanted = [work for work in given if only in work.name]
+        for work in given:
+            if work in wanted:
                 name, reference = reading_cost(work.inputs)
                 spent, memory = run_cost(work.algorithm, work.parameters)
                 rows.append((work.name, spent, round(memory), name, reference, spent / reference))
+            elif any(work.makes_what(other) for other in wanted):
+                run_cost(work.algorithm, work.parameters)
         rows.append(start_row(Path(folder)))
     print_table("Whole runs on the command line, each with a start of QGIS, beside reading their data alone", HEADER,
                 rows)
