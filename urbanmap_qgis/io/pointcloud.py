@@ -241,18 +241,19 @@ class PointLayout:
     def adapt(self, points: laspy.ScaleAwarePointRecord, keep: np.ndarray) -> np.ndarray:
         """Records (m,) of this layout for the points that `keep` (n,) marks; new attributes are 0."""
         record = laspy.ScaleAwarePointRecord.zeros(int(np.count_nonzero(keep)), header=self.header)
+        rows = slice(None) if keep.all() else np.flatnonzero(keep)
         same_place = (np.array_equal(points.scales, self.header.scales)
                       and np.array_equal(points.offsets, self.header.offsets))
         stored = set(points.array.dtype.names) & set(self.dtype.names)
         if points.point_format.id != self.header.point_format.id:
             stored = set(points.point_format.dimension_names) & set(self.header.point_format.dimension_names)
         for name in sorted(stored - {"X", "Y", "Z"}):
-            record[name] = points[name][keep]
+            record[name] = points[name][rows]
         if same_place:
             for name in ("X", "Y", "Z"):
-                record.array[name] = points.array[name][keep]
+                record.array[name] = points.array[name][rows]
         else:
-            record.x, record.y, record.z = (np.asarray(points[name])[keep] for name in "xyz")
+            record.x, record.y, record.z = (np.asarray(points[name])[rows] for name in "xyz")
         return record.array
 
     def view(self, records: np.ndarray) -> laspy.ScaleAwarePointRecord:

@@ -168,20 +168,20 @@ def _join(labels: np.ndarray, height: np.ndarray, peaks: HeightPeaks, smallest: 
 
 def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) -> np.ndarray:
     """Move boundaries: each cell goes to the roof beside it that fits its height and its neighbours best."""
-    used = labels > 0
     weight = SMOOTHNESS * parameters.distinct_step**2
+    columns = labels.shape[1]
+    offsets = np.array([i * (columns + 2) + j for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j])
     for _ in range(REFINEMENTS):
         n = np.bincount(labels.ravel())
         mean = np.bincount(labels.ravel(), height.ravel()) / np.maximum(n, 1)
-        around = np.pad(labels, 1)
-        rows, columns = labels.shape
-        shifts = [around[1 + i:1 + i + rows, 1 + j:1 + j + columns]
-                  for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
-        best, lowest = labels, None
-        for candidate in (labels, shifts[1], shifts[3], shifts[4], shifts[6]):
-            energy = (height - mean[candidate])**2
-            for shifted in shifts:
-                energy = energy - weight * (shifted == candidate)
+        row, column = np.nonzero(_at_boundaries(labels))  # no other cell has a choice
+        around = np.pad(labels, 1).ravel()[(row + 1) * (columns + 2) + column + 1 + offsets[:, None]]
+        own, z = labels[row, column], height[row, column]
+        best, lowest = own, None
+        for candidate in (own, around[1], around[3], around[4], around[6]):
+            energy = (z - mean[candidate])**2
+            for beside in around:
+                energy -= weight * (beside == candidate)
             energy[candidate == 0] = np.inf
             if lowest is None:
                 lowest = energy
@@ -189,11 +189,18 @@ def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) 
                 better = energy < lowest
                 best = np.where(better, candidate, best)
                 lowest = np.where(better, energy, lowest)
-        best = np.where(used, best, 0)
-        if np.array_equal(best, labels):
+        if np.array_equal(best, own):
             break
-        labels = best
+        labels = labels.copy()
+        labels[row, column] = best
     return labels
+
+
+def _at_boundaries(labels: np.ndarray) -> np.ndarray:
+    """Mask of the cells of roofs that have another roof, or none, above, below, left or right of them."""
+    padded = np.pad(labels, 1)
+    return (labels > 0) & ((padded[:-2, 1:-1] != labels) | (padded[2:, 1:-1] != labels)
+                           | (padded[1:-1, :-2] != labels) | (padded[1:-1, 2:] != labels))
 
 
 def _without_slivers(labels: np.ndarray, height: np.ndarray, smallest: float, cell: float,

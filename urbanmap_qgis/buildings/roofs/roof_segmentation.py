@@ -13,7 +13,7 @@ from scipy import ndimage
 from ...errors import InputError
 from ...geometry.grid import Grid
 from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
-from .roof_surface import RoofSurface, roof_surface
+from .roof_surface import RoofSurface, roof_surface, sorted_within
 
 OK, FEW_POINTS, NO_POINTS = "ok", "few points", "no roof points"
 """What `RoofSegmentation.status` can be."""
@@ -230,7 +230,7 @@ def _height_ranges(plan: RoofLevels) -> tuple[np.ndarray, np.ndarray]:
 
 def _group_medians(label: np.ndarray, value: np.ndarray, k: int) -> np.ndarray:
     """Lower median (k + 1,) of the values of each label, 0 for labels without any."""
-    ordered = value[np.lexsort((value, label))]
+    ordered = value[sorted_within(label, value)]
     n = np.bincount(label, minlength=k + 1)
     start = np.cumsum(n) - n
     median = np.zeros(k + 1)
@@ -301,7 +301,7 @@ def _numbered(z: np.ndarray, usable: np.ndarray, surface: RoofSurface, of_point:
     """The result, with roofs numbered from low to high."""
     k = int(of_cell.max(initial=0))
     points = np.bincount(of_point, minlength=k + 1)
-    order = np.lexsort((z[usable], of_point))
+    order = sorted_within(of_point, z[usable])
     start = np.cumsum(points) - points
     sorted_z = z[usable][order]
     present = np.flatnonzero(points[1:] > 0) + 1

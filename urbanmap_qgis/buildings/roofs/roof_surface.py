@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from ...geometry.grid import Grid
+from ...io.point_buckets import stable_order
 
 POINTS_PER_CELL = 1.0
 """Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring cells."""
@@ -108,7 +109,7 @@ def _window_sum(cell: np.ndarray, weights: np.ndarray | None, grid: Grid) -> np.
 
 def _median(cell: np.ndarray, z: np.ndarray, count: np.ndarray) -> np.ndarray:
     """Median of z in each cell, NaN in empty cells."""
-    order = np.lexsort((z, cell))
+    order = sorted_within(cell, z)
     start = np.cumsum(count) - count
     filled = np.flatnonzero(count)
     ordered = z[order]
@@ -117,6 +118,12 @@ def _median(cell: np.ndarray, z: np.ndarray, count: np.ndarray) -> np.ndarray:
     high = start[filled] + count[filled] // 2
     median[filled] = (ordered[low] + ordered[high]) / 2
     return median
+
+
+def sorted_within(group: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """Order (n,) that sorts by whole numbers `group` and in each group by `value`; equal values in any order."""
+    order = np.argsort(value)
+    return order[stable_order(group[order])]
 
 
 def _roughness(x: np.ndarray, y: np.ndarray, z: np.ndarray, cell: np.ndarray, grid: Grid) -> np.ndarray:
