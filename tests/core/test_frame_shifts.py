@@ -31,7 +31,7 @@ class Painted:
             image = np.maximum(image, 60.0 + self._light * covered[0] * covered[1])
         values = np.clip(image, 0, 255).astype(np.float32)[..., None]
         seen = np.ones(grid.shape, bool)
-        return GroundView(values, seen, seen, np.zeros(grid.shape, np.float32))
+        return GroundView(values, seen, seen, lambda: np.zeros(grid.shape, np.float32))
 
 
 def test_a_displaced_frame_is_found():
@@ -91,7 +91,8 @@ class Standing(Painted):
                        for offset in (x - spot_x, y - spot_y - self._lean * height)]
             image = np.maximum(image, 60.0 + 150.0 * covered[0] * covered[1])
         seen = np.ones(grid.shape, bool)
-        return GroundView(image.astype(np.float32)[..., None], seen, seen, np.zeros(grid.shape, np.float32), level)
+        return GroundView(image.astype(np.float32)[..., None], seen, seen, lambda: np.zeros(grid.shape, np.float32),
+                          level)
 
 
 @pytest.mark.parametrize("error", [(0.0, 0.0), (0.1, 0.0), (0.0, 0.1)])

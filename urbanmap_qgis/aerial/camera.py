@@ -212,28 +212,51 @@ def project_to_frame(camera: FrameCamera, pose: ExteriorOrientation,
     the radius where the distortion turns back) are NaN and `in_front` is False. Points outside the frame keep their
     columns and rows.
     """
-    x, y, in_front = _to_image(pose, points)
-    x, y = -camera.focal_length * x, -camera.focal_length * y
+    points = np.asarray(points, dtype=np.float64)
+    found = project_places(camera, pose, *points.reshape(-1, 3).T)
+    return tuple(values.reshape(points.shape[:-1]) for values in found)
+
+
+def project_places(camera: FrameCamera, pose: ExteriorOrientation, x: np.ndarray, y: np.ndarray,
+                   z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The same for heights (n,) or (m, n) and coordinates that broadcast to as many, such as (1, n) and (m, 1)."""
+    u, v, in_front = _to_image(pose, x, y, z)
+    u *= -camera.focal_length
+    v *= -camera.focal_length
     lens = camera.distortion
     if not lens.is_zero:
-        u, v = x / lens.unit_mm, y / lens.unit_mm
-        in_front = in_front & (u * u + v * v < lens.fold**2)
+        u /= lens.unit_mm
+        v /= lens.unit_mm
+        in_front &= u * u + v * v < lens.fold**2
         u, v = lens.apply(u, v)
-        x, y = u * lens.unit_mm, v * lens.unit_mm
-    column = (camera.width - 1) / 2 + (camera.principal_point[0] + x) / camera.pixel_pitch
-    row = (camera.height - 1) / 2 - (camera.principal_point[1] + y) / camera.pixel_pitch
-    return np.where(in_front, column, np.nan), np.where(in_front, row, np.nan), in_front
+        u *= lens.unit_mm
+        v *= lens.unit_mm
+    for values, principal in zip((u, v), camera.principal_point):
+        values += principal
+        values /= camera.pixel_pitch
+    u += (camera.width - 1) / 2
+    np.subtract((camera.height - 1) / 2, v, out=v)
+    if not in_front.all():
+        u[~in_front] = v[~in_front] = np.nan
+    return u, v, in_front
 
 
-def _to_image(pose: ExteriorOrientation, points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _to_image(pose: ExteriorOrientation, x: np.ndarray, y: np.ndarray, z: np.ndarray
+              ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """dx / dz, dy / dz (NaN behind the camera) and whether the points lie in front."""
-    points = np.asarray(points, dtype=np.float64)
-    x, y, z = points[..., 0] - pose.x, points[..., 1] - pose.y, points[..., 2] - pose.z
-    # Not a matrix product, whose last digits depend on how many points come at once.
-    right, up, back = (axis[0] * x + axis[1] * y + axis[2] * z for axis in pose.rotation)
+    x, y, z = (np.asarray(values, np.float64) - place for values, place in zip((x, y, z), pose.centre))
+    turned = []
+    for axis in pose.rotation:
+        # Not a matrix product, whose last digits depend on how many points come at once.
+        along = axis[0] * x + axis[1] * y
+        turned.append(np.add(along, axis[2] * z, out=along))
+    right, up, back = turned
     in_front = back < -1e-6
-    depth = np.where(in_front, back, np.nan)
-    return right / depth, up / depth, in_front
+    if not in_front.all():
+        back[~in_front] = np.nan
+    right /= back
+    up /= back
+    return right, up, in_front
 
 
 def frame_rays(camera: FrameCamera, pose: ExteriorOrientation, column: np.ndarray, row: np.ndarray) -> np.ndarray:

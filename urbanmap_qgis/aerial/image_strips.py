@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 STRIP = 128
 """Rows. Of 3000 columns of float32 these are 1.5 MB."""
 
@@ -25,3 +27,15 @@ def grown(place: tuple[slice, slice], by: int, shape: tuple[int, int]) -> tuple[
 def within(place: tuple[slice, slice], whole: tuple[slice, slice]) -> tuple[slice, slice]:
     """Where rows and columns of an image lie in a part of it."""
     return tuple(slice(part.start - outer.start, part.stop - outer.start) for part, outer in zip(place, whole))
+
+
+def flat_places(flags: np.ndarray, place: tuple[slice, slice]) -> np.ndarray:
+    """Places in the flat image (n,) of the flags set in some rows and columns, in the order of rows."""
+    rows, columns = place
+    part = np.ascontiguousarray(flags[place])
+    row, column = np.divmod(np.flatnonzero(part), part.shape[1])
+    row += rows.start
+    row *= flags.shape[1]
+    row += column
+    row += columns.start
+    return row

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import cv2
 import numpy as np
 
-from .image_strips import STRIP, grown, row_strips, within
+from .image_strips import STRIP, flat_places, grown, row_strips, within
 from .marking_confidence import GROUND_REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
 
 
@@ -118,11 +118,10 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     vehicles, bodies = vehicle_zones(found, ground.brightness, pixel, settings)
     # A piece is shorter than this, or long; farther off nothing matters any more.
     near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, shape)
-    rows, columns = np.nonzero(narrow[near])
-    rows, columns = rows + near[0].start, columns + near[1].start
-    relief = (found.image[rows, columns] - found.road[rows, columns]) / found.threshold[rows, columns]
+    inside = flat_places(narrow, near)
+    relief = (found.image.take(inside) - found.road.take(inside)) / found.threshold.take(inside)
     confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near)
-    paint = ~bodies[rows, columns]
+    paint = ~bodies.take(inside)
     narrow = narrow[near] & ~bodies[near]
     seen = found.seen[near]
     inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0

@@ -46,14 +46,14 @@ class GroundView:
     values : (rows, columns, bands) float32.
     seen : (rows, columns), True where these are values of the ground.
     reached : True where they would be if nothing stood in the way; False where a building covers the ground.
-    tangent : of the angle between the ray and the vertical, float32.
+    tangent : gives that of the angle between the ray and the vertical, float32, which few need.
     level : True where nothing stands on the ground; None where no surface tells.
     """
 
     values: np.ndarray
     seen: np.ndarray
     reached: np.ndarray
-    tangent: np.ndarray
+    tangent: Callable[[], np.ndarray]
     level: np.ndarray | None = None
 
 
@@ -88,10 +88,11 @@ class PixelSelection:
         """The choice by the name of a method; "paper" is the darkest view of the images as they are."""
         return cls("darkest", False) if method == "paper" else cls(method, even)
 
-    def number(self, values: np.ndarray, seen: np.ndarray, tangent: np.ndarray, full_scale: float) -> np.ndarray:
-        """Number of the view taken in each pixel, -1 for none."""
+    def number(self, values: np.ndarray, seen: np.ndarray, views: Sequence[GroundView], full_scale: float
+               ) -> np.ndarray:
+        """Number of the view taken in each pixel, -1 for none; `values` are those of the views, compensated."""
         if self.method == "nadir":
-            return steepest_view(tangent, seen)
+            return steepest_view(np.stack([view.tangent() for view in views]), seen)
         return darkest(values, seen) if self.method == "darkest" else majority_vote(values, seen, full_scale)
 
 
@@ -192,7 +193,7 @@ def tile_image(sources: Sequence[ViewSource], tile: Grid, choice: PixelSelection
     seen = np.stack([view.seen for view in views])
     reached = np.logical_or.reduce([view.reached for view in views])
     values = np.stack([gains.apply(number, view.values) for number, view in looked])
-    taken = choice.number(values, seen, np.stack([view.tangent for view in views]), full_scale)
+    taken = choice.number(values, seen, views, full_scale)
     own = slice(margin, margin + tile.rows), slice(margin, margin + tile.columns)
     source_number = np.where(taken >= 0, numbers[np.maximum(taken, 0)], -1)
     return composite(values, taken)[own], source_number[own], seen.sum(axis=0)[own], reached[own]

@@ -22,7 +22,7 @@ from ..errors import InputError
 from ..geometry.grid import Grid
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
-from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_to_frame
+from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_places
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .frames import AerialFrame, FrameImage
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, covering_grid, write_mosaic
@@ -93,8 +93,9 @@ class FramePixels:
         That is where the file says so (no-data value, alpha, mask), and black squares: borders of undistorted frames.
         """
         image = self._image(path)
-        window = np.ascontiguousarray(np.moveaxis(image.read(rows, columns)[:self.bands], 0, -1))
-        black = (window.max(axis=-1) <= _BLACK * np.iinfo(window.dtype).max).astype(np.uint8)
+        planes = image.read(rows, columns)[:self.bands]
+        window = cv2.merge(list(planes)).reshape(*planes.shape[1:], len(planes))
+        black = (planes.max(axis=0) <= _BLACK * np.iinfo(window.dtype).max).view(np.uint8)
         if black.any():
             # A frame's edge counts as black, so that a narrow border is one too.
             grown = cv2.copyMakeBorder(black, *(_BLACK_SIDE if at_edge else 0 for at_edge in (
@@ -234,10 +235,10 @@ class OrthorectifiedFrame:
         if self.bounds is None or _common(self.bounds, grid.bounds) is None:
             return None
         ground, outlined, covered, level = self.terrain.at(grid)
-        x, y = np.meshgrid(*grid.centres())
-        points = np.stack((x, y, ground), axis=-1)
+        x, y = grid.centres()
+        x, y = x[None, :], y[:, None]
         camera, pose = self.pixels.camera, self.frame.pose
-        column, row, _ = project_to_frame(camera, pose, points)
+        column, row, _ = project_places(camera, pose, x, y, ground)
         with np.errstate(invalid="ignore"):
             inside = (column >= 0) & (column <= camera.width - 1) & (row >= 0) & (row <= camera.height - 1)
         if not inside.any():
@@ -249,9 +250,7 @@ class OrthorectifiedFrame:
             seen = inside & ~covered & self._sees(x, y)
         else:
             seen = inside & ~outlined & ~self._masked(column, row, inside)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            tangent = np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)
-        return GroundView(values, seen, inside & ~covered, tangent.astype(np.float32), level)
+        return GroundView(values, seen, inside & ~covered, partial(_tangent, pose, x, y, ground), level)
 
     def lean(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """How far what stands at places is displaced in the view, m east and north a metre of its height, (n, 2)."""
@@ -274,11 +273,11 @@ class OrthorectifiedFrame:
         window, empty = self.pixels.read(self.frame.path, rows, columns)
         if blur > 0.3:
             window = cv2.GaussianBlur(window, (0, 0), blur)
-        place_x = np.where(inside, column - columns.start, -10).astype(np.float32)
-        place_y = np.where(inside, row - rows.start, -10).astype(np.float32)
+        place_x, place_y = (column - columns.start).astype(np.float32), (row - rows.start).astype(np.float32)
+        if not inside.all():
+            place_x[~inside] = place_y[~inside] = -10
         values = cv2.remap(window, place_x, place_y, cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE)
-        values = values.reshape(*inside.shape, -1).astype(np.float32)
-        values[~inside] = 0
+        values = cv2.copyTo(values, inside.view(np.uint8)).reshape(*inside.shape, -1).astype(np.float32)
         if not empty.any():
             return values, inside
         empty = cv2.dilate(empty.astype(np.uint8), np.ones((2 * (margin - 2 * _BLACK_SIDE) + 1,) * 2, np.uint8))
@@ -297,17 +296,20 @@ class OrthorectifiedFrame:
         return masked
 
     def _sees(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-        """Whether nothing stands between the camera and the ground at points, (rows, columns) bool."""
+        """Whether nothing stands between the camera and the ground at x (1, n) and y (m, 1), (m, n) bool."""
         if self._seen is None:
             self._seen = self._lines_of_sight()
         grid, bits = self._seen
         rows, columns, _ = grid.window(x.min() - grid.cell, y.min() - grid.cell, x.max() + grid.cell,
                                        y.max() + grid.cell)
-        part = np.unpackbits(bits[rows], axis=1, count=grid.columns)[:, columns].astype(np.float32)
-        place_x = (x - grid.x_min) / grid.cell - 0.5 - columns.start
-        place_y = (grid.y_max - y) / grid.cell - 0.5 - rows.start
-        share = cv2.remap(part, place_x.astype(np.float32), place_y.astype(np.float32), cv2.INTER_LINEAR,
-                          borderMode=cv2.BORDER_REPLICATE)
+        first = columns.start // 8
+        part = np.unpackbits(bits[rows, first:-(-columns.stop // 8)], axis=1)
+        part = part[:, columns.start - 8 * first:columns.stop - 8 * first].astype(np.float32)
+        place_x = ((x - grid.x_min) / grid.cell - 0.5 - columns.start).astype(np.float32)
+        place_y = ((grid.y_max - y) / grid.cell - 0.5 - rows.start).astype(np.float32)
+        shape = y.shape[0], x.shape[1]
+        place_x, place_y = (np.ascontiguousarray(np.broadcast_to(place, shape)) for place in (place_x, place_y))
+        share = cv2.remap(part, place_x, place_y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
         return share > _SURELY_SEEN
 
     def _lines_of_sight(self) -> tuple[Grid, np.ndarray]:
@@ -322,6 +324,12 @@ class OrthorectifiedFrame:
         ground, surface = terrain.heights(grid)
         seen = visible_ground(pose.centre, grid, ground, surface, terrain.threshold)
         return grid, np.packbits(seen, axis=1)
+
+
+def _tangent(pose: ExteriorOrientation, x: np.ndarray, y: np.ndarray, ground: np.ndarray) -> np.ndarray:
+    """Tangent of the angle between the rays to ground at x (1, n) and y (m, 1) and the vertical, (m, n) float32."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return (np.hypot(x - pose.x, y - pose.y) / (pose.z - ground)).astype(np.float32)
 
 
 def _common(a: Sequence[float], b: Sequence[float]) -> tuple[float, float, float, float] | None:

@@ -123,8 +123,8 @@ class Markings:
     confidence: np.ndarray
 
     def part(self, place: tuple[slice, slice]) -> Markings:
-        """Those of some rows and columns, arrays of their own."""
-        return Markings(*(np.ascontiguousarray(values[place]) for values in (
+        """Those of some rows and columns."""
+        return Markings(*(values[place] for values in (
             self.mask, self.field, self.contrast, self.yellow, self.confidence)))
 
 

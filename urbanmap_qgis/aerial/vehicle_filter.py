@@ -102,7 +102,7 @@ class OrthophotoSource:
                   slice(own_columns.start - left, own_columns.stop - left))
         values[target] = np.moveaxis(image, 0, -1)[source]
         seen[target] = mask[source]
-        return GroundView(values, seen, seen, np.zeros(grid.shape, np.float32))
+        return GroundView(values, seen, seen, partial(np.zeros, grid.shape, np.float32))
 
 
 def _grid_of(source: rasterio.DatasetReader, name: str) -> Grid:

@@ -5,6 +5,8 @@ A vehicle that moves stands in another place in the next frame, so that some fra
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import cv2
 import numpy as np
 
@@ -50,7 +52,7 @@ def darkest(views: np.ndarray, seen: np.ndarray) -> np.ndarray:
     -------
     (rows, columns) int16, -1 where no view sees the pixel. Of equal ones the first is taken.
     """
-    return _lowest(views.sum(axis=-1, dtype=np.float32), seen)
+    return _lowest(np.stack([_sum(cv2.split(view)) for view in views]), seen)
 
 
 def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: int = 3) -> np.ndarray:
@@ -75,23 +77,57 @@ def majority_vote(views: np.ndarray, seen: np.ndarray, full_scale: float, box: i
     -------
     As `darkest`.
     """
-    total = views.sum(axis=-1, dtype=np.float32)
-    smooth = _smoothed(views, seen, box)
+    bands = [cv2.split(view) for view in views]
+    total = np.stack([_sum(planes) for planes in bands])
+    smooth = [_box_mean(planes, sees.astype(np.float32), box)[0] for planes, sees in zip(bands, seen)]
+    del bands
     agree = _agreement(smooth, seen, full_scale)
     support = agree.sum(axis=0, dtype=np.int16)
     support[~seen] = 0
     most = support.max(axis=0, initial=0)
     winner = _lowest(total, seen & (support == most))
-    members = np.take_along_axis(agree, np.maximum(winner, 0)[None, None], axis=0)[0] & seen
+    members = seen.copy()
+    for member, with_it in zip(members, agree.swapaxes(0, 1)):
+        member &= _of_number(with_it, np.maximum(winner, 0))
+    del agree
     number = _middle(total, members)
     agreed = (most >= 2) & (2 * most > seen.sum(axis=0))
-    road, known = _road_around(composite(views, number), agreed)
-    unlike = np.abs(smooth - road).max(axis=-1)
-    like = seen & (unlike < np.maximum(LIKENESS * road.mean(axis=-1), AGREEMENT_FLOOR * full_scale))
+    road, known = _road_around(cv2.split(composite(views, number)), agreed)
+    unlike = np.stack([_largest_difference(planes, road) for planes in smooth])
+    like = seen & (unlike < np.maximum(LIKENESS * _mean(road), AGREEMENT_FLOOR * full_scale))
     alike = _lowest(unlike, like)
     number = np.where(~agreed & known & (alike >= 0), alike, number)
-    paint = seen & (_narrow(total) > LIKENESS * road.sum(axis=-1))
+    paint = seen & (_narrow(total) > LIKENESS * _sum(road))
     return np.where(known, _freer(number, total, like, paint, seen), number)
+
+
+def _sum(planes: Sequence[np.ndarray]) -> np.ndarray:
+    """Sum of the bands, float32; by planes, as sums along an axis of three numbers are slow."""
+    total = planes[0].astype(np.float32)
+    for plane in planes[1:]:
+        total += plane
+    return total
+
+
+def _mean(planes: Sequence[np.ndarray]) -> np.ndarray:
+    """Mean of the bands, float32."""
+    return _sum(planes) / np.float32(len(planes))
+
+
+def _largest_difference(one: Sequence[np.ndarray], other: Sequence[np.ndarray]) -> np.ndarray:
+    """Difference of the band in which two images differ most."""
+    largest = cv2.absdiff(one[0], other[0])
+    for a, b in zip(one[1:], other[1:]):
+        np.maximum(largest, cv2.absdiff(a, b), out=largest)
+    return largest
+
+
+def _of_number(values: np.ndarray, number: np.ndarray) -> np.ndarray:
+    """Flags (rows, columns) of the views (views, rows, columns) of the given numbers, none below 0."""
+    taken = np.zeros(number.shape, bool)
+    for view, flags in enumerate(values):
+        taken |= flags & (number == view)
+    return taken
 
 
 def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.ndarray,
@@ -103,12 +139,14 @@ def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.nd
     total : (views, rows, columns) brightness; like, paint, seen : where the views are like the road around, may show
         paint, and see the ground. Paint speaks for the view that is chosen only: vehicles have narrow bright parts too.
     """
-    free = np.stack([_share(flags, sees) for flags, sees in zip(like, seen)])
+    around = [np.maximum(_count(sees), 1) for sees in seen]
+    free = np.stack([_share(*part) for part in zip(like, seen, around)])
     freest = free.max(axis=0, initial=0)
     # Of several that are as free, the darkest, so that their order does not matter.
     best = _lowest(total, seen & (free >= freest - 0.02))
-    held = np.stack([_share(flags, sees) for flags, sees in zip(like | paint, seen)])
-    chosen = np.take_along_axis(held, np.maximum(number, 0)[None], axis=0)[0]
+    chosen = np.zeros(number.shape, np.float32)
+    for view, (flags, sees, counts) in enumerate(zip(like | paint, seen, around)):
+        np.copyto(chosen, _share(flags, sees, counts), where=np.maximum(number, 0) == view)
     return np.where((number >= 0) & (freest >= FREE_SHARE) & (freest > chosen + CLEARER), best, number)
 
 
@@ -119,31 +157,44 @@ def _narrow(total: np.ndarray) -> np.ndarray:
                      for view in total])
 
 
-def _share(flags: np.ndarray, seen: np.ndarray) -> np.ndarray:
-    """Share of the seen pixels of the neighbourhood that are flagged; 0 where the pixel itself is not seen."""
-    counts = [cv2.boxFilter(part.astype(np.float32), -1, (OBJECT_BOX, OBJECT_BOX), normalize=False,
-                            borderType=cv2.BORDER_CONSTANT) for part in (flags, seen)]
-    return np.where(seen, np.rint(counts[0]) / np.maximum(np.rint(counts[1]), 1), 0).astype(np.float32)
+def _share(flags: np.ndarray, seen: np.ndarray, around: np.ndarray) -> np.ndarray:
+    """Share of the seen pixels of the neighbourhood, `around` of them, that are flagged; 0 where the pixel itself is
+    not seen."""
+    share = _count(flags)
+    share /= around
+    share[~seen] = 0
+    return share
 
 
-def _road_around(image: np.ndarray, agreed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Colour of the road round each pixel, (rows, columns, bands), and where it is known.
+def _count(flags: np.ndarray) -> np.ndarray:
+    """Flags set in the neighbourhood, float32."""
+    return cv2.boxFilter(flags.view(np.uint8), cv2.CV_32F, (OBJECT_BOX, OBJECT_BOX), normalize=False,
+                         borderType=cv2.BORDER_CONSTANT)
+
+
+def _road_around(image: Sequence[np.ndarray], agreed: np.ndarray) -> tuple[list[np.ndarray], np.ndarray]:
+    """Colour of the road round each pixel, a plane for each band, and where it is known.
 
     The mean of the agreed pixels of the neighbourhood that are not much brighter than the others, so that paint does
     not count.
     """
     weight = agreed.astype(np.float32)
     mean, _ = _box_mean(image, weight, ROAD_BOX)
-    weight[image.sum(axis=-1) > 1.15 * mean.sum(axis=-1)] = 0
+    weight[_sum(image) > 1.15 * _sum(mean)] = 0
     road, share = _box_mean(image, weight, ROAD_BOX)
     return road, share > 0.05
 
 
-def _box_mean(image: np.ndarray, weight: np.ndarray, box: int) -> tuple[np.ndarray, np.ndarray]:
-    """Weighted mean (rows, columns, bands) over a box, and the mean weight there."""
+def _box_mean(image: Sequence[np.ndarray], weight: np.ndarray, box: int) -> tuple[list[np.ndarray], np.ndarray]:
+    """Weighted mean over a box, a plane for each band, and the mean weight there."""
     share = cv2.boxFilter(weight, -1, (box, box), borderType=cv2.BORDER_REPLICATE)
-    total = cv2.boxFilter(image * weight[..., None], -1, (box, box), borderType=cv2.BORDER_REPLICATE)
-    return total.reshape(image.shape) / np.maximum(share, 1e-6)[..., None], share
+    least = np.maximum(share, np.float32(1e-6))
+    means = []
+    for plane in image:
+        total = cv2.boxFilter(plane * weight, -1, (box, box), borderType=cv2.BORDER_REPLICATE)
+        total /= least
+        means.append(total)
+    return means, share
 
 
 def steepest_view(tangents: np.ndarray, seen: np.ndarray) -> np.ndarray:
@@ -159,41 +210,53 @@ def steepest_view(tangents: np.ndarray, seen: np.ndarray) -> np.ndarray:
 
 def composite(views: np.ndarray, number: np.ndarray) -> np.ndarray:
     """Pixels (rows, columns, bands) of the views of the given numbers; 0 where the number is -1."""
-    image = np.take_along_axis(views, np.maximum(number, 0)[None, :, :, None], axis=0)[0]
-    image[number < 0] = 0
+    image = np.zeros(views.shape[1:], views.dtype)
+    for k, view in enumerate(views):
+        cv2.copyTo(view, (number == k).view(np.uint8), image)
     return image
 
 
 def _lowest(values: np.ndarray, among: np.ndarray) -> np.ndarray:
     """Number of the lowest value of each pixel among the marked ones, int16; -1 where none is marked."""
-    number = np.where(among, values, np.inf).argmin(axis=0).astype(np.int16)
-    number[~among.any(axis=0)] = -1
+    number = np.full(among.shape[1:], -1, np.int16)
+    lowest = np.full(among.shape[1:], np.inf, values.dtype)
+    for k, (value, marked) in enumerate(zip(values, among)):
+        lower = (value < lowest) & marked
+        np.copyto(number, k, where=lower)
+        np.copyto(lowest, value, where=lower)
     return number
 
 
 def _middle(values: np.ndarray, among: np.ndarray) -> np.ndarray:
     """Number of the (lower) median value of each pixel among the marked ones; -1 where none is marked."""
-    order = np.where(among, values, np.inf).argsort(axis=0, kind="stable").astype(np.int16)
-    count = among.sum(axis=0)
-    number = np.take_along_axis(order, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
-    number[count == 0] = -1
+    before = np.zeros(among.shape, np.int16)
+    for first in range(len(values)):
+        for second in range(first + 1, len(values)):
+            both = among[first] & among[second]
+            later = values[first] <= values[second]
+            before[second] += both & later
+            before[first] += both & ~later
+    middle = np.maximum(among.sum(axis=0, dtype=np.int16) - 1, 0) // 2
+    number = np.full(among.shape[1:], -1, np.int16)
+    for k, marked in enumerate(among):
+        np.copyto(number, k, where=marked & (before[k] == middle))
     return number
 
 
-def _smoothed(views: np.ndarray, seen: np.ndarray, box: int) -> np.ndarray:
-    """Means of each view over a box of seen pixels, so that noise does not decide whether views agree."""
-    return np.stack([_box_mean(view, sees.astype(np.float32), box)[0] for view, sees in zip(views, seen)])
-
-
-def _agreement(smooth: np.ndarray, seen: np.ndarray, full_scale: float) -> np.ndarray:
-    """Which views agree with which, (views, views, rows, columns); a view agrees with itself where it sees."""
+def _agreement(smooth: Sequence[Sequence[np.ndarray]], seen: np.ndarray, full_scale: float) -> np.ndarray:
+    """Which views, each given by its bands, agree with which, (views, views, rows, columns); a view agrees with itself
+    where it sees."""
     count = len(smooth)
-    agree = np.zeros((count, *smooth.shape[:1], *smooth.shape[1:3]), bool)
+    agree = np.zeros((count, *seen.shape), bool)
     for first in range(count):
         agree[first, first] = seen[first]
         for second in range(first + 1, count):
-            difference = np.abs(smooth[first] - smooth[second]).max(axis=-1)
-            level = np.minimum(smooth[first], smooth[second]).mean(axis=-1)
-            near = difference < np.maximum(AGREEMENT * level, AGREEMENT_FLOOR * full_scale)
-            agree[first, second] = agree[second, first] = near & seen[first] & seen[second]
+            one, other = smooth[first], smooth[second]
+            level = _mean([np.minimum(a, b) for a, b in zip(one, other)])
+            level *= AGREEMENT
+            np.maximum(level, AGREEMENT_FLOOR * full_scale, out=level)
+            near = _largest_difference(one, other) < level
+            near &= seen[first]
+            near &= seen[second]
+            agree[first, second] = agree[second, first] = near
     return agree
