@@ -83,8 +83,8 @@ def test_registration_in_the_city_as_mapped_is_exact(walls, places, kind):
 
 def test_prediction_holds_what_is_simulated(walls, places):
     made = accuracy_map(LocalisationMap(walls), places, settings())
-    check = check_prediction(walls, made, settings(), 1, 8, 3)
-    assert len(check.rows) == 4 and check.errors.shape == (4, 8, 3)
+    check = check_prediction(walls, made, settings(), 3, 25, 3)
+    assert check.rows.tolist() == [0, 3] and check.errors.shape == (2, 25, 3)
     assert np.median(check.observed / check.predicted) == pytest.approx(1.0, abs=0.3)
     assert check.inside > 0.8 and check.elsewhere.max() < 0.2
     some, again = (check_prediction(walls, made, settings(), 2, 2, 3) for _ in range(2))
