@@ -114,8 +114,12 @@ def whole_tiles(folder: Path) -> int:
     return sum(not name.endswith(".part") for name in os.listdir(tiles)) if tiles.is_dir() else 0
 
 
-def run(inputs: dict[str, object], folder: Path, trial: Trial, until: int | None = None) -> tuple[float, float]:
-    """Run to the end, or kill the run and its workers when so many tiles are whole; time, s, and memory, MB."""
+def run(inputs: dict[str, object], folder: Path, trial: Trial, until: int | None = None
+        ) -> tuple[float, float, float]:
+    """Run to the end, or kill the run and its workers when so many tiles are whole.
+
+    Returns time and time on processors of all processes, s, and the memory of the greatest, MB.
+    """
     folder.mkdir(exist_ok=True)
     start = time.monotonic()
     with (folder / "log.txt").open("ab") as log:
@@ -127,21 +131,21 @@ def run(inputs: dict[str, object], folder: Path, trial: Trial, until: int | None
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
             process.wait()
-            return time.monotonic() - start, 0.0
+            return time.monotonic() - start, 0.0, 0.0
         _, status, used = os.wait4(process.pid, 0)
     if status:
         raise SystemExit(f"the run in {folder} ended with {status}: see log.txt there")
-    return time.monotonic() - start, used.ru_maxrss / 1024
+    return time.monotonic() - start, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
 
 
-def tell(name: str, folder: Path, took: tuple[float, float]) -> float:
+def tell(name: str, folder: Path, took: tuple[float, float, float]) -> float:
     """Print what a finished run took; processor time of a tile, s."""
     done = [record for record in records(folder) if record["status"] == "done"]
     each = sum(record["cpu"] for record in done) / len(done)
     disk = sum(file.stat().st_size for file in (folder / "run").rglob("*") if file.is_file())
     buildings = sum(record["figures"].get("BUILDINGS", 0) for record in done)
     print(f"{name}: {len(done)} tiles, {buildings:.0f} buildings read, {took[0]:.0f} s, {each:.2f} s of processor "
-          f"a tile, greatest process {took[1]:.0f} MB, of a worker {max(record['memory'] for record in done):.0f} MB, "
+          f"a tile, {took[1]:.0f} s in all, greatest process {took[2]:.0f} MB, of a worker {max(record['memory'] for record in done):.0f} MB, "
           f"{disk / 1e6:.0f} MB on disk", flush=True)
     return each
 
@@ -197,7 +201,7 @@ def killed_twice(inputs: dict[str, object], folder: Path, blocks: int, trial: Tr
     tell(f"{blocks} blocks in one go", whole, run(inputs, whole, trial))
     total = whole_tiles(whole)
     for share in KILLS:
-        seconds, _ = run(inputs, cut, trial, int(share * total))
+        seconds, *_ = run(inputs, cut, trial, int(share * total))
         print(f"killed after {seconds:.0f} s with {whole_tiles(cut)} of {total} tiles whole", flush=True)
     tell("gone on with to the end", cut, run(inputs, cut, trial))
     compare(whole, cut)
