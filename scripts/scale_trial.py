@@ -145,8 +145,8 @@ def tell(name: str, folder: Path, took: tuple[float, float, float]) -> float:
     disk = sum(file.stat().st_size for file in (folder / "run").rglob("*") if file.is_file())
     buildings = sum(record["figures"].get("BUILDINGS", 0) for record in done)
     print(f"{name}: {len(done)} tiles, {buildings:.0f} buildings read, {took[0]:.0f} s, {each:.2f} s of processor "
-          f"a tile, {took[1]:.0f} s in all, greatest process {took[2]:.0f} MB, of a worker {max(record['memory'] for record in done):.0f} MB, "
-          f"{disk / 1e6:.0f} MB on disk", flush=True)
+          f"a tile, {took[1]:.0f} s in all, greatest process {took[2]:.0f} MB, of a worker "
+          f"{max(record['memory'] for record in done):.0f} MB, {disk / 1e6:.0f} MB on disk", flush=True)
     return each
 
 
