@@ -47,6 +47,14 @@ def test_no_kerb_no_edge(tmp_path):
     assert not edges_of(tmp_path, Street(kerb=0.0)).edges
 
 
+@pytest.mark.parametrize("angle", [0.0, 33.0])
+def test_grass_beside_the_road_is_its_border(tmp_path, angle):
+    border, = edges_of(tmp_path, Street(kerb=0.0, rough=0.04), angle).edges
+    assert (border.kind, border.status) == ("road border", "measured") and border.length > 55.0
+    off = across(border, angle) + Street().verge
+    assert np.sqrt(np.mean(off**2)) < 0.04 and np.mean(np.abs(off) < 2 * border.sigma) > 0.93
+
+
 def test_a_lowered_place_is_a_section_of_its_own(tmp_path):
     # The ground behind is lowered too: its own borders, which run away from the road, are steps as well.
     edges = [edge for edge in edges_of(tmp_path, Street(lowered=(25.0, 30.0))).edges if across(edge, 0.0).max() < 4.3]

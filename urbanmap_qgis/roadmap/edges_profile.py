@@ -171,11 +171,21 @@ def _change(a: np.ndarray, off_low: np.ndarray, off_high: np.ndarray, noise: flo
     anywhere in it.
     """
     order = np.argsort(a)
-    a, off_low, off_high = a[order], off_low[order], off_high[order]
-    borders = np.concatenate([[-_FACE], a, [_FACE]])
-    cost = (np.concatenate([[0.0], np.cumsum(off_low)]) + np.concatenate([[0.0], np.cumsum(off_high[::-1])])[::-1])
+    return most_likely_change(a[order], 0.5 * off_low[order] / noise**2, 0.5 * off_high[order] / noise**2, _FACE)
+
+
+def most_likely_change(a: np.ndarray, before: np.ndarray, after: np.ndarray, reach: float) -> tuple[float, float]:
+    """Place (m) at which one description of points gives way to another, and its standard deviation.
+
+    Parameters
+    ----------
+    a : (n,) places in increasing order, within `reach` m of 0. before, after : (n,) negative log likelihood of each
+        point by the description that holds before the change, and by that after it.
+    """
+    borders = np.concatenate([[-reach], a, [reach]])
+    cost = np.concatenate([[0.0], np.cumsum(before)]) + np.concatenate([[0.0], np.cumsum(after[::-1])])[::-1]
     gap = np.diff(borders)
-    likely = np.exp(-0.5 * (cost - cost.min()) / noise**2) * gap
+    likely = np.exp(cost.min() - cost) * gap
     middle = 0.5 * (borders[1:] + borders[:-1])
     total = max(float(likely.sum()), 1e-300)
     edge = float((likely * middle).sum() / total)

@@ -14,6 +14,7 @@ from ..io.pointcloud import open_cloud
 from ..mobile.trajectory import Trajectory
 from ..progress import SILENT, Progress
 from .edges_assembly import kerb_lines
+from .edges_borders import border_candidates, border_lines, measure_borders
 from .edges_courses import find_courses, lengthened, linked
 from .edges_ground import above_ground, near_ground
 from .edges_points import EdgePoints, EdgeTile
@@ -33,7 +34,7 @@ class EdgesFound:
 
     Attributes
     ----------
-    edges : kerbs first, then rails and walls, each kind in the order in which it was found.
+    edges : kerbs first, then rails and walls, then borders, each kind in the order in which it was found.
     path_length : m driven. points_read, points_used : of the survey.
     """
 
@@ -66,41 +67,54 @@ def road_edges(paths: Sequence[str | os.PathLike], trajectory: Trajectory, setti
         survey = EdgePoints(open_cloud(paths), trajectory, settings.width, buckets)
         survey.read(progress.part(0.0, 0.4))
         local = None if ground is None else lambda x, y: ground(x + survey.corner[0], y + survey.corner[1])
-        steps, uprights = _candidates(survey, settings, local, progress.part(0.4, 0.65))
-        kerbs, faces = _courses(steps), _courses(uprights)
-        stations, upright_stations = Stations.of(kerbs), Uprights.of(faces)
+        kerbs, faces, verges = (_courses(found) for found in _candidates(survey, settings, local,
+                                                                         progress.part(0.4, 0.65)))
+        stations, upright_stations, border_stations = Stations.of(kerbs), Uprights.of(faces), Stations.of(verges)
         for tile in survey.tiles(progress.part(0.65, 1.0)):
             height = above_ground(tile.points, local)
-            measure_stations(stations, tile, near_ground(tile.points, height))
+            low = near_ground(tile.points, height)
+            measure_stations(stations, tile, low)
             measure_uprights(upright_stations, tile, height)
+            measure_borders(border_stations, tile, low)
     edges = kerb_lines(stations, settings, survey.corner)
     edges += upright_lines(upright_stations, settings, survey.corner, len(kerbs))
+    edges += border_lines(border_stations, edges, survey.path, settings, survey.corner, len(kerbs) + len(faces))
     return EdgesFound([_placed(edge, settings) for edge in edges], float(survey.chainage[-1]), survey.read_points,
                       survey.kept_points)
 
 
 def _candidates(survey: EdgePoints, settings: EdgeSettings, ground, progress: Progress
-                ) -> tuple[EdgeCandidates, EdgeCandidates]:
-    """Candidates of steps and of upright faces within the width of the path."""
-    steps, uprights, density = [], [], []
+                ) -> tuple[EdgeCandidates, ...]:
+    """Candidates of steps, of upright faces and of borders without a step within the width of the path."""
+    steps, uprights, borders, density = [], [], [], []
     for tile in survey.tiles(progress):
         height = above_ground(tile.points, ground)
         low = near_ground(tile.points, height)
         steps.append(_beside(step_candidates(tile, low, settings), survey))
         uprights.append(_beside(upright_candidates(tile, height, survey.path_tree), survey))
+        borders.append(_beside(border_candidates(tile, low, survey.path_tree), survey))
         density += _densities(tile, low, survey)
     if not density or np.median(density) < _SPARSE:
         found = float(np.median(density)) if density else 0.0
         raise InsufficientDataError(f"There are {found:.1f} ground points a square metre beside the path: edges need "
                                     f"{_SPARSE:.0f} or more; give the whole survey, not a thinned one.")
-    return joined_candidates(steps), joined_candidates(uprights)
+    return tuple(joined_candidates(parts) for parts in (steps, uprights, borders))
 
 
 def _densities(tile: EdgeTile, low: np.ndarray, survey: EdgePoints) -> list[int]:
-    """Ground points within a square metre about each fourth place of the path in a tile."""
-    places = survey.path[tile.owns(survey.path)][::4]
+    """Ground points within a square metre at each fourth place of the path in a tile, or beside it if more are there.
+
+    Scanners on the roof of a car do not see the ground right below.
+    """
+    own = tile.owns(survey.path)
+    if not own.any():
+        return []
+    way = np.gradient(survey.path, axis=0)[own][::4]
+    across = np.column_stack([-way[:, 1], way[:, 0]]) / np.maximum(np.hypot(*way.T), 1e-9)[:, None]
     x, y = tile.points["x"][low], tile.points["y"][low]
-    return [int(np.count_nonzero((np.abs(x - place[0]) < 0.5) & (np.abs(y - place[1]) < 0.5))) for place in places]
+    return [max(int(np.count_nonzero((np.abs(x - place[0]) < 0.5) & (np.abs(y - place[1]) < 0.5)))
+                for place in at + np.array([[-3.5], [0.0], [3.5]]) * normal)
+            for at, normal in zip(survey.path[own][::4], across)]
 
 
 def _beside(candidates: EdgeCandidates, survey: EdgePoints) -> EdgeCandidates:

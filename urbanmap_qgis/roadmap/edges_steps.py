@@ -30,7 +30,7 @@ _APART = 4  # cells between two candidates of a strip
 
 
 @dataclass(frozen=True)
-class _Side:
+class Side:
     """Lines fitted to one side of each place of the strips: height there, its sigma and the residual, m."""
 
     height: np.ndarray
@@ -59,26 +59,53 @@ def step_candidates(tile: EdgeTile, near_ground: np.ndarray, settings: EdgeSetti
     return EdgeCandidates(every.place[mine], every.normal[mine], every.height[mine], every.score[mine])
 
 
+@dataclass(frozen=True)
+class Strips:
+    """Points in strips that run along a direction (2,): moments (6, strips, borders) and the first cell and strip."""
+
+    along: np.ndarray
+    sums: np.ndarray
+    first: float
+    first_strip: float
+
+    @classmethod
+    def of(cls, place: np.ndarray, along: np.ndarray) -> Strips:
+        """Strips of points (n, 3), at the same places of the map whatever the points are."""
+        a, b = place[:, :2] @ along, place[:, :2] @ np.array([-along[1], along[0]])
+        first, first_strip = np.floor(a.min() / CELL), np.floor(b.min() / STRIP)
+        sums = _moments(a - first * CELL, np.floor(b / STRIP) - first_strip, place[:, 2])
+        return cls(along, sums, first, first_strip)
+
+    def sides(self, left_out: int, reach: int) -> tuple[Side, Side]:
+        """Lines fitted before and after each border, in cells from `left_out` to `reach` off it."""
+        last = self.sums.shape[2] - 1
+        border = np.arange(last + 1)
+        return (_side(self.sums, np.maximum(border - reach, 0), np.maximum(border - left_out, 0)),
+                _side(self.sums, np.minimum(border + left_out, last), np.minimum(border + reach, last)))
+
+    def peaks(self, value: np.ndarray, score: np.ndarray) -> EdgeCandidates:
+        """Candidates where the score (strips, borders) is greatest; the sign of `value` tells to which side."""
+        peak = (score > 0) & (score >= maximum_filter1d(score, 2 * _APART + 1, axis=1, mode="constant"))
+        strip, cell = np.nonzero(peak)
+        middle = (self.first_strip + strip + 0.5) * STRIP
+        across = np.array([-self.along[1], self.along[0]])
+        of_peak = value[strip, cell]
+        return EdgeCandidates(((self.first + cell) * CELL)[:, None] * self.along + middle[:, None] * across,
+                              np.sign(of_peak)[:, None] * self.along, np.abs(of_peak), score[strip, cell])
+
+
 def _in_strips(place: np.ndarray, along: np.ndarray, settings: EdgeSettings) -> EdgeCandidates:
     """Candidates of points (n, 3) whose normals run along the direction (2,) or against it."""
     if len(place) < 4 * _FEWEST:
         return joined_candidates([])
-    across = np.array([-along[1], along[0]])
-    a, b = place[:, :2] @ along, place[:, :2] @ across
-    first, first_strip = np.floor(a.min() / CELL), np.floor(b.min() / STRIP)
-    sums = _moments(a - first * CELL, np.floor(b / STRIP) - first_strip, place[:, 2])
-    height, score = _steps(sums, *SPANS[0], settings)
+    strips = Strips.of(place, along)
+    height, score = _steps(*strips.sides(*SPANS[0]), settings)
     for span in SPANS[1:]:
         # A wider span only speaks where the narrower one has too few points.
-        wide_height, wide_score = _steps(sums, *span, settings)
+        wide_height, wide_score = _steps(*strips.sides(*span), settings)
         score = np.where(np.isnan(height), wide_score, score)
         height = np.where(np.isnan(height), wide_height, height)
-    peak = (score > 0) & (score >= maximum_filter1d(score, 2 * _APART + 1, axis=1, mode="constant"))
-    strip, cell = np.nonzero(peak)
-    middle = (first_strip + strip + 0.5) * STRIP
-    value = height[strip, cell]
-    return EdgeCandidates(((first + cell) * CELL)[:, None] * along + middle[:, None] * across,
-                      np.sign(value)[:, None] * along, np.abs(value), score[strip, cell])
+    return strips.peaks(height, score)
 
 
 def _moments(a: np.ndarray, strip: np.ndarray, z: np.ndarray) -> np.ndarray:
@@ -94,12 +121,8 @@ def _moments(a: np.ndarray, strip: np.ndarray, z: np.ndarray) -> np.ndarray:
     return sums
 
 
-def _steps(sums: np.ndarray, left_out: int, reach: int, settings: EdgeSettings) -> tuple[np.ndarray, np.ndarray]:
+def _steps(before: Side, after: Side, settings: EdgeSettings) -> tuple[np.ndarray, np.ndarray]:
     """Height of the step (strips, borders), m, NaN where points lack, and its score, 0 where there is none."""
-    last = sums.shape[2] - 1
-    border = np.arange(last + 1)
-    before = _side(sums, np.maximum(border - reach, 0), np.maximum(border - left_out, 0))
-    after = _side(sums, np.minimum(border + left_out, last), np.minimum(border + reach, last))
     enough = (before.number >= _FEWEST) & (after.number >= _FEWEST)
     height = np.where(enough, after.height - before.height, np.nan)
     size = np.abs(np.where(enough, height, 0.0))
@@ -109,7 +132,7 @@ def _steps(sums: np.ndarray, left_out: int, reach: int, settings: EdgeSettings) 
     return height, np.where(good, size / (0.01 + rough), 0.0)
 
 
-def _side(sums: np.ndarray, start: np.ndarray, end: np.ndarray) -> _Side:
+def _side(sums: np.ndarray, start: np.ndarray, end: np.ndarray) -> Side:
     """Lines fitted to the cells `start` to `end` of each border, extended to the border itself."""
     n, sum_a, sum_z, sum_aa, sum_az, sum_zz = sums[:, :, end] - sums[:, :, start]
     number = np.maximum(n, 1.0)
@@ -120,4 +143,4 @@ def _side(sums: np.ndarray, start: np.ndarray, end: np.ndarray) -> _Side:
     rough = np.sqrt(np.maximum(sum_zz - n * mean_z**2 - slope * both, 0.0) / number)
     beyond = np.arange(sums.shape[2]) * CELL - mean_a
     noise = np.maximum(rough, _NOISE)
-    return _Side(mean_z + slope * beyond, noise * np.sqrt(1.0 / number + beyond**2 / spread), rough, n)
+    return Side(mean_z + slope * beyond, noise * np.sqrt(1.0 / number + beyond**2 / spread), rough, n)
