@@ -10,6 +10,7 @@ import shapely
 
 from .lane_assembly import centre_line
 from .map_records import Bound, DrivenPath, Finding, MapLane, VectorMap
+from .narrow_places import passes_narrow_place
 
 LONGEST = 90.0
 """Way through a junction, m."""
@@ -101,6 +102,8 @@ def _linked(built: VectorMap, one: int, other: int) -> bool:
 def _connects(built: VectorMap, places: np.ndarray, one: _Visit, other: _Visit) -> bool:
     """Whether the drive goes from the end of the one lane to the begin of the other, in a junction's length."""
     if not 0 <= (other.first - one.last) * STATION <= LONGEST:
+        return False
+    if passes_narrow_place(built.findings, places[one.last:other.first + 1]):
         return False
     exit_gap = np.linalg.norm(places[one.last, :2] - built.lanes[one.lane].centre[-1, :2])
     entry_gap = np.linalg.norm(places[other.first, :2] - built.lanes[other.lane].centre[0, :2])

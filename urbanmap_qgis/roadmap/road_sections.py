@@ -11,6 +11,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from .map_records import MapLine, MapSettings
+from .winding_roads import stretches
 
 STEP = 0.5
 """Distance of the stations of a section's axis, m."""
@@ -131,9 +132,11 @@ def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry]
     sections = []
     for group in groups:
         longest = max(group, key=lambda k: shapely.LineString(paths[k][:, :2]).length)
-        axis = Axis(_coarse(paths[longest][:, :2]))
-        tracks = [track for track in (_track(chains[k], axis) for k in group) if track is not None]
-        sections.append(RoadSection(axis, _without_doubles(_joined(tracks, barriers, settings))))
+        for points, members in stretches(paths[longest][:, :2], [chains[k] for k in group]):
+            axis = Axis(_coarse(points))
+            tracks = [track for track in (_track(chain, axis) for chain in members) if track is not None]
+            if tracks:
+                sections.append(RoadSection(axis, _without_doubles(_joined(tracks, barriers, settings))))
     return sections
 
 

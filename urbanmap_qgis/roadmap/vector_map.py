@@ -21,6 +21,7 @@ from .lane_strips import (
     spread_directions,
 )
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
+from .narrow_places import narrow_places
 from .road_axes import RoadAxis, add_axes, add_speed_limits
 from .road_sections import road_sections
 
@@ -53,6 +54,7 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
         near = [stop for stop in stops if _belongs(section, stop)]
         strips = lane_strips(section, near, settings)
         add_drives(strips, section, drives, settings)
+        built.findings += narrow_places(section, drives, settings)
         worked.append((section, strips, near))
         progress.check()
     built.left_hand = _rule_of_the_road(worked, settings)
