@@ -48,6 +48,7 @@ class NormalisedSurface:
             raise
         self.grid = self._surface.grid
         self.crs_wkt = self._surface.crs_wkt
+        self._last: tuple = (None,), ()  # window and heights
 
     def __enter__(self) -> NormalisedSurface:
         return self
@@ -83,8 +84,20 @@ class NormalisedSurface:
             return z, above > threshold
         halo = math.ceil((LOW_PART_REACH + LOW_PART_WIDTH) / self.grid.cell) + 1
         outer, inner = self._widened(rows, columns, halo)
-        z, above = self.heights(*outer, steepen)
-        return z[inner], with_low_parts(above, threshold, self.grid.cell)[inner]
+        z, above = self._next_heights(*outer, steepen)
+        return np.array(z[inner]), with_low_parts(above, threshold, self.grid.cell)[inner]
+
+    def _next_heights(self, rows: slice, columns: slice, steepen: bool) -> tuple[np.ndarray, np.ndarray]:
+        """As `heights`; of windows one below the other, what they share is not read again."""
+        place, kept = self._last
+        if place[1:] == (columns, steepen) and place[0].start <= rows.start < place[0].stop < rows.stop:
+            more = self.heights(slice(place[0].stop, rows.stop), columns, steepen)
+            known = slice(rows.start - place[0].start, None)
+            made = tuple(np.concatenate([old[known], new]) for old, new in zip(kept, more))
+        else:
+            made = self.heights(rows, columns, steepen)
+        self._last = (rows, columns, steepen), made
+        return made
 
     def _widened(self, rows: slice, columns: slice, by: int) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
         """A window with so many cells more on each side, as far as the raster reaches, and the first one in it."""
@@ -109,10 +122,15 @@ def steepened_walls(z: np.ndarray) -> np.ndarray:
     difference, and the lowest otherwise.
     """
     unknown, square = np.isnan(z), np.ones((3, 3), np.uint8)
-    low = cv2.erode(np.where(unknown, _BEYOND, z), square, borderType=cv2.BORDER_REPLICATE)
-    high = cv2.dilate(np.where(unknown, -_BEYOND, z), square, borderType=cv2.BORDER_REPLICATE)
-    wall = ~unknown & (high - low > STEP)
-    return np.where(wall, np.where(z > low + np.float32(WALL_SHARE) * (high - low), high, low), z)
+    gaps = bool(unknown.any())
+    low = cv2.erode(np.where(unknown, _BEYOND, z) if gaps else z, square, borderType=cv2.BORDER_REPLICATE)
+    high = cv2.dilate(np.where(unknown, -_BEYOND, z) if gaps else z, square, borderType=cv2.BORDER_REPLICATE)
+    wall = high - low > STEP
+    wall &= ~unknown
+    at = np.flatnonzero(wall)
+    low, high, steep = low.take(at), high.take(at), np.array(z)
+    steep.ravel()[at] = np.where(z.take(at) > low + np.float32(WALL_SHARE) * (high - low), high, low)
+    return steep
 
 
 def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarray:

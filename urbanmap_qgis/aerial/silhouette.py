@@ -87,7 +87,11 @@ def _framed(flags: np.ndarray, axis: int) -> np.ndarray:
 
 def _sides(column: np.ndarray, row: np.ndarray, chosen: np.ndarray, start: tuple, stop: tuple) -> SilhouetteEdges:
     """Sides of the chosen cells or lines between two corners given as slices."""
-    return SilhouetteEdges(column[start][chosen], row[start][chosen], column[stop][chosen], row[stop][chosen])
+    down, across = np.divmod(np.flatnonzero(chosen), chosen.shape[1])
+    place = down * column.shape[1] + across
+    begin, end = (place + (rows.start or 0) * column.shape[1] + (columns.start or 0)
+                  for rows, columns in (start, stop))
+    return SilhouetteEdges(column.take(begin), row.take(begin), column.take(end), row.take(end))
 
 
 def fill_silhouette(sides: SilhouetteEdges, width: int, first_row: int, rows: int) -> np.ndarray:
@@ -108,7 +112,11 @@ def fill_silhouette(sides: SilhouetteEdges, width: int, first_row: int, rows: in
     slope = (sides.column_b[touched] - sides.column_a[touched]) / (sides.row_b[touched] - sides.row_a[touched])
     column = column_top[owner] + (row - top[owner]) * np.repeat(slope, count)
     place = (row - first_row) * (width + 1) + np.clip(np.ceil(column), 0, width).astype(np.int64)
-    down, cells = down[owner], rows * (width + 1)
-    change = (np.bincount(place[down], minlength=cells).astype(np.int32)
-              - np.bincount(place[~down], minlength=cells).astype(np.int32)).reshape(rows, width + 1)
+    change = np.zeros((rows, width + 1), np.int32)
+    if len(place):
+        # Few places change; counting into all of them would take longer than all else.
+        order = np.argsort(place, kind="stable")
+        place = place[order]
+        first = np.flatnonzero(np.diff(place, prepend=-1))
+        change.ravel()[place[first]] = np.add.reduceat(np.where(down[owner[order]], 1, -1), first)
     return np.cumsum(change, axis=1, out=change)[:, :width] != 0

@@ -140,7 +140,10 @@ class RasterSampler:
                 values = self._source.read(self.band, window=window, masked=True)
         except RasterioError as error:
             raise InputError(f"{self.path.name} is damaged: {error}.") from error
-        return values.astype(np.float32).filled(np.nan)
+        heights = values.data.astype(np.float32, copy=False)
+        if values.mask is not np.ma.nomask:
+            heights[values.mask] = np.nan
+        return heights
 
     def sample(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Bilinear values at points, (n,) float32; NaN outside and where there is no data (see `sample`)."""
