@@ -11,7 +11,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from .map_records import MapLine, MapSettings
-from .winding_roads import stretches
+from .winding_roads import unwound_roads
 
 STEP = 0.5
 """Distance of the stations of a section's axis, m."""
@@ -132,7 +132,7 @@ def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry]
     sections = []
     for group in groups:
         longest = max(group, key=lambda k: shapely.LineString(paths[k][:, :2]).length)
-        for points, members in stretches(paths[longest][:, :2], [chains[k] for k in group]):
+        for points, members in unwound_roads(paths[longest][:, :2], [chains[k] for k in group]):
             axis = Axis(_coarse(points))
             tracks = [track for track in (_track(chain, axis) for chain in members) if track is not None]
             if tracks:
