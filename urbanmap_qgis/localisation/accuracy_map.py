@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..progress import SILENT, Progress
+from .clutter import clutter_patterns
 from .ellipses import PlanEllipse, along_and_across, plan_ellipses
 from .evidence import covariance, fused
 from .localisation_settings import LocalisationSettings
@@ -18,9 +19,9 @@ from .place_status import SourceSigns, place_classes, place_words
 from .road_places import RoadPlaces
 from .satellite_evidence import SkyTimes, satellite_plan
 from .wall_cells import PlanWallCells, pieces_at_height, wall_plan_cells, wall_points
-from .wall_evidence import representation, wall_evidence
+from .wall_evidence import representation, walls_covariance
 from .wall_map import WallMap
-from .wall_scan import WallScan, scan_walls
+from .wall_scan import AZIMUTHS, LAYERS, WallScan, scan_walls
 
 BLOCK = 250
 """Places worked on at once: bounds the memory."""
@@ -95,6 +96,7 @@ class _Prepared:
     """What all blocks share."""
 
     cells: PlanWallCells | None
+    patterns: np.ndarray | None
     wall_field: ScoreField | None
     marking_field: ScoreField | None
     marking_tree: cKDTree | None
@@ -129,16 +131,17 @@ def _bounds(places: RoadPlaces, settings: LocalisationSettings) -> tuple[float, 
 
 
 def _prepared(city: LocalisationMap, places: RoadPlaces, settings: LocalisationSettings) -> _Prepared:
-    cells = wall_field = marking_field = tree = None
+    cells = patterns = wall_field = marking_field = tree = None
     if city.walls is not None:
         cells = wall_plan_cells(city.walls, settings.cell, settings.scanner.height)
+        patterns = clutter_patterns(settings.scanner, settings.scanner.elevations(LAYERS), AZIMUTHS)
         if settings.search > 0:
             wall_field = field_of_walls(city.walls, places, settings)
     if city.markings is not None:
         tree = cKDTree(city.markings.xy)
         if settings.search > 0:
             marking_field = ScoreField.of(city.markings.xy, _bounds(places, settings), STEP / 2)
-    return _Prepared(cells, wall_field, marking_field, tree)
+    return _Prepared(cells, patterns, wall_field, marking_field, tree)
 
 
 def _block(city: LocalisationMap, places: RoadPlaces, prepared: _Prepared, settings: LocalisationSettings
@@ -152,7 +155,9 @@ def _block(city: LocalisationMap, places: RoadPlaces, prepared: _Prepared, setti
     scan = seen = None
     if city.walls is not None and len(able):
         scan = scan_walls(city.walls, sensor, settings.scanner)
-        _walls(city.walls, scan, sensor, able, prepared.cells, by_source, figures, settings)
+        by_source["walls"][able] = walls_covariance(city.walls, scan, sensor, places.heading[able], prepared.cells,
+                                                    prepared.patterns, settings)
+        _wall_figures(city.walls, scan, sensor, able, prepared.cells, by_source, figures, settings)
     if city.markings is not None and len(able):
         seen = visible_markings(city.markings, prepared.marking_tree, places.place[able], places.heading[able], scan,
                                 settings)
@@ -167,9 +172,8 @@ def _block(city: LocalisationMap, places: RoadPlaces, prepared: _Prepared, setti
     return _described(city, places, refused, by_source, figures, modes, settings)
 
 
-def _walls(walls: WallMap, scan: WallScan, sensor: np.ndarray, able: np.ndarray, cells: PlanWallCells, by_source: dict,
-           figures: dict, settings: LocalisationSettings) -> None:
-    _put(by_source["walls"], able, wall_evidence(walls, scan, sensor, cells, settings), settings)
+def _wall_figures(walls: WallMap, scan: WallScan, sensor: np.ndarray, able: np.ndarray, cells: PlanWallCells,
+                  by_source: dict, figures: dict, settings: LocalisationSettings) -> None:
     figures["points"][able] = np.bincount(scan.of, scan.weight * (1 - settings.scanner.hidden), len(able))
     figures["walls"][able] = _different_walls(walls, scan, len(able))
     figures["covered"][able] = scan.covered

@@ -55,6 +55,12 @@ class Evidence:
     shared: tuple[SharedError, ...] = ()
 
 
+def part_of(evidence: Evidence, kept: np.ndarray) -> Evidence:
+    """The rows `kept` (mask)."""
+    shared = tuple(SharedError(error.group[kept], error.factor[kept], error.sigma[kept]) for error in evidence.shared)
+    return Evidence(evidence.of[kept], evidence.row[kept], evidence.weight[kept], evidence.noise[kept], shared)
+
+
 def surface_rows(normal: np.ndarray, offset: np.ndarray) -> np.ndarray:
     """Rows (m, 3) of surfaces with normals (m, 2) at offsets (m, 2), m, from the vehicle."""
     turn = offset[:, 0] * normal[:, 1] - offset[:, 1] * normal[:, 0]

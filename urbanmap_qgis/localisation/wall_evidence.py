@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..mobile.registration.matching.ndt_match import Mixture
-from .evidence import Evidence, SharedError, surface_rows
+from .evidence import Evidence, SharedError, covariance, part_of, surface_rows
 from .localisation_settings import LocalisationSettings
 from .wall_cells import PlanWallCells
 from .wall_map import WallMap
@@ -22,9 +22,9 @@ def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pla
     pieces = walls.walls
     normal, wall = pieces.normal[scan.piece], pieces.wall[scan.piece]
     sigma = walls.sigma[wall]
-    rays = scan.weight * (1.0 - settings.scanner.hidden)
+    rays = scan.weight
     weight = rays * _point_weights(walls, scan, sensor, cells, settings)
-    noise = settings.scanner.noise / np.sqrt(np.maximum(rays, 1e-6))
+    noise = settings.scanner.noise / np.sqrt(rays)
     grown = np.sqrt(_losses(weight / rays, sigma, settings))
     shared = [SharedError(wall, grown, sigma)]
     if settings.common_sigma > 0:
@@ -33,18 +33,37 @@ def wall_evidence(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: Pla
     return Evidence(scan.of, surface_rows(normal, scan.offset[:, :2]), weight, noise, tuple(shared))
 
 
+def walls_covariance(walls: WallMap, scan: WallScan, sensor: np.ndarray, heading: np.ndarray, cells: PlanWallCells,
+                     patterns: np.ndarray, settings: LocalisationSettings) -> np.ndarray:
+    """(n, 3, 3) covariance by walls from places (n, 3) with headings (n,), radians.
+
+    It is the mean over arrangements of vehicles and trees, which hide now this wall and now that one: a map with few
+    accurate walls is worse than the mean of what its walls tell.
+
+    `patterns` : as of `clutter.clutter_patterns`.
+    """
+    every = wall_evidence(walls, scan, sensor, cells, settings)
+    azimuths = patterns.shape[2]
+    turned = np.round(heading / (2 * np.pi) * azimuths).astype(np.int64)
+    before = patterns[:, scan.layer, (scan.ray - turned[scan.of]) % azimuths]
+    distance = np.linalg.norm(scan.offset, axis=1)
+    prior = settings.prior()
+    total = np.zeros((len(sensor), 3, 3))
+    for reach in before:
+        total += covariance(part_of(every, distance < reach), len(sensor), prior)
+    return total / len(patterns)
+
+
 def _losses(weight: np.ndarray, sigma: np.ndarray, settings: LocalisationSettings) -> np.ndarray:
     """(m,) by which the variance of the walls' part grows beyond that of the linear solution.
 
-    Vehicles hide whole walls: with a share h of them missing at a time, 1 / (1 - h). The mixture of an NDT with the
-    sharpness c pulls with psi(e) = e exp(-c u e^2 / 2); of errors e with the variance s^2 its estimate has
-    E[psi^2] / E[psi']^2 = s^2 (1 + q)^3 / (1 + 2 q)^(3/2), q = c u s^2.
+    The mixture of an NDT with the sharpness c pulls with psi(e) = e exp(-c u e^2 / 2); of errors e with the variance
+    s^2 its estimate has E[psi^2] / E[psi']^2 = s^2 (1 + q)^3 / (1 + 2 q)^(3/2), q = c u s^2.
     """
-    missing = 1.0 / (1.0 - settings.scanner.hidden)
     if settings.matcher == "ICP":
-        return np.full(len(weight), missing)
+        return np.ones(len(weight))
     q = Mixture.of(settings.outliers, settings.cell, 2).sharpness * weight * sigma ** 2
-    return missing * (1 + q) ** 3 / (1 + 2 * q) ** 1.5
+    return (1 + q) ** 3 / (1 + 2 * q) ** 1.5
 
 
 def _point_weights(walls: WallMap, scan: WallScan, sensor: np.ndarray, cells: PlanWallCells,

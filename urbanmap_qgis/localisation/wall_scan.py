@@ -19,7 +19,7 @@ class WallScan:
 
     Attributes
     ----------
-    of : (m,) row of the place.  ray : (m,) number of the ray's azimuth.
+    of : (m,) row of the place.  layer, ray : (m,) numbers of the ray's elevation and azimuth.
     offset : (m, 3) from the sensor to the point, m.  piece : (m,) number of the piece of wall.
     weight : (m,) rays of the scanner that each ray stands for.
     reach : (n, azimuths) m, distance in plan to the first wall in the layer nearest to level, inf where free.
@@ -27,6 +27,7 @@ class WallScan:
     """
 
     of: np.ndarray
+    layer: np.ndarray
     ray: np.ndarray
     offset: np.ndarray
     piece: np.ndarray
@@ -35,11 +36,14 @@ class WallScan:
     covered: np.ndarray
 
 
-def scan_walls(walls: WallMap, sensor: np.ndarray, scanner: VehicleScanner, azimuths: int = 240) -> WallScan:
-    """Rays of a scanner from places (n, 3), m, to the first walls within range.
 
-    `azimuths` : rays of a layer that are followed.
-    """
+AZIMUTHS = 240
+"""Rays of a layer that are followed."""
+
+
+def scan_walls(walls: WallMap, sensor: np.ndarray, scanner: VehicleScanner) -> WallScan:
+    """Rays of a scanner from places (n, 3), m, to the first walls within range."""
+    azimuths = AZIMUTHS
     angle = np.arange(azimuths) * 2 * np.pi / azimuths
     elevation = scanner.elevations(LAYERS)
     up, round_ = np.meshgrid(elevation, angle, indexing="ij")
@@ -53,5 +57,6 @@ def scan_walls(walls: WallMap, sensor: np.ndarray, scanner: VehicleScanner, azim
     reach = (distance * np.hypot(every[:, 0], every[:, 1])).reshape(shape)[:, level]
     hit = np.flatnonzero(piece >= 0)
     stands_for = 360.0 / scanner.resolution / azimuths * len(scanner.elevations()) / len(elevation)
-    return WallScan(hit // len(direction), hit % azimuths, every[hit] * distance[hit, None], piece[hit],
-                    np.full(len(hit), stands_for), reach, np.isfinite(reach).mean(axis=1))
+    return WallScan(hit // len(direction), hit % len(direction) // azimuths, hit % azimuths,
+                    every[hit] * distance[hit, None], piece[hit], np.full(len(hit), stands_for), reach,
+                    np.isfinite(reach).mean(axis=1))
