@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from qgis.core import QgsApplication
-from qgis.PyQt.QtCore import QCoreApplication, QLocale, QSettings, QTranslator
 
 from .framework.dependencies import activate_profile_packages
+from .framework.language import speak_language, stop_speaking
 from .framework.parameters import tr
 from .provider import UrbanMapProvider
-
-TRANSLATIONS = Path(__file__).resolve().parent.parent / "resources" / "translations"
 
 
 class UrbanMapPlugin:
@@ -22,9 +18,8 @@ class UrbanMapPlugin:
         self.provider = None
         self.action = None
         self.dialog = None
-        self.translator = None
         activate_profile_packages()
-        self._translate()
+        self.translator = speak_language()
 
     def initProcessing(self):
         """Register the provider."""
@@ -57,11 +52,6 @@ class UrbanMapPlugin:
         if self.provider is not None:
             QgsApplication.processingRegistry().removeProvider(self.provider)
             self.provider = None
-
-    def _translate(self):
-        language = QSettings().value("locale/userLocale", QLocale().name(), str)[:2]
-        path = TRANSLATIONS / f"urbanmap_{language}.qm"
-        if path.is_file():
-            self.translator = QTranslator()
-            self.translator.load(str(path))
-            QCoreApplication.installTranslator(self.translator)
+        if self.translator is not None:
+            stop_speaking(self.translator)
+            self.translator = None

@@ -12,6 +12,7 @@ from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingModelAlg
 from qgis.PyQt.QtGui import QIcon
 
 from .framework.base import GROUPS, UrbanMapAlgorithm
+from .framework.language import translated_model
 from .framework.parameters import tr
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -63,8 +64,7 @@ class UrbanMapProvider(QgsProcessingProvider):
         for path in sorted(MODELS.glob("*.model3")):
             model = QgsProcessingModelAlgorithm()
             if model.fromFile(str(path)):
-                model.setGroup(tr(GROUPS.get(model.groupId(), model.group())))
-                self.addAlgorithm(model)
+                self.addAlgorithm(translated_model(model, GROUPS.get(model.groupId(), model.group())))
             else:
                 self._warn(tr("The model {0} cannot be loaded.").format(path.name))
 

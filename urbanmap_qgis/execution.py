@@ -12,6 +12,7 @@ from concurrent.futures import Executor, Future, wait
 from typing import TypeVar
 
 from .dependencies import activate
+from .wording import use_catalogue
 
 Piece = TypeVar("Piece")
 Result = TypeVar("Result")
@@ -28,11 +29,12 @@ def _result(future: Future, check: Callable[[], None]) -> Result:
     return future.result()
 
 
-def start_worker(packages: str = "") -> None:
+def start_worker(packages: str = "", catalogue: str = "") -> None:
     """Called in a worker process when it starts: it leaves Ctrl-C to the process that started it, and ends with it.
 
-    `packages` : folder of installed packages, see `dependencies.activate`.
+    `packages` : folder of installed packages, see `dependencies.activate`; `catalogue` : see `wording.use_catalogue`.
     """
+    use_catalogue(catalogue or None)
     if packages:
         activate(packages)
     for number in (signal.SIGINT, signal.SIGTERM):

@@ -28,7 +28,6 @@ from qgis.core import (
     QgsGeometry,
     QgsProcessingContext,
     QgsProcessingFeatureSource,
-    QgsProcessingLayerPostProcessorInterface,
     QgsProcessingOutputLayerDefinition,
     QgsProcessingUtils,
     QgsRectangle,
@@ -43,20 +42,15 @@ from .crs import crs_from, require_projected, wkt_of
 from .destinations import definition_of, sink_file
 from .parameters import tr
 from .reprojection import needs_moving, table_in
+from .styles import TIME, give_style, save_style
 
-STYLES = Path(__file__).resolve().parents[2] / "resources" / "styles"
 BATCH = 1000
-TIME = "2000-01-01T00:00:00.000Z"
-
-_STYLES_TABLE = """
-CREATE TABLE layer_styles (id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, f_table_catalog TEXT(256),
-  f_table_schema TEXT(256), f_table_name TEXT(256), f_geometry_column TEXT(256), styleName TEXT(30), styleQML TEXT,
-  styleSLD TEXT, useAsDefault BOOLEAN, description TEXT, owner TEXT(30), ui TEXT(30), update_time DATETIME)
-"""
-"""The table in which QGIS looks for styles of layers of a GeoPackage."""
 
 SHORT = 10
 """Characters that a shapefile leaves of a field's name."""
+
+OWN = "urbanmap:own"
+"""Alias of fields of ours until they are written, which tells them from those of the user."""
 
 _TYPES = QMetaType.Type if Qgis.QGIS_VERSION_INT >= 33800 else QVariant
 _KINDS = {"int": "LongLong", "real": "Double", "text": "QString" if _TYPES is not QVariant else "String",
@@ -108,8 +102,22 @@ def make_fields(*fields: tuple[str, str], base: QgsFields | None = None) -> QgsF
         if kept.name().lower() not in names and kept.name().lower() != "fid":
             made.append(kept)
     for name, kind in fields:
-        made.append(QgsField(name, getattr(_TYPES, _KINDS[kind])))
+        own = QgsField(name, getattr(_TYPES, _KINDS[kind]))
+        own.setAlias(OWN)
+        made.append(own)
     return made
+
+
+def own_fields(fields: QgsFields) -> tuple[tuple[str, ...], QgsFields]:
+    """Names of the fields that `make_fields` made, and all fields without its mark."""
+    own = tuple(item.name() for item in fields if item.alias() == OWN)
+    plain = QgsFields()
+    for item in fields:
+        field = QgsField(item)
+        if item.alias() == OWN:
+            field.setAlias("")
+        plain.append(field)
+    return own, plain
 
 
 def read_source(source: QgsProcessingFeatureSource, label: str, progress: Progress = SILENT,
@@ -212,6 +220,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     OutputError : it cannot be written. Cancelled : the earlier file, if any, is still there.
     """
     wkb_type = getattr(QgsWkbTypes.Type, geometry_type)
+    own, fields = own_fields(fields)
     features = features_of(fields, columns, geometries, progress)
     reference = crs_from(crs)
     path = sink_file(parameters, name, context)
@@ -226,45 +235,9 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
         del sink
     else:
         place = _write_file(algorithm, parameters, name, context, path, (fields, wkb_type, reference), features,
-                            style, progress)
-    if style:
-        give_style(context, place, style)
+                            (style, own), progress)
+    give_style(context, place, style, own)
     return place
-
-
-def give_style(context: QgsProcessingContext, place: str, style: str) -> None:
-    """Let QGIS give resources/styles/`style`.qml to the layer at `place` when it loads it after the run."""
-    place = final_text(place)
-    if context.willLoadLayerOnCompletion(place) and style_path(style).is_file():
-        context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style))
-
-
-class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
-    """Gives a style to a layer that QGIS loads after a run."""
-
-    def __init__(self, path: Path):
-        super().__init__()
-        self.path = path
-
-    def postProcessLayer(self, layer, context, feedback):
-        message, succeeded = layer.loadNamedStyle(str(self.path))
-        if not succeeded:
-            feedback.pushWarning(tr("The style {0} could not be given to {1}: {2}").format(
-                self.path.name, layer.name(), message))
-        layer.triggerRepaint()
-
-
-# QGIS does not keep post-processors alive, and drops those that Python has collected without a word.
-_POST_PROCESSORS: dict[str, StylePostProcessor] = {}
-
-
-def _post_processor(style: str) -> StylePostProcessor:
-    return _POST_PROCESSORS.setdefault(style, StylePostProcessor(style_path(style)))
-
-
-def style_path(style: str) -> Path:
-    """File of a style that the plugin brings."""
-    return STYLES / f"{style}.qml"
 
 
 def _wkb(geometry: QgsGeometry) -> bytes | None:
@@ -361,7 +334,8 @@ def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
 
 def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, path: Path,
-                layer: tuple, features: Iterable[list[QgsFeature]], style: str, progress: Progress) -> str:
+                layer: tuple, features: Iterable[list[QgsFeature]], looks: tuple[str, tuple[str, ...]],
+                progress: Progress) -> str:
     label = algorithm.label_of(name)
     folder = path.parent
     check_place(algorithm, parameters, name, context)
@@ -379,8 +353,8 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
                 _fill(sink, features, label)
             finally:
                 del sink
-            if style and target.suffix.lower() == ".gpkg":
-                save_style(target, style, progress)
+            if target.suffix.lower() == ".gpkg":
+                save_style(target, *looks, progress)
             without_times(target)
             _move_into_place(Path(scratch), folder)
     except OSError as error:
@@ -392,29 +366,6 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
         context.addLayerToLoadOnCompletion(final_text(place), QgsProcessingContext.LayerDetails(
             title, definition.destinationProject, name, QgsProcessingUtils.LayerHint.Vector))
     return place
-
-
-def save_style(path: Path, style: str, progress: Progress) -> None:
-    """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result.
-
-    QGIS would write the style's own words in an order that differs from run to run, and leave 3D renderers out where
-    it has not been told of them, as in `qgis_process`; so the style's file is stored as it is.
-    """
-    try:
-        text = style_path(style).read_text(encoding="utf-8")
-    except OSError as error:
-        progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error.strerror))
-        return
-    with closing(sqlite3.connect(path)) as database, database:
-        (table,), = database.execute("SELECT table_name FROM gpkg_contents")
-        column = database.execute("SELECT column_name FROM gpkg_geometry_columns").fetchone()
-        database.execute(_STYLES_TABLE)
-        database.execute("INSERT INTO gpkg_contents (table_name, data_type, identifier, last_change, srs_id) "
-                         "VALUES ('layer_styles', 'attributes', 'layer_styles', ?, 0)", (TIME,))
-        database.execute(
-            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, styleName, "
-            "styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', ?, ?, ?, ?, '', 1, ?, "
-            "'', ?)", (table, column[0] if column else "", style, text, tr("UrbanMap"), TIME))
 
 
 def without_times(path: Path) -> None:

@@ -296,7 +296,7 @@ def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[
 
 
 def _with_unit(label: str, unit: str) -> str:
-    return f"{tr(label)} ({unit.replace('m2', 'm²')})" if unit else tr(label)
+    return f"{tr(label)} ({tr(unit.replace('m2', 'm²'))})" if unit else tr(label)
 
 
 def _limit(definition, minimum: float | None, maximum: float | None) -> None:

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from qgis.core import QgsProcessingContext, QgsProcessingFeatureSource, QgsVectorLayer
 
-from ...urbanmap_qgis.progress import SILENT
 from ...urbanmap_qgis.tiling.tile_grid import GridTile
 from . import layers
-from .tile_layers import TILE_FIELD, layer_file, style_of
+from .styles import save_style_text, saved_style
+from .tile_layers import TILE_FIELD, layer_file
 
 SEAM, EDGE = "seam", "edge"
 """The field that tells pieces at an edge, and what it says in the layer of one tile."""
@@ -27,7 +27,7 @@ def cut_features(path: Path, tile: GridTile) -> None:
     """Leave in a layer of polygons what lies in the tile, with the tile's name and whether a piece is at its edge."""
     from ...urbanmap_qgis.tiling.joined_polygons import at_edge, cut_at_tile, share_of_fields
 
-    table, kind, style = read_layer(path), QgsVectorLayer(str(path), path.stem, "ogr").wkbType(), style_of(path)
+    table, kind, style = read_layer(path), QgsVectorLayer(str(path), path.stem, "ogr").wkbType(), saved_style(path)
     pieces, rows, shares = cut_at_tile(table.geometries, tile)
     columns = share_of_fields(table.columns, rows, shares)
     columns[TILE_FIELD] = [tile.name] * len(pieces)
@@ -36,8 +36,8 @@ def cut_features(path: Path, tile: GridTile) -> None:
     with layer_file(scratch, joined_fields(table.fields), kind, table.crs, path.stem) as add:
         for batch in layers.features_of(joined_fields(table.fields), columns, pieces):
             add(batch)
-    if style:
-        layers.save_style(scratch, style, SILENT)
+    if style is not None:
+        save_style_text(scratch, *style)
     layers.without_times(scratch)
     os.replace(scratch, path)
 

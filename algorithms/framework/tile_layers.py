@@ -15,6 +15,7 @@ from qgis.core import (
 )
 
 from ...urbanmap_qgis.errors import OutputError
+from .layers import own_fields
 from .parameters import tr
 
 LAYER_SUFFIX = ".gpkg"
@@ -36,6 +37,7 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
     for item in fields:
         if item.name().lower() != "fid":
             kept.append(item)
+    _, kept = own_fields(kept)
     held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
     places = [fields.lookupField(item.name()) for item in kept]
 
@@ -67,12 +69,3 @@ def _count(path: Path) -> int:
     except (sqlite3.Error, ValueError):
         return -1
     return count
-
-
-def style_of(path: Path) -> str:
-    """Name of the style that a layer was written with; empty where it has none."""
-    with closing(sqlite3.connect(path)) as database:
-        if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone():
-            return ""
-        found = database.execute("SELECT styleName FROM layer_styles").fetchone()
-    return found[0] if found else ""

@@ -10,9 +10,10 @@ from qgis.core import QgsVectorLayer
 from ...urbanmap_qgis.progress import SILENT, Progress
 from ...urbanmap_qgis.tiling.journal import DONE, TileRecord, tile_folder
 from ...urbanmap_qgis.tiling.tile_grid import GridTile
-from .layers import features_of, save_style, without_times
+from .layers import features_of, without_times
+from .styles import save_style_text, saved_style
 from .tile_joins import EdgePieces, joined_fields, read_layer
-from .tile_layers import layer_file, style_of
+from .tile_layers import layer_file
 
 MERGED = "merged"
 
@@ -60,9 +61,9 @@ def merge_layers(parts: Sequence[Path], target: Path, joined: bool = False, prog
                 for done, part in enumerate(parts):
                     add(list(QgsVectorLayer(str(part), part.stem, "ogr").getFeatures()))
                     progress.step((done + 1) / len(parts))
-        style = style_of(parts[0])
-        if style:
-            save_style(temporary, style, progress)
+        style = saved_style(parts[0])
+        if style is not None:
+            save_style_text(temporary, *style)
         without_times(temporary)
 
 

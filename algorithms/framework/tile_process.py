@@ -11,6 +11,7 @@ from qgis.core import QgsApplication
 
 from ...urbanmap_qgis.execution import start_worker
 from .cluster import cluster_of_process
+from .language import speak_language
 from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 
 
@@ -30,6 +31,7 @@ def start_application(prefix: str, plugins: str, packages: str, package: str, ad
     application.setPrefixPath(prefix, True)
     application.initQgis()
     start_application.running = application  # QGIS ends with the object
+    start_application.translator = speak_language()
     if plugins not in sys.path:
         sys.path.append(plugins)
     from processing.core.Processing import Processing

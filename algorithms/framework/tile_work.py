@@ -24,7 +24,7 @@ from qgis.core import (
 from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, OutputError, UrbanMapError, system_sentence
 from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish, require_room
 from ...urbanmap_qgis.tiling.tile_grid import GridTile
-from .layers import make_fields, without_times
+from .layers import make_fields, own_fields, without_times
 from .outlines import BUILDING_ID, NUMBER
 from .parameters import tr
 from .tile_joins import cut_features
@@ -224,7 +224,7 @@ def keep_own_features(path: Path, tile: GridTile, own: Mapping[str, int] | None)
         else:
             others.append(feature.id())
     data = layer.dataProvider()
-    data.addAttributes([make_fields((TILE_FIELD, "text"))[0]])
+    data.addAttributes([own_fields(make_fields((TILE_FIELD, "text")))[1][0]])
     data.deleteFeatures(others)
     layer.updateFields()
     place = layer.fields().lookupField(TILE_FIELD)

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 
 from ...urbanmap_qgis.errors import UrbanMapError
 from ...urbanmap_qgis.execution import start_worker
+from ...urbanmap_qgis.wording import catalogue_path
 from .cluster import cluster_executor, scheduler_address
 from .dependencies import profile_packages
 from .parameters import tr
@@ -59,7 +60,7 @@ def _processes(count: int) -> Executor:
     context = multiprocessing.get_context("spawn")
     context.set_executable(python_executable())
     executor = ProcessPoolExecutor(count, mp_context=context, initializer=start_worker,
-                                   initargs=(str(profile_packages()),))
+                                   initargs=(str(profile_packages()), str(catalogue_path() or "")))
     with _signals_blocked():
         # A worker is started when work comes; here all are, so that none meets a Ctrl-C while it is still importing.
         for _ in range(count):

@@ -178,8 +178,7 @@ def test_style_is_saved_in_the_geopackage_and_given_to_the_loaded_layer(
     )
 
     base = plugin("algorithms.framework.base")
-    layers = plugin("algorithms.framework.layers")
-    monkeypatch.setattr(layers, "STYLES", tmp_path)
+    monkeypatch.setattr(plugin("algorithms.framework.styles"), "STYLES", tmp_path)
     styled = polygon_layer([SQUARE])
     styled.setRenderer(QgsSingleSymbolRenderer(QgsFillSymbol.createSimple({"color": "#123456"})))
     styled.saveNamedStyle(str(tmp_path / "blue.qml"))

@@ -14,7 +14,7 @@ from scripts import source_tree
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE = source_tree.CORE
-BASE = {"errors", "progress", "execution", "dependencies", "sources"}
+BASE = {"errors", "progress", "execution", "dependencies", "sources", "wording"}
 
 # From the ground up: a room imports from the floors below its own, never from its own floor's neighbours.
 FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel", "tiling"}, {"aerial", "mobile"},

@@ -1,0 +1,184 @@
+#!/usr/bin/env python3
+"""Bring the translations, resources/translations/urbanmap_*.ts, up to date with what is said, and compile them.
+
+    python3 scripts/make_translations.py [--check]
+
+New texts are added as unfinished, those that are no longer said go. `--check` writes nothing and fails where a text has
+no translation, a field is lost or a compiled file is old. Needs a Python that sees QGIS, and Qt's lrelease.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import os
+import re
+import shutil
+import string
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.sax.saxutils import escape
+
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+ROOT = Path(__file__).resolve().parent.parent
+TRANSLATIONS = ROOT / "resources" / "translations"
+STYLES = ROOT / "resources" / "styles"
+CONTEXT = "UrbanMap"
+
+SAYING = {"urbanmap_qgis": ("say", "mark"), "algorithms": ("tr", "mark")}
+"""Functions whose first argument is said, by folder."""
+
+
+def constants_said(folder: Path, functions: tuple[str, ...]) -> Iterator[str]:
+    """Texts given to one of the functions in a folder's modules."""
+    for path in sorted(folder.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if (isinstance(node, ast.Call) and node.args
+                    and getattr(node.func, "id", getattr(node.func, "attr", "")) in functions
+                    and isinstance(node.args[0], ast.Constant) and isinstance(node.args[0].value, str)):
+                yield node.args[0].value
+
+
+def declared() -> list[str]:
+    """What the toolbox shows: names, help, labels of parameters and outputs, groups."""
+    from qgis.core import QgsApplication
+    from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+
+    class Recorder(QTranslator):
+        """Notes everything that is asked for."""
+
+        def __init__(self):
+            super().__init__()
+            self.asked: dict[str, None] = {}
+
+        def isEmpty(self):
+            return False
+
+        def translate(self, context, source, disambiguation=None, n=-1):
+            if context == CONTEXT and source:
+                self.asked.setdefault(source)
+            return source
+
+    sys.path.insert(0, str(ROOT.parent))
+    application = QgsApplication([], False)
+    application.initQgis()
+    recorder = Recorder()
+    QCoreApplication.installTranslator(recorder)
+    _ask_for_all()
+    QCoreApplication.removeTranslator(recorder)
+    application.exitQgis()
+    return list(recorder.asked)
+
+
+def _ask_for_all() -> None:
+    """Make every algorithm say what it says before it runs."""
+    import importlib
+
+    package = importlib.import_module(f"{ROOT.name}.algorithms.provider")
+    provider = package.UrbanMapProvider()
+    provider.register()
+    provider.name(), provider.longName()
+    for algorithm in provider.algorithms():
+        made = algorithm.create()
+        made.displayName(), made.group(), made.tags(), made.shortHelpString(), made.shortDescription()
+
+
+def legends() -> Iterator[str]:
+    """Legends in the styles."""
+    for path in sorted(STYLES.glob("*.qml")):
+        for element in ElementTree.parse(path).getroot().iter():
+            label = element.get("label", "")
+            if element.tag in ("category", "range", "rule", "item", "paletteEntry") and re.search("[A-Za-z]{2}", label):
+                yield label
+
+
+def texts() -> list[str]:
+    """All that is said, each once, in the order of the code."""
+    said = dict.fromkeys(declared())
+    for folder, functions in SAYING.items():
+        said.update(dict.fromkeys(constants_said(ROOT / folder, functions)))
+    said.update(dict.fromkeys(legends()))
+    return list(said)
+
+
+def read_source(path: Path) -> dict[str, str]:
+    """Finished translations of a file by their English text."""
+    if not path.is_file():
+        return {}
+    found = {}
+    for message in ElementTree.parse(path).getroot().iter("message"):
+        translation = message.find("translation")
+        if translation is not None and translation.text and translation.get("type") is None:
+            found[message.findtext("source", "")] = translation.text
+    return found
+
+
+def write_source(path: Path, said: list[str], translations: dict[str, str]) -> None:
+    """A Qt translation source of all texts, unfinished where there is no translation."""
+    language = path.stem.rpartition("_")[2]
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', "<!DOCTYPE TS>",
+             f'<TS version="2.1" language="{language}" sourcelanguage="en">', "<context>",
+             f"    <name>{CONTEXT}</name>"]
+    for text in said:
+        told = translations.get(text)
+        lines += ["    <message>", f"        <source>{escape(text)}</source>",
+                  f"        <translation>{escape(told)}</translation>" if told else
+                  '        <translation type="unfinished"></translation>', "    </message>"]
+    path.write_text("\n".join([*lines, "</context>", "</TS>", ""]), encoding="utf-8")
+
+
+def fields(text: str) -> set[str]:
+    """Names of the fields that a format string fills."""
+    try:
+        return {name for _, name, _, _ in string.Formatter().parse(text) if name is not None}
+    except ValueError:  # no format string: braces of a text
+        return set()
+
+
+def faults(path: Path, said: list[str]) -> list[str]:
+    """What is wrong with a translation: texts without one, fields that the English text does not fill."""
+    translations = read_source(path)
+    wrong = [f"{path.name} does not translate: {text!r}" for text in said if text not in translations]
+    wrong += [f"{path.name} says more than: {text!r}" for text in set(translations) - set(said)]
+    wrong += [f"{path.name} fills other fields than: {text!r}" for text, told in translations.items()
+              if fields(told) - fields(text)]
+    return wrong
+
+
+def compiled(path: Path) -> bytes:
+    """The translation as Qt reads it."""
+    command = shutil.which("lrelease") or shutil.which("lrelease-qt5")
+    if command is None:
+        raise SystemExit("lrelease is missing: install Qt's translation tools (Debian: qttools5-dev-tools).")
+    target = path.with_suffix(".qm")
+    subprocess.run([command, "-silent", "-removeidentical", str(path), "-qm", str(target)], check=True)
+    return target.read_bytes()
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--check", action="store_true", help="write nothing, fail on what is missing")
+    parser.add_argument("--take", type=Path, help="JSON of English texts and translations to take over")
+    arguments = parser.parse_args()
+    said = texts()
+    wrong = []
+    for path in sorted(TRANSLATIONS.glob("urbanmap_*.ts")):
+        if not arguments.check:
+            known = read_source(path)
+            if arguments.take:
+                import json
+
+                known.update(json.loads(arguments.take.read_text(encoding="utf-8")))
+            write_source(path, said, known)
+            compiled(path)
+        wrong += faults(path, said)
+    print("\n".join(wrong) or f"{len(said)} texts, all translated")
+    return 1 if wrong and arguments.check else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,47 @@
+"""What the core says, in English and by a catalogue."""
+
+from __future__ import annotations
+
+import pytest
+
+from urbanmap_qgis import wording
+from urbanmap_qgis.wording import known, mark, say
+
+CATALOGUE = """<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ja"><context><name>UrbanMap</name>
+<message><source>{path} holds {count:,} points.</source><translation>{path} の点数：{count:,}</translation></message>
+<message><source>roof &amp; wall</source><translation>屋根と壁</translation></message>
+<message><source>not yet</source><translation type="unfinished">まだ</translation></message>
+</context></TS>
+"""
+
+
+@pytest.fixture
+def japanese(tmp_path):
+    path = tmp_path / "urbanmap_ja.ts"
+    path.write_text(CATALOGUE, encoding="utf-8")
+    wording.use_catalogue(path)
+    yield path
+    wording.use_catalogue(None)
+
+
+def test_english_is_said_as_it_is_written():
+    assert say("{path} holds {count:,} points.", path="a.laz", count=12345) == "a.laz holds 12,345 points."
+    assert known("roof & wall") == mark("roof & wall") == "roof & wall"
+    assert wording.language() == "en" and wording.catalogue_path() is None
+
+
+def test_a_catalogue_puts_the_fields_where_its_language_wants_them(japanese):
+    assert say("{path} holds {count:,} points.", path="a.laz", count=12345) == "a.laz の点数：12,345"
+    assert known("roof & wall") == "屋根と壁"
+    assert wording.language() == "ja" and wording.catalogue_path() == japanese
+
+
+def test_what_is_not_or_not_finally_translated_stays_english(japanese):
+    assert say("not yet") == "not yet"
+    assert say("{0} of {n}".replace("{0}", "none"), n=3) == "none of 3"
+
+
+def test_braces_in_values_are_not_fields():
+    assert say("{text} is damaged.", text="{a}{0}") == "{a}{0} is damaged."
