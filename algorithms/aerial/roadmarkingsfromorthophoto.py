@@ -167,8 +167,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         count = self.raster_path(parameters, "FRAME_COUNT", context)
         evidence = OrthophotoQuality(read_pairs(self, parameters, context), count and frame_count_shares(count),
                             bool(parameters.get("ROADS")), contrast)
-        settings = self.settings_of({name: value for name, value in parameters.items() if name != "NOTE"})
-        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence, settings,
+        write_marking_report(path, self.raster_path(parameters, "INPUT", context), found, evidence,
                              self.parameterAsString(parameters, "NOTE", context))
         return str(path)
 

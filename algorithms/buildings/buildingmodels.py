@@ -202,8 +202,8 @@ class BuildingModels(UrbanMapAlgorithm):
             write_model_cityjson(paths["OUTPUT_CITYJSON"], CityModel(reference, objects_of_models(
                 models, {**table.columns, **columns}, names.of), title="UrbanMap building models"), progress)
         if "OUTPUT_REPORT" in paths:
-            write_model_report(paths["OUTPUT_REPORT"], names.columns(columns), self.settings_of(parameters),
-                               table.geometries)
+            write_model_report(paths["OUTPUT_REPORT"], names.columns(columns), table.geometries,
+                               self.parameterAsString(parameters, "NOTE", context))
         return {name: str(path) for name, path in results.items() if path}
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import re
 from collections.abc import Mapping
 from contextlib import nullcontext
 from html import escape
@@ -47,8 +45,6 @@ GROUPS = {
 }
 
 POINT_SUFFIXES = (".las", ".laz")
-
-TEMPORARY_LAYER = re.compile(r"_[0-9a-f]{8}(_[0-9a-f]{4}){3}_[0-9a-f]{12}$")  # as QGIS names them
 
 AROUND = 60.0  # m of a raster read beyond the features that it is for
 
@@ -188,7 +184,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Compute with all outputs beside their places, then move them there together."""
         try:
             run = destinations.staged(self, parameters, context, staging)
-            with same_sums(), self._points_crs(run, context), self._scheduler(run, context):
+            with same_sums(), self._points_crs(run, context), self._scheduler(run, context), \
+                    self._told(parameters, context):
                 results = self.compute(run, context, feedback)
             staging.publish()
         except UrbanMapError as error:
@@ -213,6 +210,16 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             return nullcontext()
         address = self.parameterAsString(parameters, "SCHEDULER", context).strip()
         return scheduler(address, destinations.folders_of(self, parameters, context)) if address else nullcontext()
+
+    def _told(self, parameters: Mapping, context: QgsProcessingContext):
+        """Context in which reports tell how they were made; nothing to tell where there is no report."""
+        if not any(definition.name().endswith("REPORT") and parameters.get(definition.name())
+                   for definition in self.destinationParameterDefinitions()):
+            return nullcontext()
+        from ...urbanmap_qgis.io.report import run_told
+        from .run_facts import run_facts
+
+        return run_told(run_facts(self, parameters, context))
 
     def _check_all(self, parameters: Mapping, context: QgsProcessingContext) -> None:
         destinations.check_destinations(self, parameters, context)
@@ -301,15 +308,6 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         if style:
             layers.give_style(context, text, style)
         return Path(text)
-
-    def settings_of(self, parameters: Mapping) -> dict[str, str]:
-        """Labels and values of all input parameters as a run used them, for reports; of what does not matter, none."""
-        settings = {}
-        for definition in self.parameterDefinitions():
-            if not definition.isDestination() and definition.name() != "WORKERS":
-                value = parameters.get(definition.name(), definition.defaultValue())
-                settings[definition.description()] = "" if value is None else _value_text(value)
-        return settings
 
     def progress(self, feedback: QgsProcessingFeedback) -> Progress:
         """The core's progress object that speaks to QGIS and obeys its Cancel button."""
@@ -456,15 +454,3 @@ def _default(definition) -> str:
 
 def _is_optional(definition) -> bool:
     return bool(definition.flags() & definition.Flag.FlagOptional)
-
-
-def _value_text(value: object) -> str:
-    """A parameter's value as a report shows it: of files their names only."""
-    if isinstance(value, (list, tuple)):
-        return ", ".join(map(_value_text, value))
-    if hasattr(value, "source") and hasattr(value, "name"):
-        return value.name()
-    text = str(value)
-    if TEMPORARY_LAYER.search(text):
-        return tr("temporary layer")
-    return Path(text).name if os.sep in text else text

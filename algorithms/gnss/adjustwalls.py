@@ -84,8 +84,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
                              "why."))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_adjustment_report(report, signals, made, buildings.names, table.geometries,
-                                    self.settings_of(parameters))
+            write_adjustment_report(report, signals, made, buildings.names, table.geometries)
         walls = None
         if parameters.get("OUTPUT_WALLS"):
             walls = self.write_layer(parameters, "OUTPUT_WALLS", context, make_fields(*WALL_COLUMNS),

@@ -68,7 +68,7 @@ class GnssReflections(GnssInputs, UrbanMapAlgorithm):
         rows = thinned(signals, self.parameterAsDouble(parameters, "EVERY", context))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_reflection_report(report, signals, paths, corrected, figures, self.settings_of(parameters))
+            write_reflection_report(report, signals, paths, corrected, figures)
         layer = self.write_layer(
             parameters, "OUTPUT", context, make_fields(*COLUMNS),
             ray_columns(walls, buildings.names, signals, paths, corrected, rows), buildings.table.crs,

@@ -106,7 +106,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         if report:
             from ...urbanmap_qgis.mobile.lines.rectification_report import write_report
 
-            write_report(report, file.trajectory, made, self.settings_of(parameters), notes)
+            write_report(report, file.trajectory, made, notes)
             results["OUTPUT_REPORT"] = str(report)
         return {**results, **numbers_of(made)}
 

@@ -106,7 +106,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
         results = self._write_layers(parameters, context, made, crs, progress)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_network_report(report, made, self.settings_of(parameters))
+            write_network_report(report, made)
             results["OUTPUT_REPORT"] = str(report)
         targets[0].parent.mkdir(parents=True, exist_ok=True)
         for drive, like, target in zip(made.drives, files, targets):

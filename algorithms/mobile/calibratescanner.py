@@ -97,6 +97,6 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
             results["OUTPUT_TABLE"] = table
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_boresight_report(report, made, self.settings_of(parameters))
+            write_boresight_report(report, made)
             results["OUTPUT_REPORT"] = str(report)
         return results

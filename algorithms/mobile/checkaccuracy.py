@@ -65,7 +65,7 @@ class CheckAccuracy(UrbanMapAlgorithm):
                                                   crs or reported.crs_wkt or "", progress)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_accuracy_report(report, used, errors, self.settings_of(parameters), left_out)
+            write_accuracy_report(report, used, errors, left_out)
             results["OUTPUT_REPORT"] = str(report)
         return results
 

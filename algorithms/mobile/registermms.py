@@ -118,7 +118,7 @@ class RegisterMms(UrbanMapAlgorithm):
         results.update(self._write_patches(parameters, context, made, crs, progress))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_registration_report(report, made, reference, self.settings_of(parameters),
+            write_registration_report(report, made, reference,
                                       self.raster_path(parameters, "IMAGE", context))
             results["OUTPUT_REPORT"] = str(report)
         return results

@@ -70,10 +70,13 @@ class CheckVectorMap(UrbanMapAlgorithm):
         return {**results, "OUTPUT_REPORT": str(report)}
 
     def _write_report(self, path, parameters, faults, lanelets):
-        from ...urbanmap_qgis.io.report import Report
+        from ...urbanmap_qgis.io.report import BAD, GOOD, LOOK, Report
 
         report = Report(tr("Check of a lane map"))
-        report.facts({**self.settings_of(parameters), tr("Lanelets"): lanelets})
+        errors = sum(fault.severity == "error" for fault in faults)
+        report.verdict(BAD if errors else LOOK if faults else GOOD, tr(
+            "{0} lanelets, {1} errors, {2} warnings. Where errors are, the map cannot be loaded or routed; "
+            "warnings are worth a look.").format(lanelets, errors, len(faults) - errors))
         report.section(tr("Faults by rule"))
         counts = Counter((fault.severity, fault.rule) for fault in faults)
         report.table((tr("Severity"), tr("Rule"), tr("Number")),

@@ -69,7 +69,7 @@ class AerialMarkings(UrbanMapAlgorithm):
                     **wanted, GROUND=als["OUTPUT_GROUND"], DSM=als["OUTPUT"],
                     OUTPUT=place("OUTPUT_ORTHOPHOTO", "orthophoto.tif"))
         told = {"SHIFTS": ortho["OUTPUT_SHIFTS"], "FRAME_COUNT": ortho["OUTPUT_COUNT"],
-                "NOTE": self._note(parameters, ortho)} if report else {}
+                "NOTE": self._note(ortho)} if report else {}
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         method = "paper" if paper else self.parameterAsString(parameters, "MARKING_METHOD", context)
         found = run("roadmarkingsfromorthophoto", METHOD=method,
@@ -84,8 +84,7 @@ class AerialMarkings(UrbanMapAlgorithm):
         return {name: value for name, value in results.items()
                 if name not in ("OUTPUT_ORTHOPHOTO", "OUTPUT_GROUND", "OUTPUT_SHIFTS") or name in given}
 
-    def _note(self, parameters, ortho) -> str:
+    def _note(self, ortho) -> str:
         """What the chain did, for the report."""
-        settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
-        return tr("Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m2. {2}").format(
-            ortho["FRAMES_USED"], ortho["HOLE_AREA"], settings)
+        return tr("Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m².").format(
+            ortho["FRAMES_USED"], ortho["HOLE_AREA"])

@@ -59,9 +59,8 @@ class BuildingsFromAls(UrbanMapAlgorithm):
                     OUTPUT_ROOFS="TEMPORARY_OUTPUT")
         polygons = run("roofpolygons", **pick("METHOD", "ROOFS", "HEIGHT", "MIN_LINE_POINTS", "WORKERS"),
                        POINTS=[roofs["OUTPUT"]], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], OUTPUT="TEMPORARY_OUTPUT")
-        settings = "; ".join(f"{label}: {value}" for label, value in self.settings_of(parameters).items() if value)
         models = run("buildingmodels", **pick("GROUND", "BASE_FIELD", "WORKERS", "OUTPUT", "OUTPUT_SURFACES",
                                               "OUTPUT_CITYJSON", "OUTPUT_REPORT", "OUTPUT_MESH"),
                      ROOFS=polygons["OUTPUT"], FOOTPRINTS=buildings["OUTPUT_BUILDINGS"], POINTS=[roofs["OUTPUT"]],
-                     ROOF_SHAPE=self.parameterAsString(parameters, "ROOFS", context), NOTE=settings)
+                     ROOF_SHAPE=self.parameterAsString(parameters, "ROOFS", context))
         return {name: models[name] for name in models if name in {item.name() for item in self.outputDefinitions()}}

@@ -100,7 +100,7 @@ def test_markings_stay(mosaic, tmp_path, clean, request):
     found = markings_from_orthophoto(mosaic[0] / "ortho.tif", tmp_path / "mask.tif", SearchArea(None, None, None),
                                      settings)
     quality = OrthophotoQuality(None, frame_count_shares(mosaic[0] / "count.tif"), False, 17.0)
-    write_marking_report(tmp_path / "report.html", mosaic[0] / "ortho.tif", found, quality, {"A": "1"})
+    write_marking_report(tmp_path / "report.html", mosaic[0] / "ortho.tif", found, quality)
     report = (tmp_path / "report.html").read_text(encoding="utf-8").partition("base64")[0]
     (tmp_path / "report.html").unlink()
     stays(f"markings_{request.node.callspec.id}", {"found": found, "report": report, "files": tmp_path}, ROUNDED)

@@ -64,7 +64,7 @@ def test_points_roofs_and_polygons_stay(chain):
 def test_models_and_their_files_stay(chain, tmp_path):
     kind, _, _, _, _, models, placed = chain
     columns = model_columns(models)
-    write_model_report(tmp_path / "report.html", columns, {"A": "1"}, placed.polygons)
+    write_model_report(tmp_path / "report.html", columns, placed.polygons)
     buildings = [CityBuilding(str(model.building_id), {"height": 1.5}, model.solids) for model in models]
     write_cityjson(tmp_path / "models.json", buildings, epsg=6677)
     write_obj(tmp_path / "models.obj", buildings)

@@ -121,8 +121,7 @@ def test_report_shows_before_and_after(tmp_path):
     reported = straight()
     control = points_of(reported, np.arange(5.0, 95.0, 5.0), np.array([0.7, 0.2, 0.1]))
     before = residuals(control)
-    write_accuracy_report(tmp_path / "r.html", control, {"as reported": before, "corrected": before / 10},
-                          {"Control": "c.csv"}, left_out=2)
+    write_accuracy_report(tmp_path / "r.html", control, {"as reported": before, "corrected": before / 10}, left_out=2)
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert "0.728" in text and "0.073" in text and "2 control points were not measured" in text
     assert text.count("<circle") == 2 * len(control)

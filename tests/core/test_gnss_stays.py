@@ -64,7 +64,7 @@ def test_reflections_stay(signals, models, tmp_path):
     paths, corrected = trace_residuals(walls, signals, TraceSettings())
     figures = ray_statistics(signals, paths, corrected)
     rows = thinned(signals, 30.0)
-    write_reflection_report(tmp_path / "report.html", signals, paths, corrected, figures, {})
+    write_reflection_report(tmp_path / "report.html", signals, paths, corrected, figures)
     names = np.array([str(number) for number in range(models[1].max() + 1)], object)
     stays("gnss_reflections", {
         "walls": walls, "figures": figures, "paths": paths, "residuals": corrected,
@@ -77,7 +77,7 @@ def test_adjusted_walls_stay(signals, models, tmp_path):
     shapes, building, top, base = models
     made = adjust_walls(shapes, building, signals, top, base, AdjustmentSettings())
     names = np.array([str(number) for number in range(building.max() + 1)], object)
-    write_adjustment_report(tmp_path / "report.html", signals, made, names, shapes, {})
+    write_adjustment_report(tmp_path / "report.html", signals, made, names, shapes)
     stays("gnss_adjusted_walls", {
         "walls": made.walls, "shapes": list(made.shapes), "columns": adjusted_wall_columns(made, names),
         "buildings": building_columns(made, building), "lines": list(wall_lines(made, signals)),

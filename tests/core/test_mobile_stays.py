@@ -70,7 +70,7 @@ def test_accuracy_and_landmark_update_stay(survey, tmp_path):
     updated = update_by_landmarks(reported, control.take(slice(0, None, 3)))
     errors = {"reported": residuals(control), "updated": residuals(control, correction_between(reported, updated)),
               "true": residuals(control, correction_between(reported, true))}
-    write_accuracy_report(tmp_path / "report.html", control, errors, {"A": "1"}, 2)
+    write_accuracy_report(tmp_path / "report.html", control, errors, 2)
     stays("mobile_accuracy", {"updated": updated, "errors": errors, "files": tmp_path,
                               "figures": {name: accuracy(values) for name, values in errors.items()}})
 
@@ -97,7 +97,7 @@ def test_registration_stays(survey, markings, paint, small_city, tmp_path, kind)
     reference = Reference.from_polygons(list(shapely.force_2d(paint)), ground, CRS.from_epsg(6677).to_wkt())
     settings = RegistrationSettings(three_d=kind == "space")
     made = register_markings(markings, reported, reference, RegistrationRun(settings, CorrectionSettings()))
-    write_registration_report(tmp_path / "report.html", made, reference, {"A": "1"}, None)
+    write_registration_report(tmp_path / "report.html", made, reference, None)
     report = (tmp_path / "report.html").read_text(encoding="utf-8")
     stays(f"mobile_registration_{kind}", {
         "trajectory": made.trajectory, "windows": made.windows, "correction": made.correction,

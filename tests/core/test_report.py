@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError, OutputError
-from urbanmap_qgis.io.report import Report
+from urbanmap_qgis.io.report import BAD, LOOK, Report, RunFacts, rounded, run_told
 from urbanmap_qgis.io.svg import RAMP, UNKNOWN, bars, plan_map
 
 
@@ -57,3 +57,45 @@ def test_map_draws_each_plan_in_its_colour_to_scale():
     spans = [np.ptp([float(x) for x in re.findall(r"[ML]([\d.]+) ", item.get("d"))]) for item in paths]
     assert spans == pytest.approx([100, 200, 100], abs=0.2)
     assert paths[2].get("d").count("M") == 2 and "&lt;7&gt;" in text
+
+
+def test_the_verdict_comes_first_and_the_run_last(tmp_path):
+    outer = RunFacts("A chain", "1.2", "EPSG:6677", "JGD2011 (vertical) height", {"Outlines": "建物.gpkg"},
+                     {"Ratio": "0.5"})
+    with run_told(outer), run_told(RunFacts("A step")):
+        report = Report("Page")
+        report.paragraph("Body")
+        report.verdict(BAD, "Do not use it.")
+        report.verdict(LOOK, "Look at <it>.")
+        report.write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    places = [page.index(text) for text in ("<h1>Page", "Look at &lt;it&gt;.", "Body", "UrbanMap 1.2, A chain",
+                                            "EPSG:6677", "JGD2011 (vertical) height", "建物.gpkg", "Ratio")]
+    assert places == sorted(places) and "Do not use it." not in page and "A step" not in page
+    Report("Alone").write(tmp_path / "alone.html")
+    assert "How this was made" not in (tmp_path / "alone.html").read_text(encoding="utf-8")
+
+
+def test_pages_fit_a_narrow_screen(tmp_path):
+    report = Report("Page")
+    report.table(["a"] * 20, [[1] * 20])
+    report.figure(bars(np.array([1, 4, 2]), np.array([0.0, 1.0, 2.0, 3.0]), "m"), "chart")
+    report.write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert 'name="viewport"' in page and '<div class="wide"><table>' in page
+    assert 'viewBox="0 0 460 200" width="460" height="200"' in page and "@media print" in page
+
+
+@pytest.mark.parametrize(("value", "text"), [(0.0123, "0.012"), (1.2345, "1.23"), (123.45, "123.5"), (100.0, "100"),
+                                             (123456.7, "123,457"), (0.0, "0"), (-0.5, "-0.500"), (1e-5, "1e-05")])
+def test_numbers_have_the_decimals_that_they_mean(value, text):
+    assert rounded(value) == text
+
+
+def test_a_note_of_settings_is_a_table(tmp_path):
+    for name, text in (("a", "Width: 3 m; Method: paper"), ("b", "Frames used: all. Nothing else.")):
+        report = Report("Page")
+        report.note(text)
+        report.write(tmp_path / f"{name}.html")
+    assert "<th>Width</th><td>3 m</td>" in (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert "<p>Frames used: all. Nothing else.</p>" in (tmp_path / "b.html").read_text(encoding="utf-8")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from rasterio.enums import Resampling
 from rasterio.transform import Affine
 
 from ..io.raster import own_gdal
-from ..io.report import Report
+from ..io.report import BAD, GOOD, LOOK, Report
 from .marking_files import MarkingResult, colour_bands
 from .marking_polygons import CACHE
 from .stored_polygons import batches
@@ -77,25 +77,30 @@ def frame_count_shares(path: str | os.PathLike) -> list[float]:
 
 
 def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike, found: MarkingResult,
-                         evidence: OrthophotoQuality, settings: Mapping[str, object], note: str = "") -> None:
+                         evidence: OrthophotoQuality, note: str = "") -> None:
     """Write the report.
 
     Parameters
     ----------
-    settings : of the run, labels and values. note : of whoever ran it, such as the settings of a chain.
+    note : of whoever ran it, such as the settings of a chain.
 
     Raises
     ------
     OutputError : it cannot be written.
     """
     report = Report("Road markings from the air")
-    _result(report, found)
-    report.section("What to distrust")
     doubts = quality_warnings(found, evidence)
+    if not len(found.polygons):
+        report.verdict(BAD, doubts[-1])
+    else:
+        report.verdict(LOOK if doubts else GOOD, f"{len(found.polygons)} markings were found. "
+                       + (f"{len(doubts)} things are to be looked at first." if doubts else
+                          "Nothing stands out; check some markings against the picture all the same."))
+    if doubts:
+        report.section("What to distrust")
     for doubt in doubts:
         report.warning(doubt)
-    if not doubts:
-        report.paragraph("Nothing stands out. Check some markings against the picture all the same.")
+    _result(report, found)
     _agreement(report, evidence)
     if len(found.polygons):
         report.section("Figures of the markings")
@@ -104,10 +109,7 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
         if np.isfinite(found.polygons.confidence).all():
             report.histogram(found.polygons.confidence, "confidence", "Markings by confidence", upper=1.0)
     _pictures(report, Path(orthophoto), found)
-    report.section("Settings")
-    if note:
-        report.paragraph(note)
-    report.facts({name: value for name, value in settings.items() if value not in (None, "")})
+    report.note(note)
     report.write(path)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import volume
-from ..io.report import Report
+from ..io.report import BAD, GOOD, LOOK, Report
 from ..io.svg import plan_map
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
 from .model_stage import BuildingModel
@@ -57,18 +57,24 @@ def _row(model: BuildingModel) -> dict:
     }
 
 
-def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence], settings: Mapping[str, object],
-                       plans: Sequence[shapely.Geometry | None] = ()) -> None:
-    """Write the HTML report of a run: counts, quality, the worst buildings with reasons, the settings.
+def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
+                       plans: Sequence[shapely.Geometry | None] = (), note: str = "") -> None:
+    """Write the HTML report of a run: verdict, the worst buildings with reasons, counts, quality.
 
     Parameters
     ----------
     columns : as `model_columns` gives them.
-    settings : names and values of the inputs and parameters; empty ones are left out.
+    note : of whoever ran it, such as the settings of a chain.
     plans : plan of each building, for the map.
     """
     status = np.array(columns["status"], dtype=object)
     report = Report("Building models")
+    _verdict(report, status)
+    worst = _worst(columns)
+    report.section(f"The worst {len(worst)}")
+    names = ("building_id", "status", "quality", "roofs", "points", "rmse_z95", "p95")
+    heads = ("building", "status", "quality", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
+    report.table(heads, [[*(columns[name][row] for name in names), _why(columns, row)] for row in worst])
     report.section("Result")
     report.facts({
         "Buildings": len(status),
@@ -76,13 +82,10 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
         "Mean RMSE of roof heights (m)": _mean(columns["rmse_z"]),
         "Mean RMSE of the best 95 % (m)": _mean(columns["rmse_z95"]),
         "Mean point to model distance, RMSE (m)": _mean(columns["rmse_3d"]),
+        "Mean quality, 0 to 1": _mean(columns["quality"]),
     })
-    report.facts({"Mean quality, 0 to 1": _mean(columns["quality"])})
     report.table(("status", "buildings", "what it says"),
                  [(word, number, STATUSES[word]) for word, number in counts(columns["status"]).items() if number])
-    if (status == NOT_MODELLED).any():
-        report.warning(f"{int((status == NOT_MODELLED).sum())} buildings have no model; they keep their rows, with "
-                       "the reason, in the result.")
     report.section("Quality")
     report.paragraph("Distances to the models of all points that can be roof, whether or not a roof was made of them. "
                      "Level roofs (lod 1.3) in place of sloped ones show the slope as height differences.")
@@ -95,19 +98,25 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
                      "Buildings by point to model distance", upper=4.0)
     report.histogram(np.array(columns["density"], float), "points a m²", "Buildings by point density")
     report.histogram(100 * np.array(columns["unseen"], float), "% of the plan", "Buildings by plan without points")
-    worst = _worst(columns)
     if len(plans) and not shapely.is_missing(np.array(plans, dtype=object)).all():
         report.section("Map")
         labels = {int(row): str(columns["building_id"][row]) for row in worst}
         report.figure(plan_map(plans, np.array(columns["rmse_z95"], float), (0.15, 0.3, 0.6, 1.0), "m", labels),
                       "RMSE of height, best 95 %, of each building; the worst are numbered. North is up.")
-    report.section(f"The worst {len(worst)}")
-    names = ("building_id", "status", "quality", "roofs", "points", "rmse_z95", "p95")
-    heads = ("building", "status", "quality", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
-    report.table(heads, [[*(columns[name][row] for name in names), _why(columns, row)] for row in worst])
-    report.section("Settings")
-    report.facts({name: value for name, value in settings.items() if value not in (None, "")})
+    report.note(note)
     report.write(path)
+
+
+def _verdict(report: Report, status: np.ndarray) -> None:
+    """How many models can be used as they are."""
+    good, missing = int((status == "ok").sum()), int((status == NOT_MODELLED).sum())
+    text = f"{good} of {len(status)} buildings have a model that explains their points."
+    others = len(status) - good - missing
+    if others:
+        text += f" {others} have one with a remark: look at the worst below first."
+    if missing:
+        text += f" {missing} have no model; they keep their rows, with the reason, in the result."
+    report.verdict(BAD if not len(status) - missing else LOOK if others or missing else GOOD, text)
 
 
 def _worst(columns: Mapping[str, Sequence]) -> np.ndarray:

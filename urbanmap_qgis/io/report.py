@@ -1,4 +1,7 @@
-"""Self-contained HTML reports: text, tables, simple charts and pictures in one file."""
+"""Self-contained HTML reports: a verdict, text, tables, simple charts and pictures in one file.
+
+A report says by itself how it was made (`RunFacts`), as far as its run was told by `run_told`.
+"""
 
 from __future__ import annotations
 
@@ -6,34 +9,101 @@ import base64
 import html
 import math
 import os
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from datetime import date
 from pathlib import Path
 
 import numpy as np
 
 from ..errors import InputError
+from ..wording import known, language, say
 from .atomic import written_beside
 from .svg import bars
 
 _STYLE = """
 body { font-family: sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em;
-  line-height: 1.45; }
+  line-height: 1.45; overflow-wrap: anywhere; }
 h1 { font-size: 1.6em; border-bottom: 3px solid #2f6f8f; padding-bottom: .3em; }
 h2 { font-size: 1.2em; margin-top: 2em; color: #2f6f8f; }
-table { border-collapse: collapse; margin: 1em 0; font-size: .92em; }
+div.wide { overflow-x: auto; }
+table { border-collapse: collapse; margin: 1em 0; font-size: .92em; overflow-wrap: normal; }
 th, td { border-bottom: 1px solid #ddd; padding: .3em .8em; text-align: left; vertical-align: top; }
 th { background: #eef4f7; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+p.verdict { font-size: 1.1em; padding: .7em 1em; border-left: 6px solid #7b8b95; background: #eef1f3; }
+p.good { background: #e6f4ea; border-color: #1a9850; }
+p.look { background: #fff4e0; border-color: #e09a2b; }
+p.bad { background: #fdeaea; border-color: #d7263d; }
 p.warning { background: #fff4e0; border-left: 4px solid #e09a2b; padding: .6em 1em; }
-figure { margin: 1em 0; display: inline-block; }
-figure img { max-width: 100%; }
+figure { margin: 1em 0; display: inline-block; max-width: 100%; }
+figure img, figure svg { max-width: 100%; height: auto; }
 figcaption { font-size: .9em; color: #555; }
+@media (max-width: 30em) {
+  body { margin: .6em auto; padding: 0 .6em; font-size: .95em; }
+  th, td { padding: .25em .4em; }
+}
+@media print {
+  body { max-width: none; margin: 0; font-size: 10pt; }
+  div.wide { overflow: visible; }
+  h2 { break-after: avoid; }
+  figure, tr, p { break-inside: avoid; }
+  p.verdict, p.warning, th { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+}
 """.strip()
 
 _PICTURES = ((b"\x89PNG\r\n\x1a\n", "image/png"), (b"\xff\xd8\xff", "image/jpeg"))
 """How picture files begin, and their media types."""
 
+_SIZE = re.compile(r'<svg((?:(?!viewBox)[^>])*?)width="(\d+)" height="(\d+)"(?![^>]*viewBox)')
+
 Cell = object
+
+GOOD, LOOK, BAD = "good", "look", "bad"
+"""How good a result is: it can be used; look at what is named first; it cannot be used as it is."""
+
+
+@dataclass(frozen=True)
+class RunFacts:
+    """What a report tells of the run that made it.
+
+    Attributes
+    ----------
+    work : name of the algorithm. version : of the program. crs, heights : reference and height system, as text.
+    inputs, settings : by their labels, as the user knows them. day : of the run.
+    """
+
+    work: str
+    version: str = ""
+    crs: str = ""
+    heights: str = ""
+    inputs: Mapping[str, str] = field(default_factory=dict)
+    settings: Mapping[str, str] = field(default_factory=dict)
+    day: date = field(default_factory=date.today)
+
+    def rows(self) -> dict[str, str]:
+        """What is known, by its name."""
+        made = {say("Made by"): f"UrbanMap {self.version}, {self.work}".replace(" ,", ","),
+                say("Day"): self.day.isoformat(), say("Coordinate reference system"): self.crs,
+                say("Height system"): self.heights, **self.inputs}
+        return {name: value for name, value in made.items() if value}
+
+
+_RUN: ContextVar[RunFacts | None] = ContextVar("run of a report", default=None)
+
+
+@contextmanager
+def run_told(facts: RunFacts) -> Iterator[None]:
+    """Context in which reports tell `facts` of their run; of nested runs they tell the outermost, the user's."""
+    before = _RUN.get()
+    token = _RUN.set(before or facts)
+    try:
+        yield
+    finally:
+        _RUN.reset(token)
 
 
 class Report:
@@ -42,13 +112,16 @@ class Report:
     Parameters
     ----------
     title : heading of the page.
-    language : language code of the texts, for the page's header.
     """
 
-    def __init__(self, title: str, language: str = "en"):
+    def __init__(self, title: str):
         self._title = title
-        self._language = language
+        self._verdict = ""
         self._parts: list[str] = []
+
+    def verdict(self, grade: str, text: str) -> None:
+        """Say first of all what was reached, whether that is good enough and what to do; `grade`: GOOD, LOOK, BAD."""
+        self._verdict = f'<p class="verdict {grade}">{html.escape(text)}</p>\n'
 
     def section(self, heading: str) -> None:
         """Begin a new section."""
@@ -66,13 +139,14 @@ class Report:
         """Add a table; numbers are aligned right, missing ones (None, NaN) shown as a dash."""
         head = "".join(f"<th>{html.escape(name)}</th>" for name in header)
         body = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
-        self._parts.append(f"<table><thead><tr>{head}</tr></thead><tbody>\n{body}\n</tbody></table>")
+        self._parts.append('<div class="wide"><table><thead><tr>'
+                           f"{head}</tr></thead><tbody>\n{body}\n</tbody></table></div>")
 
     def facts(self, facts: Mapping[str, Cell]) -> None:
         """Add a two-column table of names and values."""
         rows = "\n".join(f"<tr><th>{html.escape(name)}</th>{_cell(value)}</tr>"
                          for name, value in facts.items())
-        self._parts.append(f"<table><tbody>\n{rows}\n</tbody></table>")
+        self._parts.append(f'<div class="wide"><table><tbody>\n{rows}\n</tbody></table></div>')
 
     def histogram(self, values: np.ndarray, label: str, caption: str, bins: int = 24,
                   upper: float | None = None) -> None:
@@ -84,7 +158,7 @@ class Report:
         missing = int(np.count_nonzero(~np.isfinite(finite)))
         finite = finite[np.isfinite(finite)]
         if missing:
-            caption = f"{caption} ({missing} without a value)"
+            caption = say("{caption} ({missing} without a value)", caption=caption, missing=missing)
         if not len(finite):
             self.paragraph(caption)
             return
@@ -94,7 +168,8 @@ class Report:
         self.figure(bars(counts, edges, label), caption)
 
     def figure(self, svg: str, caption: str) -> None:
-        """Add a picture given as SVG."""
+        """Add a picture given as SVG; it shrinks with the page."""
+        svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
         self._parts.append(f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>")
 
     def picture(self, path: str | os.PathLike, caption: str) -> None:
@@ -120,11 +195,47 @@ class Report:
         OutputError : the file cannot be written there.
         """
         title = html.escape(self._title)
-        page = (f'<!DOCTYPE html>\n<html lang="{self._language}">\n<head>\n<meta charset="utf-8">\n'
+        self._about_run()
+        page = (f'<!DOCTYPE html>\n<html lang="{language()}">\n<head>\n<meta charset="utf-8">\n'
+                '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
                 f"<title>{title}</title>\n<style>\n{_STYLE}\n</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
-                + "\n".join(self._parts) + "\n</body>\n</html>\n")
+                + self._verdict + "\n".join(self._parts) + "\n</body>\n</html>\n")
         with written_beside(path) as temporary:
             temporary.write_text(page, encoding="utf-8")
+
+
+    def note(self, text: str) -> None:
+        """Add a note of whoever made the run; one of settings ("name: value; name: value") becomes a table."""
+        pairs = [part.partition(": ") for part in text.split("; ")]
+        if not text:
+            return
+        self.section(say("Note"))
+        if len(pairs) > 1 and all(sign for _, sign, _ in pairs):
+            self.facts({name: value for name, _, value in pairs})
+        else:
+            self.paragraph(text)
+
+    def _about_run(self) -> None:
+        """Add what the run was, as far as it was told."""
+        facts = _RUN.get()
+        if facts is None:
+            return
+        self.section(say("How this was made"))
+        self.facts(facts.rows())
+        if facts.settings:
+            self.section(say("Settings"))
+            self.facts(facts.settings)
+
+
+def rounded(value: float) -> str:
+    """A number with as many decimals as it means: three below 1, two below 100, one below 1000, none above."""
+    size = abs(value)
+    if not size:
+        return "0"
+    if size < 0.001:
+        return f"{value:.2g}"
+    whole = size >= 1000 or (size >= 100 and value == int(value))
+    return f"{value:,.{0 if whole else 1 if size >= 100 else 2 if size >= 1 else 3}f}"
 
 
 def _cell(value: Cell) -> str:
@@ -132,9 +243,9 @@ def _cell(value: Cell) -> str:
     if value is None or (isinstance(value, (float, np.floating)) and not math.isfinite(value)):
         return '<td class="number">–</td>'
     if isinstance(value, (bool, np.bool_)):
-        return f"<td>{'yes' if value else 'no'}</td>"
+        return f"<td>{html.escape(say('yes') if value else say('no'))}</td>"
     if isinstance(value, (int, np.integer)):
         return f'<td class="number">{int(value):,}</td>'
     if isinstance(value, (float, np.floating)):
-        return f'<td class="number">{float(value):,.3f}</td>'
-    return f"<td>{html.escape(str(value))}</td>"
+        return f'<td class="number">{rounded(float(value))}</td>'
+    return f"<td>{html.escape(known(str(value)))}</td>"

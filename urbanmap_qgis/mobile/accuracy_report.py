@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..io.report import Report
+from ..io.report import LOOK, Report
 from ..io.svg_profile import COLOURS, Series, profile
 from .control import Accuracy, ControlPoints, accuracy
 
@@ -15,19 +15,23 @@ _WORST = 10
 
 
 def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, errors: Mapping[str, np.ndarray],
-                          settings: Mapping[str, str], left_out: int = 0) -> None:
+                          left_out: int = 0) -> None:
     """Write the report (HTML).
 
     Parameters
     ----------
     errors : (n, 3) at the control points, m, for each state of the survey by its name, the best last.
-    settings : what the run was given.  left_out : control points outside the survey's time.
+    left_out : control points outside the survey's time.
     """
     report = Report("Accuracy at control points")
     report.paragraph(f"{len(control)} control points. An error is where the survey has a point less where it truly is.")
     if left_out:
         report.warning(f"{left_out} control points were not measured during this survey and are left out.")
     figures = {name: accuracy(values) for name, values in errors.items()}
+    name, best = list(figures.items())[-1]
+    report.verdict(LOOK, f"{name}: {100 * best.mean_2d:.1f} cm off in plan on average and {100 * best.max_2d:.1f} cm "
+                   f"at most, at {len(control)} control points. Compare this with what the job asks for; the worst "
+                   "points are below.")
     report.table(("Survey", "mean 2D (m)", "max 2D (m)", "std 2D (m)", "mean 3D (m)", "max 3D (m)", "std 3D (m)",
                   "east (m)", "north (m)", "up (m)"), [_row(name, item) for name, item in figures.items()])
     report.paragraph("East, north and up are mean errors: what is left in all points alike.")
@@ -46,8 +50,6 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
     worst = np.argsort(-plan)[:_WORST]
     report.table(("Control point", "time (s)", "east (m)", "north (m)", "up (m)", "2D (m)"),
                  [(control.id[k], float(control.time[k]), *map(float, last[k]), float(plan[k])) for k in worst])
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
 
 

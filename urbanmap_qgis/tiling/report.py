@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..io.report import Report
+from ..io.report import BAD, GOOD, LOOK, Report
 from .journal import DONE, EMPTY, FAILED, TileRecord
 from .tile_grid import GridTile, TileGrid
 
@@ -27,13 +27,13 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     count = {status: sum(record.status == status for record in records) for status in (DONE, EMPTY, FAILED)}
     report = Report(title)
     if estimate:
-        report.paragraph(f"This is an estimate from {len(records)} of {len(tiles)} tiles.")
+        report.verdict(LOOK, f"This is an estimate from {len(records)} of {len(tiles)} tiles.")
         report.facts(estimate)
     elif count[FAILED]:
-        report.warning(f"{count[FAILED]} of {len(tiles)} tiles failed; the others are whole. Run again with the same "
-                       "folder when the reasons below are put right: only the failed tiles are then done.")
+        report.verdict(BAD, f"{count[FAILED]} of {len(tiles)} tiles failed; the others are whole. Run again with the "
+                       "same folder when the reasons below are put right: only the failed tiles are then done.")
     else:
-        report.paragraph(f"All {len(tiles)} tiles are done.")
+        report.verdict(GOOD, f"All {len(tiles)} tiles are done.")
     _add_failures(report, records)
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])

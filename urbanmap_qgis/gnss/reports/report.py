@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Mapping
 
 import numpy as np
 
-from ...io.report import Report
+from ...io.report import BAD, GOOD, LOOK, Report
 from ...io.svg import bars
 from ..rays.ray_lines import RayStatistics, ray_statistics
 from ..rays.reflections import LOS, NLOS, REFLECTED, SignalPaths
@@ -21,23 +20,24 @@ _ROWS = 200
 
 
 def write_reflection_report(path: str | os.PathLike, signals: Signals, paths: SignalPaths, corrected: np.ndarray,
-                            figures: RayStatistics, settings: Mapping[str, str]) -> None:
+                            figures: RayStatistics) -> None:
     """Report of traced signals.
 
     Parameters
     ----------
-    corrected : (n,) residuals less the receiver's clock, m.  settings : labels and values of the run.
+    corrected : (n,) residuals less the receiver's clock, m.
     """
     report = Report("GNSS reflections")
+    sure = float(np.mean(paths.sure)) if len(paths.sure) else 0.0
+    report.verdict(GOOD if sure > 0.8 else LOOK, f"{int(np.sum(paths.kind == REFLECTED))} of {len(paths.kind)} signals "
+                   f"are reflected by one wall; of {100 * sure:.0f} % of all signals the class is sure.")
     _signals(report, signals, paths, corrected, figures)
     _distrust(report, signals, paths, corrected)
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
 
 
 def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adjustment, names: np.ndarray,
-                            shapes: np.ndarray, settings: Mapping[str, str]) -> None:
+                            shapes: np.ndarray) -> None:
     """Report of adjusted walls.
 
     Parameters
@@ -47,6 +47,14 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
     report = Report("Walls adjusted by GNSS")
     walls = made.walls
     adjusted = walls.status == ADJUSTED
+    if adjusted.any():
+        report.verdict(GOOD if adjusted.all() else LOOK,
+                       f"{int(adjusted.sum())} of {len(adjusted)} walls are adjusted, with a median standard "
+                       f"deviation of {_median(walls.sigma[adjusted]):.2f} m. The others stay where they were: nothing "
+                       "is known of them.")
+    else:
+        report.verdict(BAD, "No wall was moved: the observations do not decide. The table below tells why; more "
+                       "drives along the walls help.")
     report.facts({"Walls": len(adjusted), "Adjusted": int(adjusted.sum()),
                   "Held back to keep buildings valid": int(np.sum(walls.status == HELD)),
                   "Not observable": int(np.sum(walls.status != ADJUSTED) - np.sum(walls.status == HELD)),
@@ -55,16 +63,12 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
                   "Median sigma of adjusted walls, m": _median(walls.sigma[adjusted]),
                   "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
                   "Iterations until nothing changed": made.iterations})
-    if not adjusted.any():
-        report.warning("No wall was moved: the observations do not decide. The table below tells why.")
     _plan(report, made, shapes)
     _reasons(report, made)
     _wall_table(report, made, names)
     _errors(report, made)
     _signals(report, signals, made.paths, made.corrected, ray_statistics(signals, made.paths, made.corrected))
     _distrust(report, signals, made.paths, made.corrected)
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
 
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 
 import numpy as np
 
-from ...io.report import Report
+from ...io.report import GOOD, LOOK, Report
 from ...io.svg_profile import COLOURS, Series, profile
 from .network import KINDS, plan_residuals
 from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
@@ -15,7 +14,7 @@ from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
 _WORST = 10
 
 
-def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey, settings: Mapping[str, str]) -> None:
+def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> None:
     """Write the report (HTML)."""
     report = Report("Adjustment of several drives")
     _verdict(report, survey)
@@ -29,19 +28,17 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey, settin
     _worst(report, survey)
     for drive in survey.drives:
         _profiles(report, drive)
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
 
 
 def _verdict(report: Report, survey: AdjustedSurvey) -> None:
     if survey.relative:
-        report.warning("The drives agree with each other, but nothing fixes their place: give control points or "
-                       "reference markings, or use the result only for comparing drives.")
+        report.verdict(LOOK, "The drives agree with each other, but nothing fixes their place: give control points "
+                       "or reference markings, or use the result only for comparing drives.")
     else:
         sigma = np.concatenate([drive.plan_sigma() for drive in survey.drives])
-        report.paragraph(f"The drives are placed with a standard deviation of {100 * np.median(sigma):.1f} cm in plan "
-                         f"(median; largest {100 * sigma.max():.0f} cm).")
+        report.verdict(GOOD, f"The drives are placed with a standard deviation of {100 * np.median(sigma):.1f} cm in "
+                       f"plan (median; largest {100 * sigma.max():.0f} cm).")
     for drive in survey.drives:
         if (drive.status == STATUS_NAMES.index("not tied")).all():
             report.warning(f"{drive.name} shares no markings with other drives, control or reference: it stays as "

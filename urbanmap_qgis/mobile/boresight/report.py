@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
 
-from ...io.report import Report
+from ...io.report import BAD, GOOD, LOOK, Report
 from .stage import CalibratedScanners
 
 
-def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners, settings: Mapping[str, str]) -> None:
+def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners) -> None:
     """Write the report (HTML)."""
     found, report = made.boresights, Report("Calibration of scanners")
     determined, total = int(found.determined.sum()), found.determined.size
     text = f"{determined} of {total} values are determined and corrected; the others keep the values of the file."
-    if determined:
-        report.paragraph(text)
-    else:
-        report.warning(text)
+    report.verdict(GOOD if determined == total else LOOK if determined else BAD, text)
     report.facts({"Pairs of planes": found.pairs, "Passes": made.passes,
                   "Distance between planes before, RMS (mm)": 1000 * found.rms_before,
                   "Distance between planes after, RMS (mm)": 1000 * found.rms_after,
@@ -26,6 +22,4 @@ def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners, se
     report.table(("Scanner", "value", "unit", "correction", "standard deviation", "status"), made.rows())
     report.paragraph("Lever arms in metres forward, right and down; angles in degrees about the body's axes. A "
                      "misalignment of the inertial unit that all passes have in common is part of the angles.")
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)

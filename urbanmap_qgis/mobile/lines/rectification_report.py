@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
-from ...io.report import Report
+from ...io.report import BAD, GOOD, LOOK, Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights
@@ -35,10 +35,11 @@ _MAX_POINTS = 3000
 _WIDTH = 900
 
 
-def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified, settings: Mapping[str, str],
+def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified,
                  notes: Sequence[str] = ()) -> None:
-    """Write the HTML report of a rectification; `settings` and `notes` (warnings) are shown as they are."""
+    """Write the HTML report of a rectification; `notes` (warnings) are shown as they are."""
     report = Report("Rectified trajectory")
+    _verdict(report, made, notes)
     for note in notes:
         report.warning(note)
     report.section("Result")
@@ -63,9 +64,18 @@ def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified, s
     if made.heights is not None:
         report.section("Heights")
         _heights(report, before, made.heights)
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
+
+
+def _verdict(report: Report, made: Rectified, notes: Sequence[str]) -> None:
+    """What to expect between the sets, and whether to look further."""
+    figures = made.figures()
+    left_out = len(made.sets) - len(made.used)
+    text = (f"{len(made.used)} of {len(made.sets)} sets of tie points are used; after the rectification they lie "
+            f"{figures.get('AFTER', float('nan')):.2f} m from the reference on average.")
+    if left_out:
+        text += f" {left_out} were left out: look at them in the table below."
+    report.verdict(BAD if not made.used else LOOK if left_out or notes else GOOD, text)
 
 
 def _facts(before: Trajectory, made: Rectified) -> dict[str, object]:

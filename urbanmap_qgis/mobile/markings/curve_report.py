@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ...io.report import Report
+from ...io.report import BAD, GOOD, LOOK, Report
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains
 from .marking_stage import Extraction
@@ -35,6 +35,10 @@ def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequenc
     OutputError : it cannot be written there.
     """
     report = Report("Intensity over range")
+    doubtful = doubts(made)
+    report.verdict(BAD if not len(made.points) else LOOK if doubtful or made.failed else GOOD,
+                   f"{len(made.points):,} marking points on {100 * made.marked_share:.0f} % of the path. "
+                   + (" ".join(doubtful) if doubtful else "Their intensities follow the curves of the scanners."))
     report.paragraph("Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b "
                      "(1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up "
                      "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).")
@@ -64,8 +68,6 @@ def _survey(report: Report, made: Extraction, files: Sequence[str]) -> None:
         "Path with markings, %": 100.0 * made.marked_share,
         "Scatter of the ground's heights, m": made.height_scatter,
         "Reference intensity": made.reference})
-    for sentence in doubts(made):
-        report.warning(sentence)
 
 
 def contrast_of(made: Extraction) -> float:

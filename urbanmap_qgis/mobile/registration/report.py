@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Mapping
 from pathlib import Path
 
 import cv2
 import numpy as np
 
 from ...io.raster import RasterSampler
-from ...io.report import Report
+from ...io.report import BAD, GOOD, LOOK, Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
@@ -21,12 +20,13 @@ from .start.reference import Reference
 _SIDE = 24.0  # m of road that a picture shows
 _PIXEL = 0.04  # m
 _PICTURES = 4
+_MOSTLY = 0.7  # share of the path that is registered where all goes well
 _SHADES = {STATUS_NAMES[BRIDGED]: "#e09a2b", STATUS_NAMES[DISTRUSTED]: "#d7263d"}
 _BEFORE, _AFTER = (60, 60, 235), (60, 200, 40)  # blue, green, red
 
 
 def write_registration_report(path: str | os.PathLike, made: RegisteredSurvey, reference: Reference,
-                              settings: Mapping[str, str], image: str | os.PathLike | None = None) -> None:
+                              image: str | os.PathLike | None = None) -> None:
     """Write the report (HTML).
 
     Parameters
@@ -34,13 +34,28 @@ def write_registration_report(path: str | os.PathLike, made: RegisteredSurvey, r
     image : aerial image behind the pictures (1 or 3 bands of 8 or 16 bits); without it the reference markings.
     """
     report = Report("Registration of a mobile survey")
+    _verdict(report, made)
+    _distrust(report, made)
     _summary(report, made)
     _profiles(report, made)
-    _distrust(report, made)
     _before_and_after(report, made, reference, image)
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
+
+
+def _verdict(report: Report, made: RegisteredSurvey) -> None:
+    """What was reached along the path, and whether it can be used."""
+    registered, distrusted = made.share(REGISTERED), made.share(DISTRUSTED)
+    if not registered:
+        report.verdict(BAD, "No part of the path is registered: the result is as reported. Check that the reference is "
+                       "of the same place, and its date.")
+        return
+    sigma = made.correction.plan_sigma()[made.correction.status == REGISTERED]
+    text = (f"{100 * registered:.0f} % of the path is registered, with a median standard deviation of "
+            f"{100 * np.median(sigma):.1f} cm in plan.")
+    if distrusted:
+        text += (f" {100 * distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table "
+                 "below tells where.")
+    report.verdict(LOOK if distrusted or registered < _MOSTLY else GOOD, text)
 
 
 def _summary(report: Report, made: RegisteredSurvey) -> None:
@@ -109,11 +124,10 @@ def _profiles(report: Report, made: RegisteredSurvey) -> None:
 
 
 def _distrust(report: Report, made: RegisteredSurvey) -> None:
-    report.section("What to distrust")
     found = unregistered_sections(made)
     if not found:
-        report.paragraph("Nothing: the whole path is registered.")
         return
+    report.section("What to distrust")
     report.table(("From (m)", "to (m)", "from time (s)", "to time (s)", "status", "why", "largest sigma (m)"),
                  [(round(item.start, 1), round(item.end, 1), item.start_time, item.end_time, item.status,
                    item.reason, item.sigma) for item in found])
