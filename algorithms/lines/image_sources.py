@@ -26,16 +26,17 @@ def add_images(algorithm) -> None:
                        "Exterior orientation (*.csv *.txt)", optional=True)
 
 
-def check_images(algorithm, parameters, context) -> None:
-    """Refuse a run without images, or with images without what they need.
+def check_images(algorithm, parameters, context, other: str = "") -> None:
+    """Refuse a run without images, or with images without what they need; `other` names a raster that is one too.
 
     Raises
     ------
     InputError : with what is missing.
     """
     lines, frames = (algorithm.parameterAsFileList(parameters, name, context) for name in ("IMAGES", "FRAMES"))
-    if not any(lines) and not any(frames):
-        raise InputError(tr("No image was given; give line images or frames."))
+    if not any(lines) and not any(frames) and not parameters.get(other):
+        raise InputError(tr("No image was given; give line images, frames or an orthophoto.") if other else
+                         tr("No image was given; give line images or frames."))
     for given, needed in ((lines, ("TRAJECTORY", "CALIBRATION")), (frames, ("CAMERA", "EXTERIOR"))):
         missing = [algorithm.label_of(name) for name in needed if not parameters.get(name)]
         if any(given) and missing:

@@ -80,6 +80,8 @@ RECIPES: dict[str, dict] = {
     "tiepointproposals": {**DRIVE, "BUILDINGS": OUTLINES["FOOTPRINTS"]},
     "facadetextures": {**STRIP, "BUILDINGS": "buildingmodels:OUTPUT", "RESOLUTION": 0.2},
     "objectsfromimages": {**STRIP, "POINTS": ["georeferencescans:OUTPUT"], "OUTLINES": "made:drawn.gpkg"},
+    "overlayonimages": {**STRIP, "POINTS": DRIVE["POINTS"], "LINES": "buildingmodels:OUTPUT",
+                        "TRAJECTORY_BEFORE": "city:lines/trajectory.csv"},
     "satellitevisibility": {**SKY, "OUTPUT_RASTER": None},
     "satellitevisibility 2": {**SKY, "TRAJECTORY": None, "TIME": "2024-04-18 02:00:00", "RESOLUTION": 8.0},
     "gnssreflections": {**SIGNALS, "EVERY": 5},

@@ -15,7 +15,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "roadmarkingsfromorthophoto", "aerialmarkings",
             "registermms", "adjustsurveys", "calibratescanner",
             "georeferencemms", "applytrajectory", "landmarkupdate", "checkaccuracy",
-            "facadetextures", "objectsfromimages", "groundfrommms", "roadmarkingsfrommms",
+            "facadetextures", "objectsfromimages", "overlayonimages", "groundfrommms", "roadmarkingsfrommms",
             "georeferencescans", "rectifytrajectory", "tiepointproposals",
             "loadgsibuildings", "loadgsidem", "loadcitymodel", "convertheights",
             "segmentbuildings", "segmentroofs", "roofpolygons",

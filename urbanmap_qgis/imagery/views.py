@@ -66,6 +66,9 @@ class Source(Protocol):
     def rays(self, column: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where the rays of pixels (n,) start, and their unit directions, (n, 3) each."""
 
+    def window(self, left: int, top: int, right: int, bottom: int) -> np.ndarray:
+        """Pixels (rows, columns, 3) uint8 from column `left` to before `right`, row `top` to before `bottom`."""
+
     def pixels(self, points: np.ndarray, window: tuple[float, float, float, float],
                max_range: float) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Where points (n, 3) lie within a window (left, top, right, bottom): index, column, row and distance (m,)."""
@@ -144,6 +147,10 @@ class StripSource:
         column = found.column + first
         keep = (column >= left) & (column <= right) & (found.row >= top) & (found.row <= bottom)
         return found.point_index[keep], column[keep], found.row[keep], found.distance[keep]
+
+    def window(self, left: int, top: int, right: int, bottom: int) -> np.ndarray:
+        """Pixels (rows, columns, 3) uint8 from column `left` to before `right`, row `top` to before `bottom`."""
+        return read_columns(self.strip, left, right)[top:bottom]
 
     def _detail(self, found, camera: np.ndarray, axes: np.ndarray, places: np.ndarray,
                 normal: np.ndarray) -> np.ndarray:
@@ -238,12 +245,18 @@ class FrameSource:
         """Colours (n, 3) float32 at pixels (n,), bilinear; only the window needed is read."""
         top, left = max(int(row.min()) - 1, 0), max(int(column.min()) - 1, 0)
         bottom, right = min(int(row.max()) + 3, self.camera.height), min(int(column.max()) + 3, self.camera.width)
+        return sample_pixels(self.window(left, top, right, bottom), column - left, row - top)
+
+    def window(self, left: int, top: int, right: int, bottom: int) -> np.ndarray:
+        """Pixels (rows, columns, 3) uint8 from column `left` to before `right`, row `top` to before `bottom`."""
         with FrameImage(self.frame.path, self.camera) as image:
-            pixels = image.read(slice(top, bottom), slice(left, right))
-        pixels = (pixels[:3] if len(pixels) >= 3 else np.repeat(pixels[:1], 3, axis=0)).transpose(1, 2, 0)
-        if pixels.dtype == np.uint16:
-            pixels = pixels >> 8
-        return sample_pixels(pixels, column - left, row - top)
+            return eight_bits(image.read(slice(top, bottom), slice(left, right)))
+
+
+def eight_bits(bands: np.ndarray) -> np.ndarray:
+    """Three bands of 8 bits (rows, columns, 3) of an image (bands, rows, columns); a grey one gives three equal."""
+    pixels = (bands[:3] if len(bands) >= 3 else np.repeat(bands[:1], 3, axis=0)).transpose(1, 2, 0)
+    return np.ascontiguousarray(pixels >> 8 if pixels.dtype == np.uint16 else pixels).astype(np.uint8, copy=False)
 
 
 def strip_sources(images: Sequence[str | os.PathLike], trajectory: Trajectory, calibration: str | os.PathLike,

@@ -41,6 +41,15 @@ p.bad { background: #fdeaea; border-color: #d7263d; }
 p.warning { background: #fff4e0; border-left: 4px solid #e09a2b; padding: .6em 1em; }
 figure { margin: 1em 0; display: inline-block; max-width: 100%; }
 figure img, figure svg { max-width: 100%; height: auto; }
+figure.switch label { padding: .2em .8em; margin-right: .3em; border: 1px solid #2f6f8f; border-radius: .3em; }
+figure.switch input { position: absolute; opacity: 0; }
+figure.switch input:checked + label { background: #2f6f8f; color: #fff; }
+figure.switch input:focus-visible + label { outline: 2px solid #e09a2b; }
+figure.switch div { margin-top: .5em; }
+figure.switch img { display: none; }
+figure.switch input:nth-of-type(1):checked ~ div img:nth-of-type(1),
+figure.switch input:nth-of-type(2):checked ~ div img:nth-of-type(2),
+figure.switch input:nth-of-type(3):checked ~ div img:nth-of-type(3) { display: block; }
 figcaption { font-size: .9em; color: #555; }
 @media (max-width: 30em) {
   body { margin: .6em auto; padding: 0 .6em; font-size: .95em; }
@@ -51,6 +60,8 @@ figcaption { font-size: .9em; color: #555; }
   div.wide { overflow: visible; }
   h2 { break-after: avoid; }
   figure, tr, p { break-inside: avoid; }
+  figure.switch img { display: block; margin-bottom: .5em; }
+  figure.switch label { display: none; }
   p.verdict, p.warning, th { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 """.strip()
@@ -117,6 +128,7 @@ class Report:
     def __init__(self, title: str):
         self._title = title
         self._verdict = ""
+        self._switchers = 0
         self._parts: list[str] = []
 
     def verdict(self, grade: str, text: str) -> None:
@@ -186,6 +198,20 @@ class Report:
         text = html.escape(caption)
         self._parts.append(f'<figure><img src="data:{media};base64,{base64.b64encode(data).decode("ascii")}" '
                            f'alt="{text}"><figcaption>{text}</figcaption></figure>')
+
+    def switcher(self, pictures: Sequence[tuple[str, bytes]], caption: str) -> None:
+        """Add JPEG pictures of one size that a click switches between, by their names; the last is shown first."""
+        self._switchers += 1
+        group = f"switch{self._switchers}"
+        buttons = "".join(
+            f'<input type="radio" name="{group}" id="{group}_{number}"'
+            f'{" checked" if number == len(pictures) else ""}>'
+            f'<label for="{group}_{number}">{html.escape(name)}</label>'
+            for number, (name, _) in enumerate(pictures, 1))
+        images = "".join(f'<img src="data:image/jpeg;base64,{base64.b64encode(data).decode("ascii")}" '
+                         f'alt="{html.escape(name)}">' for name, data in pictures)
+        self._parts.append(f'<figure class="switch">{buttons}<div>{images}</div>'
+                           f"<figcaption>{html.escape(caption)}</figcaption></figure>")
 
     def write(self, path: str | os.PathLike) -> None:
         """Write the page; it appears at `path` when it is whole.
