@@ -55,7 +55,7 @@ def test_trajectory_patches_and_report(run, small_city, markings, read_layer, tm
     assert len(rows) == pytest.approx(result["WAY"] / 0.5, abs=1)
     assert {row.attributes["status"] for row in rows} <= {"registered", "bridged", "not to be trusted"}
     text = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert "What to distrust" in text and text.count("data:image/png") >= 3
+    assert "of the path is registered" in text and text.count("data:image/png") >= 3
 
     from qgis.core import QgsVectorLayer
 

@@ -73,7 +73,7 @@ def test_rectified_trajectory_stays(small_city, drive, tmp_path, method):
     settings = RectifySettings(method)
     with RasterSampler(small_city / "truth" / "ground.tif") as ground:
         made = rectify(drive, ties, None if method == "paper" else ground.sample, settings)
-    write_report(tmp_path / "report.html", drive, made, {"A": "1"}, ["said"])
+    write_report(tmp_path / "report.html", drive, made, ["said"])
     stays(f"lines_rectified_{method}", {"made": made, "figures": made.figures(),
                                         "report": (tmp_path / "report.html").read_text(encoding="utf-8")})
 
