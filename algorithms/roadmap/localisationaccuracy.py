@@ -98,7 +98,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         self._raster(parameters, context, made, crs, results)
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report is not None:
-            write_localisation_report(report, city, made, check, self.settings_of(parameters))
+            write_localisation_report(report, city, made, check)
             results["OUTPUT_REPORT"] = str(report)
         if check is not None:
             results |= {"RANK": _number(check.rank), "INSIDE": _number(check.inside)}

@@ -20,7 +20,7 @@ def write_map_report(stage, parameters, context, built, drives) -> dict[str, str
     report = Report(tr("Lane map"))
     figures = map_figures(built, drives)
     _verdict(report, built, drives, figures)
-    report.facts({**stage.settings_of(parameters), **_facts(built, figures)})
+    report.facts(_facts(built, figures))
     _pictures(report, built, drives)
     _findings(report, built)
     report.write(path)

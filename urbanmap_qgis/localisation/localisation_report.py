@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Mapping
 
 import numpy as np
 
-from ..io.report import Report
+from ..io.report import BAD, GOOD, LOOK, Report
 from .accuracy_map import SOURCES, AccuracyMap, LocalisationMap
 from .accuracy_tables import lengths_by_class
 from .localisation_pictures import accuracy_plan, agreement_plot
@@ -23,8 +22,8 @@ _DRAWN = 3000
 
 
 def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, made: AccuracyMap,
-                              check: PredictionCheck | None, settings: Mapping[str, str]) -> None:
-    """Report of a map of accuracy; `settings` are labels and values of the run."""
+                              check: PredictionCheck | None) -> None:
+    """Report of a map of accuracy."""
     report = Report("Map of localisation accuracy")
     _summary(report, made)
     _plan(report, city, made)
@@ -32,8 +31,6 @@ def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, ma
     _worst(report, city, made)
     if check is not None:
         _check(report, made, check)
-    report.section("Settings")
-    report.facts(settings)
     report.write(path)
 
 
@@ -53,7 +50,11 @@ def _summary(report: Report, made: AccuracyMap) -> None:
                   "Median sigma of the weakest direction, m": _median(made.ellipse.major),
                   "Places that look like others": int((made.alias_share > 0).sum())})
     if not known.any():
-        report.warning("Nothing can be said of any place; the table below tells why.")
+        report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
+    else:
+        report.verdict(GOOD if known.all() else LOOK, f"On {known.mean():.0%} of the places the map tells where a vehicle "
+                       f"is, with a median sigma of {_median(made.ellipse.major):.2f} m in the weakest direction; the "
+                       "worst stretches are below.")
     report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
                                                    for name, length in lengths_by_class(made).items()])
     report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
