@@ -47,14 +47,14 @@ class MarkingLines(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT", "Marking lines", "Lines, with heights where a ground is given: class (solid, "
                               "dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length "
                               "(m), bridged (m without paint that should be there), period and dash (m), dashes "
-                              "(begins and ends along the line, m), chain (sections of one line), partner (chain that "
-                              "makes it a double line), confidence (0 to 1: share of the paint that should be there and "
-                              "is seen; of a stop line less where only lines' ends or only a crosswalk show it).",
-                              source_type=QgsProcessing.SourceType.TypeVectorLine)
-        self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk, arrow straight, ..., "
-                              "diamond, unknown), colour, heading (degrees from grid north in which it is read), "
-                              "score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that "
-                              "between them).",
+                              "(begins and ends along the line, m), chain (sections of one line), partner (chain "
+                              "that makes it a double line), confidence (0 to 1: share of the paint that should be "
+                              "there and is seen; of a stop line less where only lines' ends or only a crosswalk "
+                              "show it).", source_type=QgsProcessing.SourceType.TypeVectorLine)
+        self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk; arrow straight, ..., or "
+                              "arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in "
+                              "which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at "
+                              "its bars' places less that between them).",
                               source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_number_output("LINES", "Lines", "Number of lines.")
         self.add_number_output("LENGTH", "Length", "Length of all lines.", "m")

@@ -191,6 +191,39 @@ def test_arrow_is_known_by_kind_and_heading(kind):
     assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
 
 
+BROAD = {"straight": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 0)],
+         "straight left": [(0.085, 0), (0.085, 3), (0.45, 3), (0, 5), (-0.45, 3), (-0.085, 3), (-0.085, 1.785),
+                           (-0.455, 1.93), (-0.455, 2.44), (-1.15, 1.94), (-0.455, 0.94), (-0.455, 1.43), (-0.09, 1.24),
+                           (-0.085, 0)]}
+
+
+def broad(kind, x=0.0):
+    return affinity.translate(affinity.rotate(shapely.Polygon(BROAD[kind]), -90, origin=(0, 0)), x)
+
+
+@pytest.mark.parametrize("kind", list(BROAD))
+def test_broad_arrow_is_known_by_kind_also_where_worn(kind):
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    bare = shapely.union_all([shapely.box(x, -2, x + 0.3, 2) for x in (0.8, 2.4)])
+    worn = shapely.get_parts(broad(kind).difference(bare))
+    (area,) = [area for area in work_of([*lines, *worn]).areas if area.kind != "unknown"]
+    assert area.kind == f"arrow {kind}" and 0.7 < area.score < 1.0
+    assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+
+
+def test_arrow_takes_no_part_in_a_line_that_it_lies_in():
+    work = work_of([broad("straight"), *dashes(60.0, 3.0, 4.5, start=9.0), shapely.box(-9, 1.6, 60, 1.75)])
+    assert [area.kind for area in work.areas] == ["arrow straight"]
+    assert all(back(line.points)[:, 0].min() > 8.0 for line in work.lines if line.kind == "dashed")
+
+
+@pytest.mark.parametrize("wide", [0.2, 0.32, 0.45])
+def test_strokes_and_bars_are_no_arrows(wide):
+    edge = shapely.box(-20, 1.6, 60, 1.75)
+    ragged = shapely.union_all([shapely.box(0, 0, 4.6, wide), shapely.box(3.1, -0.06, 3.9, wide + 0.06)])
+    assert not [area for area in work_of([edge, ragged]).areas if area.kind.startswith("arrow")]
+
+
 def test_flakes_and_blobs_stay_unknown():
     work = work_of([shapely.Point(3, 3).buffer(0.4), shapely.box(8, 8, 10.5, 10.5)])
     assert not work.lines

@@ -15,7 +15,7 @@ from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
 from .stop_lines import CROSSES, joined_bars, stop_line_confidence
 from .strokes import Stroke, all_strokes
-from .symbols import Symbol, find_symbols
+from .symbols import find_symbols
 
 DOUBLE = (0.22, 0.65)
 """Distance of the two lines of a double line, m."""
@@ -143,8 +143,11 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     progress.step(0.4)
     crosswalks = find_crosswalks(strokes, polygons)
     in_rows = _in_crosswalks(strokes, crosswalks)
-    numbers = [n for n, stroke in enumerate(strokes) if n not in in_rows and stroke.width <= settings.max_width
-               and stroke.length >= 0.25]
+    bare = {stroke.polygon for stroke in strokes if stroke.whole and len(stroke.axis) == 2 and stroke.length >= 2.0}
+    symbols = find_symbols(polygons, strokes, bare | {strokes[n].polygon for n in in_rows})
+    of_symbols = {number for symbol in symbols for number in symbol.polygons}
+    numbers = [n for n, stroke in enumerate(strokes) if n not in in_rows and stroke.polygon not in of_symbols and
+               stroke.width <= settings.max_width and stroke.length >= 0.25]
     chains = link_strokes(strokes, numbers, [row.area for row in crosswalks])
     progress.step(0.6)
     paint = shapely.STRtree(polygons)
@@ -161,10 +164,11 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     made += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
              for k, line in enumerate(stops)]
     made = _with_partners(made)
-    left = _left_over(polygons, strokes, in_rows, [*lines, *stops])
-    symbols = find_symbols(polygons, left, _direction_of(made))
+    left = [n for n in _left_over(polygons, strokes, in_rows, [*lines, *stops]) if n not in of_symbols]
     areas = [RoadArea(row.area, "crosswalk", row.direction, row.fill, "white") for row in crosswalks]
-    areas += [_area(symbol, colours) for symbol in symbols]
+    areas += [RoadArea(symbol.area, symbol.kind, symbol.heading, symbol.score, colours[symbol.polygons[0]])
+              for symbol in symbols]
+    areas += [RoadArea(polygons[n], "unknown", np.full(2, np.nan), np.nan, colours[n]) for n in left]
     progress.step(1.0)
     return LineWork(tuple(made), tuple(areas), len(polygons))
 
@@ -334,25 +338,3 @@ def _left_over(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], i
     shapely.prepare(beside)
     covered = shapely.covers(beside, np.asarray(polygons, object)) if lines else np.zeros(len(polygons), bool)
     return [n for n in range(len(polygons)) if taken[n] < 0.5 * total[n] + (total[n] == 0) and not covered[n]]
-
-
-def _direction_of(lines: Sequence[RoadLine]):
-    """Function of a place: direction of the nearest line within 6 m, or None."""
-    along = [line.plan for line in lines if line.kind in ("solid", "dashed")]
-    tree = shapely.STRtree(along)
-
-    def direction(place: np.ndarray) -> np.ndarray | None:
-        found = tree.query_nearest(shapely.Point(place), max_distance=6.0) if len(along) else []
-        if not len(found):
-            return None
-        line = along[found[0]]
-        at = line.project(shapely.Point(place))
-        ends = shapely.line_interpolate_point(line, [max(at - 1.0, 0.0), min(at + 1.0, line.length)])
-        chord = np.subtract(ends[1].coords[0][:2], ends[0].coords[0][:2])
-        return chord / max(np.linalg.norm(chord), 1e-9)
-
-    return direction
-
-
-def _area(symbol: Symbol, colours: Sequence[str]) -> RoadArea:
-    return RoadArea(symbol.area, symbol.kind, symbol.heading, symbol.score, colours[symbol.polygons[0]])

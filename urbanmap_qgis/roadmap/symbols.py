@@ -1,35 +1,40 @@
-"""Arrows and other symbols on the road, told by their shape."""
+"""Arrows and diamonds on the road, told by their shape."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 from shapely import affinity
 
-SPACING = 0.45
-"""Pieces of one symbol lie no farther apart, m (worn paint falls into pieces)."""
+from .strokes import Stroke
+from .symbol_patterns import CELL, COLUMNS, ROWS, Match, matches
 
-TOLERANCE = 0.10
-"""By so much paint may lie beside the pattern, m."""
+LEAST_SCORE, LEAST_COMPLETE, LEAST_PRECISE = 0.72, 0.55, 0.82
+"""Harmonic mean of the share of the pattern that is painted and of that of the paint about it in it; both, at least."""
 
-LEAST_SCORE = 0.70
-"""Mean (harmonic) of the shares of the paint in the pattern and of the pattern with paint."""
+LEAST_LEAD = 0.05
+"""By so much the best kind must be ahead of the next, and its heading of the opposite one."""
 
-LEAST_LEAD = 0.06
-"""By so much the best kind must be ahead of the next."""
-
-SHAFT, HEAD = 0.08, 0.38
-"""Half widths of an arrow's shaft and of its head, m."""
-
-STROKE, LEAST_HEAD, LONGEST_HEAD = 0.28, 0.03, 2.6
+STROKE, LEAST_HEAD, LONGEST_HEAD = 0.3, 0.015, 2.6
 """Paint wider than the first (m) is no shaft; what is left of it when so much is taken off its edges is a head where it
 has so much area (m2) and is no longer than the last (m)."""
 
-LENGTHS = (4.0, 5.0, 6.0)
-"""Usual lengths of arrows, m."""
+LEAST_FLANK, LEAST_FLANKS = 0.3, 0.5
+"""So much of each side of an arrow's heads must be painted, and so much of them in the mean."""
+
+SPACING = 0.45
+"""Pieces of one diamond lie no farther apart, m (worn paint falls into pieces)."""
+
+DIAMOND = ((3.0, 6.5), (0.9, 2.2))
+"""Long and short side of what may be a diamond, m."""
+
+MEMBER = 0.2
+"""Paint this near the pattern belongs to the symbol, m."""
+
+UNKNOWN_ARROW = "arrow, kind unknown"
 
 
 @dataclass(frozen=True)
@@ -38,10 +43,10 @@ class Symbol:
 
     Attributes
     ----------
-    kind : such as "arrow straight", "arrow left", "diamond", "text" or "unknown".
+    kind : such as "arrow straight", "arrow left", "diamond", or `UNKNOWN_ARROW`.
     area : its paint. polygons : numbers of the polygons that it is made of.
     heading : direction (2,) in which it is read, NaN where unknown.
-    score : 0 to 1, how well paint and pattern agree; NaN without a pattern.
+    score : 0 to 1, how well paint and pattern agree.
     """
 
     kind: str
@@ -51,127 +56,114 @@ class Symbol:
     score: float
 
 
-def _arrow(*directions: str) -> shapely.Geometry:
-    """Pattern of an arrow of unit length along y with heads to these sides."""
-    parts = []
-    if "straight" in directions:
-        parts += [shapely.box(-SHAFT / 5, 0, SHAFT / 5, 0.66), shapely.Polygon(
-            [(-HEAD / 5, 0.62), (HEAD / 5, 0.62), (0, 1.0)])]
-    for side, sign in (("left", -1.0), ("right", 1.0)):
-        if side in directions:
-            root = 0.0 if "straight" in directions or len(directions) > 1 else -0.45 * sign / 5
-            parts += [shapely.box(root - SHAFT / 5, 0, root + SHAFT / 5, 0.70),
-                      shapely.Polygon([(root, 0.53), (root, 0.71), (root + sign * 0.11, 0.73),
-                                       (root + sign * 0.11, 0.63)]),
-                      shapely.Polygon([(root + sign * 0.09, 0.53), (root + sign * 0.09, 0.83),
-                                       (root + sign * 0.24, 0.68)])]
-    return shapely.union_all(parts)
-
-
-def _patterns() -> dict[str, tuple[shapely.Geometry, bool]]:
-    """Pattern of unit length and whether it reads the same from both ends, by kind."""
-    arrows = {"arrow straight": ("straight",), "arrow left": ("left",), "arrow right": ("right",),
-              "arrow straight left": ("straight", "left"), "arrow straight right": ("straight", "right")}
-    diamond = shapely.Polygon([(0, 0), (0.15, 0.5), (0, 1), (-0.15, 0.5)])
-    inner = affinity.scale(diamond, 0.72, 0.72, origin=(0, 0.5))
-    return {**{kind: (_arrow(*sides), False) for kind, sides in arrows.items()},
-            "diamond": (diamond.difference(inner), True)}
-
-
-PATTERNS = _patterns()
-
-
-def find_symbols(polygons: Sequence[shapely.Polygon], numbers: Sequence[int],
-                 direction_near) -> list[Symbol]:
-    """Symbols that the polygons of these numbers make; what is none becomes "unknown", piece by piece.
+def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], taken: set[int]) -> list[Symbol]:
+    """Arrows and diamonds among marking polygons.
 
     Parameters
     ----------
-    direction_near : function of a place (2,), direction of the road there (2,) or None.
+    strokes : of the polygons; long ones tell the direction of the road. taken : numbers of polygons that are none.
+
+    Returns
+    -------
+    Symbols that share no paint. An arrow whose best kinds agree about as well is `UNKNOWN_ARROW`, and one that may be
+    read both ways has no heading.
     """
-    found = []
-    for cluster in _clusters([polygons[n] for n in numbers]):
-        members = tuple(int(numbers[k]) for k in cluster)
-        paint = shapely.union_all([polygons[n] for n in members])
-        symbol = _recognised(paint, members, direction_near)
-        if symbol is not None:
-            found.append(symbol)
-        else:
-            found += [Symbol("unknown", polygons[n], (n,), np.full(2, np.nan), np.nan) for n in members]
-    return found
-
-
-def _clusters(polygons: list[shapely.Polygon]) -> list[list[int]]:
-    """Places of the polygons that lie together."""
-    if not polygons:
+    shapes = np.asarray(polygons, object)
+    free = np.array([n for n in range(len(shapes)) if n not in taken], np.int64)
+    if not len(free):
         return []
-    blobs = shapely.get_parts(shapely.union_all(shapely.buffer(polygons, SPACING / 2, quad_segs=2)))
-    blob, polygon = shapely.STRtree(polygons).query(blobs, predicate="intersects")
-    return [polygon[blob == one].tolist() for one in np.unique(blob)]
+    tree, direction_near = shapely.STRtree(shapes[free]), _direction_of(strokes)
+    found = []
+    for place, wanted in [*_heads(shapes[free]), *_diamonds(shapes[free])]:
+        along = direction_near(place)
+        if along is not None:
+            symbol = _symbol(place, along, wanted, tree, free)
+            found += [symbol] if symbol is not None else []
+    used: set[int] = set()
+    kept = []
+    for symbol in sorted(found, key=lambda one: -one.score):
+        if used.isdisjoint(symbol.polygons):
+            used |= set(symbol.polygons)
+            kept.append(symbol)
+    return kept
 
 
-def _recognised(paint: shapely.Geometry, members: tuple[int, ...], direction_near) -> Symbol | None:
-    """The symbol whose pattern the paint follows, None where none does clearly."""
-    frame = shapely.minimum_rotated_rectangle(paint)
-    if frame.geom_type != "Polygon" or not 2.5 <= _sides(frame)[0] <= 7.5 or _sides(frame)[1] > 2.6:
+def _heads(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
+    """Middles (2,) of parts of paint too wide for a shaft and not too long: a plain stroke is no arrow."""
+    cores = shapely.get_parts(shapely.buffer(shapes, -STROKE / 2.0, quad_segs=2))
+    box = shapely.bounds(cores)
+    size = np.hypot(box[:, 2] - box[:, 0], box[:, 3] - box[:, 1])
+    good = (shapely.area(cores) >= LEAST_HEAD) & (size < LONGEST_HEAD)
+    return [(middle, "arrow") for middle in shapely.get_coordinates(shapely.centroid(cores[good]))]
+
+
+def _diamonds(shapes: np.ndarray) -> list[tuple[np.ndarray, str]]:
+    """Middles (2,) of polygons that lie together and have a diamond's size."""
+    small = shapes[shapely.area(shapes) < 4.0]
+    blobs = shapely.get_parts(shapely.union_all(shapely.buffer(small, SPACING / 2, quad_segs=2)))
+    made = []
+    for frame in shapely.minimum_rotated_rectangle(blobs):
+        corners = shapely.get_coordinates(frame)[:3]
+        sides = np.sort(np.linalg.norm(np.diff(corners, axis=0), axis=1)) - SPACING
+        if len(sides) == 2 and all(low <= side <= high for side, (low, high) in zip(sides[::-1], DIAMOND)):
+            made.append((np.array(frame.centroid.coords[0]), "diamond"))
+    return made
+
+
+def _direction_of(strokes: Sequence[Stroke]) -> Callable[[np.ndarray], np.ndarray | None]:
+    """Function of a place: direction of the nearest long, narrow and straight stroke within 8 m, or None."""
+    long = [stroke for stroke in strokes if stroke.length >= 2.5 and stroke.width <= 0.3 and
+            (len(stroke.axis) == 2 or stroke.length >= 5.0)]
+    tree = shapely.STRtree([shapely.LineString(stroke.axis) for stroke in long])
+
+    def direction(place: np.ndarray) -> np.ndarray | None:
+        near = tree.query_nearest(shapely.Point(place), max_distance=8.0) if long else []
+        return long[near[0]].direction if len(near) else None
+
+    return direction
+
+
+def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STRtree,
+            free: np.ndarray) -> Symbol | None:
+    """The symbol at a place, None where no pattern fits or the best is not what was looked for."""
+    across = np.array([along[1], -along[0]])
+    reach = np.hypot(ROWS, COLUMNS) * CELL / 2
+    near = tree.query(shapely.Point(place).buffer(reach), predicate="intersects")
+    matrix = [*across, *along, -across @ place, -along @ place]
+    paint = [affinity.affine_transform(tree.geometries[k], matrix) for k in near]
+    fits = [match for match in matches(paint, LEAST_COMPLETE) if match.score >= LEAST_SCORE - LEAST_LEAD]
+    fits = [match for match in fits if match.precise >= LEAST_PRECISE and _has_heads(match, paint)]
+    if not fits or fits[0].score < LEAST_SCORE or not fits[0].kind.startswith(wanted):
         return None
-    road = direction_near(np.array(frame.centroid.coords[0]))
-    along = _long_side(frame) if road is None else np.asarray(road, float)
-    scores = sorted(((*_best_match(paint, pattern, along, both), kind) for kind, (pattern, both) in PATTERNS.items()),
-                    key=lambda one: -one[0])
-    (score, heading, kind), (second, _, _) = scores[:2]
-    if score < LEAST_SCORE or score < second + LEAST_LEAD or (kind.startswith("arrow") and not _has_head(paint)):
+    best = fits[0]
+    reached = best.shape.buffer(MEMBER)
+    inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
+    if not inside.any():
         return None
-    return Symbol(kind, paint, members, heading, score)
+    kind, heading = _kind(fits), _heading(fits, along)
+    members = near[inside]
+    back = [across[0], along[0], across[1], along[1], *place]
+    area = shapely.union_all([shape.intersection(reached) for shape in np.array(paint, object)[inside]])
+    return Symbol(kind, affinity.affine_transform(area, back), tuple(int(free[k]) for k in members), heading,
+                  best.score)
 
 
-def _has_head(paint: shapely.Geometry) -> bool:
-    """Whether a part of the paint, and not all of its length, is too wide for a shaft: a plain stroke is no arrow."""
-    head = paint.buffer(-STROKE / 2.0, quad_segs=2)
-    if head.area < LEAST_HEAD:
-        return False
-    x_min, y_min, x_max, y_max = head.bounds
-    return bool(np.hypot(x_max - x_min, y_max - y_min) < LONGEST_HEAD)
+def _has_heads(match: Match, paint: Sequence[shapely.Geometry]) -> bool:
+    """Whether both sides of each of an arrow's heads are painted: lines and bars have none."""
+    painted = shapely.union_all(list(paint))
+    shares = [flank.intersection(painted).area / flank.area for flank in match.flanks]
+    return not shares or (min(shares) >= LEAST_FLANK and float(np.mean(shares)) >= LEAST_FLANKS)
 
 
-def _best_match(paint: shapely.Geometry, pattern: shapely.Geometry, along: np.ndarray, both: bool) -> tuple:
-    """Best score of a pattern over lengths, headings and places, and its heading (2,)."""
-    best = (0.0, np.full(2, np.nan))
-    for heading in (along,) if both else (along, -along):
-        angle = np.degrees(np.arctan2(heading[1], heading[0])) - 90.0
-        upright = affinity.rotate(paint, -angle, origin=(0, 0))
-        x_min, y_min, x_max, y_max = upright.bounds
-        for length in {*LENGTHS, float(np.clip(y_max - y_min, 3.0, 7.0))}:
-            scale_x = 5.0 if length < 5.5 else length
-            shape = affinity.scale(pattern, scale_x, length, origin=(0, 0))
-            p_min, _, p_max, _ = shape.bounds
-            for y in (y_min, y_max - length):
-                for x in ((x_min + x_max - p_min - p_max) / 2, x_min - p_min, x_max - p_max):
-                    score = _agreement(upright, affinity.translate(shape, x, y))
-                    if score > best[0]:
-                        best = (score, np.full(2, np.nan) if both else heading)
-    return best
+def _kind(fits: Sequence[Match]) -> str:
+    """Kind of the best match, `UNKNOWN_ARROW` where another kind of arrow fits about as well."""
+    best = fits[0]
+    rivals = {match.kind for match in fits if match.score > best.score - LEAST_LEAD} - {best.kind}
+    return UNKNOWN_ARROW if rivals and best.kind.startswith("arrow") else best.kind
 
 
-def _agreement(paint: shapely.Geometry, pattern: shapely.Geometry) -> float:
-    """Harmonic mean of the share of paint in the (grown) pattern and of the pattern in the (grown) paint."""
-    precise = paint.intersection(pattern.buffer(TOLERANCE, quad_segs=2)).area / paint.area
-    if precise < 0.4:
-        return 0.0
-    complete = pattern.intersection(paint.buffer(TOLERANCE, quad_segs=2)).area / pattern.area
-    return 2.0 * precise * complete / max(precise + complete, 1e-9)
-
-
-def _sides(frame: shapely.Polygon) -> tuple[float, float]:
-    """Long and short side of a rectangle, m."""
-    corners = shapely.get_coordinates(frame.exterior)
-    first, second = np.linalg.norm(corners[1] - corners[0]), np.linalg.norm(corners[2] - corners[1])
-    return float(max(first, second)), float(min(first, second))
-
-
-def _long_side(frame: shapely.Polygon) -> np.ndarray:
-    """Unit vector (2,) along a rectangle's long side."""
-    corners = shapely.get_coordinates(frame.exterior)
-    sides = np.diff(corners[:3], axis=0)
-    side = sides[np.argmax(np.linalg.norm(sides, axis=1))]
-    return side / np.linalg.norm(side)
+def _heading(fits: Sequence[Match], along: np.ndarray) -> np.ndarray:
+    """Direction (2,) in which the best match is read, NaN where the opposite one fits about as well."""
+    best = fits[0]
+    against = any(match.backwards != best.backwards and match.score > best.score - LEAST_LEAD for match in fits)
+    return np.full(2, np.nan) if against or best.kind == "diamond" else -along if best.backwards else along

@@ -1,0 +1,177 @@
+"""Shapes of arrows and diamonds on roads, and how well paint agrees with them wherever they may lie."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import cv2
+import numpy as np
+import scipy.fft
+import shapely
+from shapely import affinity
+
+CELL = 0.1
+"""Of the rasters that paint and patterns are compared on, m."""
+
+ROWS, COLUMNS = 128, 64
+"""Of a window, cells: 12.8 m along, 6.4 m across."""
+
+TOLERANCE, AROUND = 0.1, 0.7
+"""By so much paint may lie beside the pattern; so far around it paint speaks against it, m."""
+
+SHAFT = 0.32
+"""Blurred paint of a shaft or a line may be so wide, m."""
+
+SCALES = (0.9, 1.0, 1.15)
+"""Sizes of symbols against the usual ones."""
+
+# Metres, (right, forward) of the tail. A slim and a broad form, as both are painted.
+_SLIM_SHAFT = [(-0.075, 0.0), (0.075, 0.0), (0.075, 3.3), (-0.075, 3.3)]
+_SLIM_HEAD = [(-0.35, 3.2), (0.35, 3.2), (0.0, 5.0)]
+_SLIM_TURN = [(-0.075, 0.0), (0.075, 0.0), (0.075, 3.2), (0.55, 3.2), (0.55, 2.7), (1.2, 3.4), (0.55, 4.1), (0.55, 3.6),
+              (-0.075, 3.6)]
+_BROAD_SHAFT = [(-0.085, 0.0), (0.085, 0.0), (0.085, 3.1), (-0.085, 3.1)]
+_BROAD_HEAD = [(-0.45, 3.0), (0.45, 3.0), (0.0, 5.0)]
+_BROAD_TURN = [(-0.08, 0.0), (0.08, 0.0), (0.09, 2.64), (0.45, 2.83), (0.45, 2.36), (1.15, 3.35), (0.45, 3.86),
+               (0.45, 3.34), (-0.08, 3.16)]
+_BRANCH = [(0.0, 1.2), (0.09, 1.24), (0.455, 1.43), (0.455, 0.94), (1.15, 1.94), (0.455, 2.44), (0.455, 1.93),
+           (0.09, 1.785), (0.0, 1.7)]
+
+
+@dataclass(frozen=True)
+class Match:
+    """Where a pattern agrees best with paint.
+
+    Attributes
+    ----------
+    kind : of the pattern. score : 0 to 1, harmonic mean of the next two.
+    complete : share of the pattern that is painted. precise : share of the paint about it that lies in it.
+    shape : the pattern at its place. backwards : read against the direction given.
+    flanks : the two sides of each arrow's head, beyond the width of a shaft.
+    """
+
+    kind: str
+    score: float
+    complete: float
+    precise: float
+    shape: shapely.Geometry
+    backwards: bool
+    flanks: tuple[shapely.Geometry, ...]
+
+
+@dataclass(frozen=True)
+class _Bank:
+    """All patterns as rasters with their tail in the window's middle, transformed for correlation."""
+
+    kinds: tuple[str, ...]
+    shapes: tuple[shapely.Geometry, ...]
+    flanks: tuple[tuple[shapely.Geometry, ...], ...]
+    backwards: np.ndarray
+    area: np.ndarray
+    pattern: np.ndarray
+    grown: np.ndarray
+    around: np.ndarray
+
+
+def _mirrored(ring: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    return [(-x, y) for x, y in ring]
+
+
+def _forms() -> list[tuple[str, shapely.Geometry, list]]:
+    """Kinds with their shapes in metres, read along +y, and the corners (base, base, tip) of the heads."""
+    def of(*rings):
+        return shapely.union_all([shapely.Polygon(ring) for ring in rings])
+
+    diamond = shapely.Polygon([(0, 0), (0.75, 2.5), (0, 5), (-0.75, 2.5)])
+    forms = [("arrow straight", of(_SLIM_SHAFT, _SLIM_HEAD), [_SLIM_HEAD]),
+             ("arrow straight", of(_BROAD_SHAFT, _BROAD_HEAD), [_BROAD_HEAD]),
+             ("diamond", diamond.difference(affinity.scale(diamond, 0.72, 0.72, origin=(0, 2.5))), [])]
+    for side, turned in (("right", list), ("left", _mirrored)):
+        slim, broad, branch = ([turned(ring)[k] for k in at] for ring, at in (
+            (_SLIM_TURN, (4, 6, 5)), (_BROAD_TURN, (4, 6, 5)), (_BRANCH, (3, 5, 4))))
+        forms += [(f"arrow {side}", of(turned(_SLIM_TURN)), [slim]),
+                  (f"arrow {side}", of(turned(_BROAD_TURN)), [broad]),
+                  (f"arrow straight {side}", of(_SLIM_SHAFT, _SLIM_HEAD, turned(_BRANCH)), [_SLIM_HEAD, branch]),
+                  (f"arrow straight {side}", of(_BROAD_SHAFT, _BROAD_HEAD, turned(_BRANCH)), [_BROAD_HEAD, branch])]
+    return forms
+
+
+def _flanks(head: list[tuple[float, float]]) -> list[shapely.Geometry]:
+    """The two sides of a head (base, base, tip) beyond a shaft along its middle."""
+    one, other, tip = np.array(head, float)
+    base = (one + other) / 2.0
+    along = shapely.LineString([base - (tip - base), tip + (tip - base)]).buffer(SHAFT / 2.0, cap_style="flat")
+    return list(shapely.get_parts(shapely.Polygon(head).difference(along)))
+
+
+@lru_cache(maxsize=1)
+def _bank() -> _Bank:
+    kinds, shapes, flanks, backwards = [], [], [], []
+    for kind, form, heads in _forms():
+        sides = [side for head in heads for side in _flanks(head)]
+        for scale in SCALES:
+            placed = [affinity.translate(affinity.scale(one, scale, scale, origin=(0, 0)), 0.0, -2.5 * scale)
+                      for one in (form, *sides)]
+            for turned in (False, True) if kind != "diamond" else (False,):
+                shape, *beside = (affinity.rotate(one, 180.0, origin=(0, 0)) if turned else one for one in placed)
+                kinds.append(kind)
+                shapes.append(shape)
+                flanks.append(tuple(beside))
+                backwards.append(turned)
+    rasters = np.stack([raster([shape]) for shape in shapes])
+    grown = np.stack([raster([shape.buffer(TOLERANCE)]) for shape in shapes])
+    around = np.stack([raster([shape.buffer(AROUND)]) for shape in shapes])
+    return _Bank(tuple(kinds), tuple(shapes), tuple(flanks), np.array(backwards), rasters.sum(axis=(1, 2)),
+                 *(np.conj(scipy.fft.rfft2(one)) for one in (rasters, grown, around)))
+
+
+def raster(shapes: list[shapely.Geometry]) -> np.ndarray:
+    """Share of each cell (ROWS, COLUMNS) float32 that shapes cover; 0, 0 is the middle of the window, rows go up."""
+    fine = np.zeros((4 * ROWS, 4 * COLUMNS), np.uint8)
+    for part in shapely.get_parts(shapes):
+        if part.geom_type != "Polygon":
+            continue
+        rings = [part.exterior, *part.interiors]
+        places = [(shapely.get_coordinates(ring) / CELL * 4 + (2 * COLUMNS, 2 * ROWS) - 0.5) * 16 for ring in rings]
+        mask = np.zeros_like(fine) if len(rings) > 1 else fine
+        cv2.fillPoly(mask, [np.round(place).astype(np.int32) for place in places], 1, shift=4)
+        if mask is not fine:
+            np.maximum(fine, mask, out=fine)
+    return fine.reshape(ROWS, 4, COLUMNS, 4).mean(axis=(1, 3), dtype=np.float32)
+
+
+def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Match]:
+    """The best place of each kind of symbol, best first.
+
+    Parameters
+    ----------
+    paint : in the window's frame, the road along +y, its middle at 0, 0.
+    least_complete : places where less of the pattern is painted do not count, 0 to 1.
+    """
+    bank = _bank()
+    cells = raster(paint)
+    inside, at_all = (_correlation(cells, one) for one in (bank.grown, bank.around))
+    complete = _correlation(cells, bank.pattern) / bank.area[:, None, None]
+    precise = inside / np.maximum(at_all, 1.0)
+    complete, precise = np.clip(complete, 0.0, 1.0), np.clip(precise, 0.0, 1.0)
+    score = np.where(complete >= least_complete, 2 * complete * precise / np.maximum(complete + precise, 1e-6), 0.0)
+    best = score.reshape(len(score), -1).argmax(axis=1)
+    found: dict[tuple[str, bool], Match] = {}
+    for number, flat in enumerate(best):
+        row, column = np.unravel_index(flat, score.shape[1:])
+        value = float(score[number, row, column])
+        key = bank.kinds[number], bool(bank.backwards[number])
+        if value > 0.0 and (key not in found or value > found[key].score):
+            up = (row + ROWS // 2) % ROWS - ROWS // 2
+            right = (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
+            shape, *flanks = (affinity.translate(one, right * CELL, up * CELL)
+                              for one in (bank.shapes[number], *bank.flanks[number]))
+            found[key] = Match(key[0], value, float(complete[number, row, column]),
+                               float(precise[number, row, column]), shape, key[1], tuple(flanks))
+    return sorted(found.values(), key=lambda match: -match.score)
+
+
+def _correlation(cells: np.ndarray, patterns: np.ndarray) -> np.ndarray:
+    """Sum over the window of cells times each pattern, by the pattern's shift (rows, columns), circular."""
+    return scipy.fft.irfft2(scipy.fft.rfft2(cells) * patterns, s=(ROWS, COLUMNS))
