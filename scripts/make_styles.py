@@ -381,7 +381,7 @@ def marking_areas(layer) -> None:
     """Crosswalks and symbols in colours, unknown paint in grey."""
     arrows = ("straight", "left", "right", "straight left", "straight right")
     by_class(layer, {"crosswalk": fill("#2f7f9e"), "diamond": fill("#8a6bb0"), "unknown": fill("#b5b5b5"),
-                     **{f"arrow {kind}": fill("#3f8f63") for kind in arrows}})
+                     **{f"arrow {kind}": fill("#3f8f63") for kind in arrows}, "arrow, kind unknown": fill("#a3c9b0")})
 
 
 def lanes(layer) -> None:
