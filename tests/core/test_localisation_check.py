@@ -122,7 +122,7 @@ def test_shares_and_ranks(walls, places):
 def test_report_has_classes_worst_stretches_and_what_was_simulated(walls, places, tmp_path):
     made = accuracy_map(LocalisationMap(walls), places, settings())
     check = check_prediction(walls, made, settings(), 2, 2, 3)
-    write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, check, {"Range": "60"})
+    write_localisation_report(tmp_path / "r.html", LocalisationMap(walls), made, check)
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
     for words in ("Worst stretches", "Predicted against observed", "<ellipse", "good", "Spearman"):
         assert words in text

@@ -52,9 +52,9 @@ def _summary(report: Report, made: AccuracyMap) -> None:
     if not known.any():
         report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
     else:
-        report.verdict(GOOD if known.all() else LOOK, f"On {known.mean():.0%} of the places the map tells where a vehicle "
-                       f"is, with a median sigma of {_median(made.ellipse.major):.2f} m in the weakest direction; the "
-                       "worst stretches are below.")
+        report.verdict(GOOD if known.all() else LOOK,
+                       f"On {known.mean():.0%} of the places the map tells where a vehicle is, with a median sigma of "
+                       f"{_median(made.ellipse.major):.2f} m in the weakest direction; the worst stretches are below.")
     report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
                                                    for name, length in lengths_by_class(made).items()])
     report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
