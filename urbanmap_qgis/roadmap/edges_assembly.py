@@ -159,7 +159,8 @@ def _edge(stations: Stations, kind: int, part: np.ndarray, corner: np.ndarray, c
     elif completeness < _FEW:
         status, reason = DOUBTFUL, "most of it is hidden"
     height = float(np.median(stations.height[measured]))
-    return RoadEdge(LOWERED if kind == LOW else KERB, *sides, height, sigma,
+    lowered = kind == LOW or (kind == UNSURE and height < _LOW)
+    return RoadEdge(LOWERED if lowered else KERB, *sides, height, sigma,
                     _SCALE * float(np.sqrt(np.mean(stations.sigma_z[measured]**2))),
                     int(stations.points[measured].sum()), int(stations.passes[measured].max()), completeness, chain,
                     0.0, status, reason)

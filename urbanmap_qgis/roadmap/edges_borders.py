@@ -25,7 +25,7 @@ SHORTEST = 5.0
 BESIDE = 1.5
 """m from a kerb, rail or wall within which the ground's roughness tells nothing new."""
 
-_ROUGH = 0.015  # m; the same of neighbouring points
+_ROUGH, _ROUGHEST = 0.015, 0.08  # m; the same of neighbouring points; what scatters more is no ground
 _REACH = 1.0  # m
 _FEWEST = 12  # points of a side
 _NOISE = 0.004  # m
@@ -91,7 +91,7 @@ def _measure(stations: Stations, row: int, across: np.ndarray, points: np.ndarra
     noise = max(float(np.std(z[smooth] - np.polyval(line, a[smooth]))), _NOISE)
     # Of neighbours: a step makes a few of their differences large, grass all.
     scatter = 1.4826 * float(np.median(np.abs(np.diff(z[rough])))) / np.sqrt(2.0)
-    if scatter < max(_ROUGH, RATIO * noise):
+    if scatter < max(_ROUGH, RATIO * noise) or np.std(z[rough] - np.polyval(beyond, a[rough])) > _ROUGHEST:
         return
     before = 0.5 * ((z - np.polyval(line, a)) / noise)**2 + np.log(noise)
     after = 0.5 * ((z - np.polyval(beyond, a)) / scatter)**2 + np.log(scatter)
