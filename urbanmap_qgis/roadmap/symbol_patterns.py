@@ -40,7 +40,7 @@ _BRANCH = [(0.0, 1.2), (0.09, 1.24), (0.455, 1.43), (0.455, 0.94), (1.15, 1.94),
 
 
 @dataclass(frozen=True)
-class Match:
+class PatternMatch:
     """Where a pattern agrees best with paint.
 
     Attributes
@@ -141,7 +141,7 @@ def raster(shapes: list[shapely.Geometry]) -> np.ndarray:
     return fine.reshape(ROWS, 4, COLUMNS, 4).mean(axis=(1, 3), dtype=np.float32)
 
 
-def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Match]:
+def matches(paint: list[shapely.Geometry], least_complete: float) -> list[PatternMatch]:
     """The best place of each kind of symbol, best first.
 
     Parameters
@@ -157,7 +157,7 @@ def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Match]
     complete, precise = np.clip(complete, 0.0, 1.0), np.clip(precise, 0.0, 1.0)
     score = np.where(complete >= least_complete, 2 * complete * precise / np.maximum(complete + precise, 1e-6), 0.0)
     best = score.reshape(len(score), -1).argmax(axis=1)
-    found: dict[tuple[str, bool], Match] = {}
+    found: dict[tuple[str, bool], PatternMatch] = {}
     for number, flat in enumerate(best):
         row, column = np.unravel_index(flat, score.shape[1:])
         value = float(score[number, row, column])
@@ -167,7 +167,7 @@ def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Match]
             right = (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
             shape, *flanks = (affinity.translate(one, right * CELL, up * CELL)
                               for one in (bank.shapes[number], *bank.flanks[number]))
-            found[key] = Match(key[0], value, float(complete[number, row, column]),
+            found[key] = PatternMatch(key[0], value, float(complete[number, row, column]),
                                float(precise[number, row, column]), shape, key[1], tuple(flanks))
     return sorted(found.values(), key=lambda match: -match.score)
 

@@ -10,7 +10,7 @@ import shapely
 from shapely import affinity
 
 from .strokes import Stroke
-from .symbol_patterns import CELL, COLUMNS, ROWS, Match, matches
+from .symbol_patterns import CELL, COLUMNS, ROWS, PatternMatch, matches
 
 LEAST_SCORE, LEAST_COMPLETE, LEAST_PRECISE = 0.72, 0.55, 0.82
 """Harmonic mean of the share of the pattern that is painted and of that of the paint about it in it; both, at least."""
@@ -148,21 +148,21 @@ def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STR
                   best.score)
 
 
-def _has_heads(match: Match, paint: Sequence[shapely.Geometry]) -> bool:
+def _has_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> bool:
     """Whether both sides of each of an arrow's heads are painted: lines and bars have none."""
     painted = shapely.union_all(list(paint))
     shares = [flank.intersection(painted).area / flank.area for flank in match.flanks]
     return not shares or (min(shares) >= LEAST_FLANK and float(np.mean(shares)) >= LEAST_FLANKS)
 
 
-def _kind(fits: Sequence[Match]) -> str:
+def _kind(fits: Sequence[PatternMatch]) -> str:
     """Kind of the best match, `UNKNOWN_ARROW` where another kind of arrow fits about as well."""
     best = fits[0]
     rivals = {match.kind for match in fits if match.score > best.score - LEAST_LEAD} - {best.kind}
     return UNKNOWN_ARROW if rivals and best.kind.startswith("arrow") else best.kind
 
 
-def _heading(fits: Sequence[Match], along: np.ndarray) -> np.ndarray:
+def _heading(fits: Sequence[PatternMatch], along: np.ndarray) -> np.ndarray:
     """Direction (2,) in which the best match is read, NaN where the opposite one fits about as well."""
     best = fits[0]
     against = any(match.backwards != best.backwards and match.score > best.score - LEAST_LEAD for match in fits)
