@@ -192,14 +192,15 @@ class SurveyPoints:
     def stretches(self, buckets: PointBuckets, length: int, margin: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Records of stretches of `length` units with those of `margin` units before and after, and which are own.
 
-        `buckets` hold records by unit; stretches without own records are left out. No stretch reaches over a break.
+        `buckets` hold records by unit and are empty afterwards; stretches without own records are left out. No stretch
+        reaches over a break.
         """
         held: dict[int, np.ndarray] = {}
         starts = sorted({unit // _PART * _PART + unit % _PART // length * length for unit in self.units})
         for first in starts:
             wanted = [unit for unit in range(first - margin, first + length + margin)
                       if unit in self.units and unit // _PART == first // _PART]
-            held = {unit: held[unit] if unit in held else buckets.read(unit) for unit in wanted}
+            held = {unit: held[unit] if unit in held else buckets.take(unit) for unit in wanted}
             mine = np.repeat([first <= unit < first + length for unit in wanted], [len(held[unit]) for unit in wanted])
             if mine.any():
                 yield np.concatenate([held[unit] for unit in wanted]), mine

@@ -77,10 +77,10 @@ class NodeChain:
         weighted = self.normals.information * weight[:, None, None]
         gradient = self.normals.normal_vector * weight[:, None]
         steps = np.stack([np.ones(len(self.ahead)), self.ahead], axis=1)
-        for a in range(2):
-            np.add.at(right[:, :, a], self.node, gradient * steps[:, a, None])
-            for b in range(2):
-                np.add.at(diagonal[:, :, a, :, b], self.node, weighted * (steps[:, a] * steps[:, b])[:, None, None])
+        filled, first = np.unique(self.node, return_index=True)  # nodes grow along the path
+        right[filled] = np.add.reduceat(gradient[:, :, None] * steps[:, None], first, axis=0)
+        products = weighted[:, :, None, :, None] * (steps[:, :, None] * steps[:, None])[:, None, :, None]
+        diagonal[filled] += np.add.reduceat(products, first, axis=0)
         solution = solve_chain(diagonal.reshape(k, 2 * d, 2 * d), prior.ahead.reshape(k - 1, 2 * d, 2 * d),
                                right.reshape(k, 2 * d))
         likelihood = 0.5 * (float((right.reshape(k, -1) * solution.state).sum()) + prior.log_determinant
