@@ -187,6 +187,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             with same_sums(), self._points_crs(run, context), self._scheduler(run, context), \
                     self._told(parameters, context):
                 results = self.compute(run, context, feedback)
+            destinations.close_layers(context, staging)
             staging.publish()
         except UrbanMapError as error:
             if final_text(str(error)) == str(error):

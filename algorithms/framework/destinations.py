@@ -96,6 +96,23 @@ def _elsewhere(definition: QgsProcessingOutputLayerDefinition, place: str) -> Qg
     return moved
 
 
+def close_layers(context: QgsProcessingContext, staging: Staging) -> None:
+    """Close what steps of a chain opened of results that are about to be moved.
+
+    QGIS would keep the rasters' statistics beside them when it closes them, where they no longer are.
+    """
+    store = context.temporaryLayerStore()
+    for layer in list(store.mapLayers().values()):
+        source = layer.source().split("|")[0]
+        if staging.outside(source) == source:
+            continue
+        beside = Path(f"{source}.aux.xml")
+        known = beside.exists()
+        store.removeMapLayer(layer)
+        if not known:
+            beside.unlink(missing_ok=True)
+
+
 def results_outside(results: Mapping, staging: Staging) -> dict:
     """Results with the places where the outputs are now."""
     return {name: staging.outside(value) if isinstance(value, str) else value for name, value in results.items()}

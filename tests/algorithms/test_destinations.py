@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 SQUARE = "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0))"
@@ -397,3 +398,28 @@ def test_points_that_state_no_crs_take_the_one_that_is_given(run, make_cloud, tm
                                               "OUTPUT": str(tmp_path / "s.tif"),
                                               "OUTPUT_GROUND": str(tmp_path / "g.tif")})
     assert Path(surface["OUTPUT"]).is_file()
+
+
+def test_rasters_that_steps_opened_are_closed_before_they_are_moved(modules, tmp_path, capfd):
+    """QGIS writes statistics beside a raster when it closes it: where the raster was gone by then, GDAL complained."""
+    from qgis.core import QgsRasterLayer
+
+    from urbanmap_qgis.geometry.grid import Grid
+    from urbanmap_qgis.io.raster import write_raster
+
+    destinations, staging_module = modules
+    context = new_context()
+    store = context.temporaryLayerStore()
+    with staging_module.Staging() as staging:
+        made = staging.place(tmp_path / "o.tif")
+        write_raster(made, np.arange(1e4, dtype=np.float32).reshape(100, 100), Grid(0, 100, 1, 100, 100),
+                     'LOCAL_CS["a",UNIT["metre",1]]')
+        layer = QgsRasterLayer(str(made), "o")
+        layer.dataProvider().histogram(1)
+        store.addMapLayer(layer)
+        del layer
+        destinations.close_layers(context, staging)
+        assert not store.mapLayers()
+        staging.publish()
+    assert [path.name for path in tmp_path.iterdir()] == ["o.tif"]
+    assert "auxiliary" not in capfd.readouterr().err
