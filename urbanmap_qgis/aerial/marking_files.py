@@ -48,8 +48,9 @@ MIN_PIXEL = 0.06
 MAX_PIXEL = 0.5
 """m. Markings are 0.1 to 0.45 m wide: with larger pixels there is nothing to see."""
 
-_TILE = 3072
-"""Pixels, side of a tile at most: half of what is worked on is then round the tiles, and a process takes 0.5 GB."""
+_TILE = 2560
+"""Pixels, side of a tile at most: what is worked on round tiles is then up to 0.65 of their own, and a process takes
+0.6 GB."""
 
 _MASK_BLOCK = 256
 _SAMPLES = 16

@@ -113,21 +113,23 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     shape = found.core.shape
     wanted = wanted or (slice(0, shape[0]), slice(0, shape[1]))
     narrow = _narrow(found, settings.top_hat_ratio)
-    ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
-                           found.noise, settings.confidence)
-    vehicles, bodies = vehicle_zones(found, ground.brightness, pixel, settings)
     # A piece is shorter than this, or long; farther off nothing matters any more.
     near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, shape)
     inside = flat_places(narrow, near)
+    ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
+                           found.noise, settings.confidence)
     relief = (found.image.take(inside) - found.road.take(inside)) / found.threshold.take(inside)
     confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near)
+    brightness = ground.brightness
+    del ground, relief  # large pieces of image: each array counts
+    vehicles, bodies = vehicle_zones(found, brightness, pixel, settings)
     paint = ~bodies.take(inside)
     narrow = narrow[near] & ~bodies[near]
-    seen = found.seen[near]
     inner = cv2.erode(found.seen.view(np.uint8), np.ones((5, 5), np.uint8))[near] > 0
-    kept, confidence = filtered_components(narrow, vehicles[near], seen & ~inner, confidence[paint], pixel, settings)
+    kept, confidence = filtered_components(narrow, vehicles[near], found.seen[near] & ~inner, confidence[paint], pixel,
+                                           settings)
     own = within(wanted, near)
-    return Cleaned(kept[own], confidence[own], ground.brightness[wanted], bodies[wanted])
+    return Cleaned(kept[own], confidence[own], brightness[wanted], bodies[wanted])
 
 
 def _narrow(found: Candidates, ratio: float) -> np.ndarray:

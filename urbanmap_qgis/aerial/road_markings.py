@@ -200,8 +200,11 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
     near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * EDGE_SPREAD) / pixel) + 4, core.shape)
     made = remove_non_markings(found, pixel, settings.cleaning, near)
     image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
+    del found, threshold  # large pieces of image: each array counts
     core, road = _filled(made, image, road, allowed, pixel, settings.cleaning)
-    return _refined(core, image, road, bands, allowed, pixel, made.confidence).part(within(wanted, near))
+    confidence = made.confidence
+    del made
+    return _refined(core, image, road, bands, allowed, pixel, confidence).part(within(wanted, near))
 
 
 def _levelled(bands: np.ndarray, levels: LevelAdjustment, settings: MarkingSettings) -> np.ndarray:
@@ -273,6 +276,7 @@ def _filled(made: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndar
     inside = np.flatnonzero(closed)
     wide = np.zeros(closed.shape, bool)
     wide.ravel()[inside] = road.take(inside) > 0.5 * (paint.take(inside) + made.ground.take(inside))
+    del paint
     near = np.flatnonzero(cv2.dilate(wide.view(np.uint8), disc_kernel(2 * EDGE_SPREAD, pixel)))
     road = np.array(road)
     road.ravel()[near] = np.minimum(road.take(near), made.ground.take(near))
