@@ -31,6 +31,7 @@ FILES = (
     ("models.gpkg", "building models, one feature a building; models.html is their report"),
     ("models.city.json", "the same as CityJSON 2.0"),
     ("survey_01.laz", "the mobile survey on the markings; survey_01.html is the report of its registration"),
+    ("lanes.osm", "the lane map as Lanelet2; lanes.xodr as OpenDRIVE, lanes.html is its report"),
     ("merged.gpkg", "the models with walls that the survey measured"),
     ("textured/", "the models with facades from line images: glTF, OBJ and CityJSON"),
     ("citygml/", "the textured models as CityGML, laid out as PLATEAU has it"),

@@ -14,6 +14,7 @@ from scripts.demo import checks
 from scripts.demo import street_checks as street
 from scripts.demo.checks import Figure
 from scripts.demo.city_checks import city_files
+from scripts.demo.lane_checks import lane_map
 
 CITY = Path("city")
 ALS = CITY / "als/als.laz"
@@ -84,6 +85,13 @@ def _street_stages() -> list[Stage]:
                "GROUND": Path("ground.tif"), "OUTPUT": Path("survey_01.laz"),
                "OUTPUT_TRAJECTORY": Path("survey_01_trajectory.csv"), "OUTPUT_PATCHES": Path("survey_01_patches.gpkg"),
                "OUTPUT_REPORT": Path("survey_01.html")}, street.registered_survey),
+        Stage("Lane map from markings and the drive", "urbanmap:lanemap",
+              {"MARKINGS": Path("markings.gpkg"), "GROUND": Path("ground.tif"),
+               "TRAJECTORY": Path("survey_01_trajectory.csv"), "TRAFFIC": "left", "OUTPUT_LANES": Path("lanes.gpkg"),
+               "OUTPUT_CENTRES": Path("lane_centres.gpkg"), "OUTPUT_BOUNDS": Path("lane_bounds.gpkg"),
+               "OUTPUT_FINDINGS": Path("lane_findings.gpkg"), "OUTPUT_LINES": Path("marking_lines.gpkg"),
+               "OUTPUT_AREAS": Path("marking_areas.gpkg"), "OUTPUT_LANELET2": Path("lanes.osm"),
+               "OUTPUT_OPENDRIVE": Path("lanes.xodr"), "OUTPUT_REPORT": Path("lanes.html")}, lane_map),
         Stage("Walls from the mobile survey", "urbanmap:wallsfrommms",
               {"POINTS": Path("survey_01.laz"), "BUILDINGS": Path("models.gpkg"), "GROUND": Path("ground.tif"),
                "OUTPUT": Path("walls.gpkg")}, street.measured_walls),

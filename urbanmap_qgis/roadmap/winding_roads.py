@@ -20,7 +20,8 @@ SHORTEST = 1.0
 """Shorter ends of lines in a stretch are left out, m."""
 
 
-def unwound_roads(axis: np.ndarray, chains: Sequence[Sequence[MapLine]]) -> list[tuple[np.ndarray, list[list[MapLine]]]]:
+def unwound_roads(axis: np.ndarray,
+                  chains: Sequence[Sequence[MapLine]]) -> list[tuple[np.ndarray, list[list[MapLine]]]]:
     """The axis (n, 2) of a road and its lines by chain, cut where the axis has turned by `STRETCH_TURN`.
 
     Each line is cut where the axis' nearest place changes from one stretch to the next. A road that does not turn
