@@ -28,27 +28,36 @@ def write_map_report(stage, parameters, context, built, drives) -> dict[str, str
 
 
 def _verdict(report, built, drives, figures) -> None:
-    report.section(tr("Verdict"))
+    from ...urbanmap_qgis.io.report import BAD, GOOD, LOOK
+
     if not built.lanes:
-        report.warning(tr("No lane was made: nothing shows the direction of any strip between lines."))
+        report.verdict(BAD, tr("No lane was made: nothing shows the direction of any strip between lines."))
         return
-    report.paragraph(tr("{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.").format(
+    warnings = _warnings(built, drives, figures)
+    report.verdict(LOOK if warnings else GOOD, tr(
+        "{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.").format(
         sum(lane.kind == "lane" for lane in built.lanes), figures.length,
         sum(lane.kind == "virtual" for lane in built.lanes)))
+    for text in warnings:
+        report.warning(text)
+
+
+def _warnings(built, drives, figures) -> list[str]:
+    """What keeps the map from being taken as it is."""
+    warnings = []
     if not drives:
-        report.warning(tr("No trajectory was given: only paint and road axes tell directions, and nothing leads "
-                          "through junctions."))
+        warnings.append(tr("No trajectory was given: only paint and road axes tell directions, and nothing leads "
+                           "through junctions."))
     elif figures.breaks:
-        report.warning(tr("The map is not connected along the drives at {0} places; see the findings “driven without "
-                          "lane” and “way not drawn”.").format(figures.breaks))
-    else:
-        report.paragraph(tr("The map is connected along all that was driven."))
+        warnings.append(tr("The map is not connected along the drives at {0} places; see the findings “driven without "
+                           "lane” and “way not drawn”.").format(figures.breaks))
     if figures.seen < 0.9:
-        report.warning(tr("{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the "
-                          "findings “bound not seen”.").format(1.0 - figures.seen))
+        warnings.append(tr("{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the "
+                           "findings “bound not seen”.").format(1.0 - figures.seen))
     contradictions = sum(finding.kind == "direction contradicts" for finding in built.findings)
     if contradictions:
-        report.warning(tr("Evidence on directions contradicts itself at {0} places.").format(contradictions))
+        warnings.append(tr("Evidence on directions contradicts itself at {0} places.").format(contradictions))
+    return warnings
 
 
 def _facts(built, figures) -> dict[str, object]:

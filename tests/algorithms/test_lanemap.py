@@ -50,7 +50,7 @@ def test_markings_and_drives_become_lanes_and_files(run, read_layer, given, tmp_
     (road,) = root.findall("road")
     assert road.get("rule") == "LHT" and sorted(int(lane.get("id")) for lane in road.iter("lane")) == [-2, -1, 0, 1, 2]
     page = (tmp_path / "OUTPUT_REPORT.html").read_text(encoding="utf-8")
-    assert "connected along all that was driven" in page and page.count("<svg") == 1 and "open end" in page
+    assert "4 lanes of" in page and "not connected" not in page and page.count("<svg") == 1 and "open end" in page
     assert results["FINDINGS"] == len(read_layer(results["OUTPUT_FINDINGS"]))
 
 
