@@ -20,6 +20,8 @@ from .tile_work import TileJob, work_on_tile
 
 IN_HAND = 2
 """Tiles handed to each worker at a time: one at work, one waiting."""
+RENEWED = 100
+"""Tiles after which a process makes room for a new one: QGIS and its libraries keep about 1 MB of each."""
 
 
 def run_tiles(jobs: Sequence[TileJob], count: int, cancelled: Callable[[], bool]) -> Iterator[TileRecord]:
@@ -32,8 +34,10 @@ def run_tiles(jobs: Sequence[TileJob], count: int, cancelled: Callable[[], bool]
         return
     waiting, suspects = list(reversed(jobs)), []
     while waiting:
-        lost = yield from _until_broken(waiting, count, cancelled)
-        suspects += lost
+        batch = waiting[-RENEWED * count:]
+        del waiting[-RENEWED * count:]
+        suspects += yield from _until_broken(batch, count, cancelled)
+        waiting += batch  # what a broken pool has left
     for job in suspects:  # one of them ended its process: each once more, alone
         alone = [job]
         if (yield from _until_broken(alone, 1, cancelled)):
