@@ -2,6 +2,8 @@
 # make test    all tests (make test-core, -algorithms, -cli, -gui and -real run a part)
 # make lint    check the style of the code
 # make package the zip for QGIS's plugin repository
+# make docs    the documentation as a website, build/site
+# make translations  bring the translations up to date and compile them
 # make bench   table of speed and memory
 # make clean   remove what was made, but not .venv
 
@@ -12,7 +14,7 @@ PARTS := core algorithms cli gui real
 export PATH := /usr/bin:/bin:$(PATH)
 export QGIS_NO_OVERRIDE_IMPORT := 1
 
-.PHONY: setup demo test lint package bench clean $(PARTS:%=test-%)
+.PHONY: setup demo test lint package docs translations bench clean $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
@@ -32,8 +34,15 @@ $(PARTS:%=test-%): test-%: setup
 lint: setup
 	$(PYTHON) -m ruff check .
 
-package: setup
+package: docs
 	$(PYTHON) scripts/package.py
+
+docs: setup
+	$(PYTHON) scripts/make_docs.py
+	$(PYTHON) -m mkdocs build --quiet --strict
+
+translations: setup
+	$(PYTHON) scripts/make_translations.py
 
 bench: setup
 	$(PYTHON) scripts/bench.py

@@ -16,7 +16,7 @@ class UrbanMapPlugin:
     def __init__(self, iface=None):
         self.iface = iface
         self.provider = None
-        self.action = None
+        self.actions = []
         self.dialog = None
         activate_profile_packages()
         self.translator = speak_language()
@@ -33,9 +33,29 @@ class UrbanMapPlugin:
             return
         from qgis.PyQt.QtWidgets import QAction
 
-        self.action = QAction(self.provider.icon(), tr("Install Python packages…"), self.iface.mainWindow())
-        self.action.triggered.connect(self.install_packages)
-        self.iface.addPluginToMenu("UrbanMap", self.action)
+        for label, work in ((tr("Sample city…"), self.make_sample_city), (tr("Documentation"), self.show_documentation),
+                            (tr("Install Python packages…"), self.install_packages)):
+            action = QAction(self.provider.icon(), label, self.iface.mainWindow())
+            action.triggered.connect(work)
+            self.iface.addPluginToMenu("UrbanMap", action)
+            self.actions.append(action)
+
+    def make_sample_city(self):
+        """Show the dialog of the algorithm that makes data to try everything."""
+        import processing
+
+        processing.execAlgorithmDialog("urbanmap:samplecity")
+
+    def show_documentation(self):
+        """Open the documentation in the browser."""
+        from qgis.PyQt.QtCore import QUrl
+        from qgis.PyQt.QtGui import QDesktopServices
+
+        from .framework.base import UrbanMapAlgorithm
+        from .framework.help_page import index_file
+
+        own = [item.create() for item in self.provider.algorithms() if isinstance(item, UrbanMapAlgorithm)]
+        QDesktopServices.openUrl(QUrl.fromLocalFile(str(index_file(own))))
 
     def install_packages(self):
         """Show the window that installs missing packages."""
@@ -46,9 +66,9 @@ class UrbanMapPlugin:
 
     def unload(self):
         """Take everything away again."""
-        if self.action is not None:
-            self.iface.removePluginMenu("UrbanMap", self.action)
-            self.action = None
+        for action in self.actions:
+            self.iface.removePluginMenu("UrbanMap", action)
+        self.actions = []
         if self.provider is not None:
             QgsApplication.processingRegistry().removeProvider(self.provider)
             self.provider = None

@@ -67,19 +67,27 @@ def metadata(root: Path, repository: str = "", email: str = "") -> bytes:
     return (text.rstrip("\n") + "\n" + "".join(f"{key}={value}\n" for key, value in added.items())).encode("utf-8")
 
 
+def website(root: Path) -> dict[str, Path]:
+    """The documentation as a website by name in the zip, where `make docs` has built it; without what holds times."""
+    site = root / "build" / "site"
+    return {f"site/{path.relative_to(site).as_posix()}": path for path in sorted(site.rglob("*"))
+            if path.is_file() and not path.name.startswith("sitemap")}
+
+
 def build(root: Path, target: Path, repository: str = "", email: str = "") -> int:
     """Write the zip and return the number of files in it; the same files give the same bytes."""
     check_metadata(root)
     told = metadata(root, repository, email)
     files = [path for path in tracked_files(root) if (root / path).is_file()]
+    contents = {path.as_posix(): root / path for path in files} | website(root)
     target.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for path in files:
-            entry = zipfile.ZipInfo(f"{FOLDER}/{path.as_posix()}", (2000, 1, 1, 0, 0, 0))
+        for name, path in contents.items():
+            entry = zipfile.ZipInfo(f"{FOLDER}/{name}", (2000, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
-            archive.writestr(entry, told if str(path) == "metadata.txt" else (root / path).read_bytes())
-    return len(files)
+            archive.writestr(entry, told if name == "metadata.txt" else path.read_bytes())
+    return len(contents)
 
 
 def main() -> None:

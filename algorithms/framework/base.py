@@ -124,6 +124,12 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     def shortHelpString(self):
         return help_html(self)
 
+    def helpUrl(self):
+        """The page behind the Help button of the dialog."""
+        from .help_page import page_file
+
+        return page_file(self).as_uri()
+
     def initAlgorithm(self, configuration=None):
         self.declare()
 
@@ -428,29 +434,23 @@ def help_html(algorithm: UrbanMapAlgorithm) -> str:
 
     QGIS makes a paragraph of every line.
     """
+    from .help_page import entries
+
     lines = [escape(line) for line in tr(algorithm.HELP).strip().splitlines()]
-    inputs = [item for item in algorithm.parameterDefinitions() if not item.isDestination()]
-    lines += _section(tr("Input"), [(item.description(), item.help(), _default(item)) for item in inputs])
-    helps = {item.name(): item.help() for item in algorithm.parameterDefinitions() if item.isDestination()}
-    helps.update(algorithm.output_helps())
-    lines += _section(tr("Output"), [(item.description(), helps.get(item.name(), ""), "")
-                                     for item in algorithm.outputDefinitions()])
+    inputs, outputs = entries(algorithm)
+    lines += _section(tr("Input"), inputs)
+    lines += _section(tr("Output"), outputs)
     if algorithm.SOURCE:
         lines.append(f"<i>{escape(tr('Method'))}: {escape(algorithm.SOURCE)}</i>")
     return "\n".join(lines)
 
 
-def _section(title: str, entries: list[tuple[str, str, str]]) -> list[str]:
-    if not entries:
+def _section(title: str, rows: list[tuple[str, str, str, str]]) -> list[str]:
+    if not rows:
         return []
     return [f"<h3>{escape(title)}</h3>",
             *(f"<b>{escape(label)}</b>: {escape(' '.join(text.split()))}{escape(default)}"
-              for label, text, default in entries)]
-
-
-def _default(definition) -> str:
-    value = definition.defaultValue()
-    return tr(" Default: {0}.").format(value) if isinstance(value, (int, float, str)) and value != "" else ""
+              for _, label, text, default in rows)]
 
 
 def _is_optional(definition) -> bool:

@@ -1,0 +1,56 @@
+"""The documentation: a page for each algorithm, links that lead somewhere, a page behind the Help button."""
+
+from __future__ import annotations
+
+import importlib.util
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="module")
+def make_docs():
+    spec = importlib.util.spec_from_file_location("make_docs", ROOT / "scripts" / "make_docs.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module")
+def algorithms(qgis_app):
+    from qgis.core import QgsApplication
+
+    provider = QgsApplication.processingRegistry().providerById("urbanmap")
+    return [item.create() for item in provider.algorithms() if hasattr(item, "HELP")]
+
+
+def test_each_algorithm_has_its_page_and_no_page_is_left_over(make_docs, algorithms):
+    assert not make_docs.differences(make_docs.pages_of(algorithms), ROOT / "docs" / "algorithms"), (
+        "run scripts/make_docs.py")
+
+
+def test_links_lead_to_files():
+    lost = []
+    for page in [*(ROOT / "docs").rglob("*.md"), ROOT / "README.md"]:
+        text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.S)
+        for target in re.findall(r"\]\(([^)#\s]+)", text):
+            if "://" not in target and not (page.parent / target).exists():
+                lost.append(f"{page.relative_to(ROOT)}: {target}")
+    assert not lost
+
+
+def test_every_page_is_in_the_website():
+    named = set(re.findall(r"[\w/]+\.md", (ROOT / "mkdocs.yml").read_text(encoding="utf-8")))
+    pages = {path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").glob("*.md")}
+    assert pages <= named and all((ROOT / "docs" / name).is_file() for name in named)
+
+
+def test_the_help_button_opens_the_algorithms_own_page(algorithms):
+    from urllib.parse import unquote, urlparse
+
+    chosen = next(item for item in algorithms if item.name() == "buildingmodels")
+    text = Path(unquote(urlparse(chosen.helpUrl()).path)).read_text(encoding="utf-8")
+    assert f"<h1>{chosen.displayName()}</h1>" in text and "<code>OUTPUT_CITYJSON</code>" in text and "<img" in text
