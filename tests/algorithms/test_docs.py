@@ -54,3 +54,13 @@ def test_the_help_button_opens_the_algorithms_own_page(algorithms):
     chosen = next(item for item in algorithms if item.name() == "buildingmodels")
     text = Path(unquote(urlparse(chosen.helpUrl()).path)).read_text(encoding="utf-8")
     assert f"<h1>{chosen.displayName()}</h1>" in text and "<code>OUTPUT_CITYJSON</code>" in text and "<img" in text
+
+
+def test_the_messages_explained_are_those_that_are_said():
+    source = "\n".join(path.read_text(encoding="utf-8") for folder in ("urbanmap_qgis", "algorithms")
+                       for path in (ROOT / folder).rglob("*.py"))
+    said = re.sub(r'"\s*\n\s*f?"|\{[^{}]*\}', "", source)
+    page = (ROOT / "docs" / "problems.md").read_text(encoding="utf-8")
+    told = re.findall(r"`([^`]+)`", "\n".join(line.split("|")[1] for line in page.splitlines() if line.startswith("| ")))
+    assert len(told) > 20
+    assert not [text for text in told if text not in said and text not in source]

@@ -18,10 +18,10 @@ class Interface:
         return self.window
 
     def addPluginToMenu(self, menu, action):
-        self.menus[menu] = action
+        self.menus.setdefault(menu, []).append(action)
 
     def removePluginMenu(self, menu, action):
-        del self.menus[menu]
+        self.menus[menu].remove(action)
 
 
 @pytest.fixture
@@ -60,10 +60,11 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin):
     desktop.provider = plugin("algorithms.provider").UrbanMapProvider()
     desktop.initProcessing = lambda: None
     desktop.initGui()
-    assert interface.menus["UrbanMap"].text() == "Install Python packages…"
+    assert [action.text() for action in interface.menus["UrbanMap"]] == [
+        "Sample city…", "Documentation", "Install Python packages…"]
     desktop.provider = None
     desktop.unload()
-    assert interface.menus == {}
+    assert interface.menus == {"UrbanMap": []}
     assert QgsApplication.processingRegistry().providerById("urbanmap") is not None
 
 
