@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib.util
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -64,3 +66,15 @@ def test_the_messages_explained_are_those_that_are_said():
     told = re.findall(r"`([^`]+)`", "\n".join(line.split("|")[1] for line in page.splitlines() if line.startswith("| ")))
     assert len(told) > 20
     assert not [text for text in told if text not in said and text not in source]
+
+
+def test_the_website_builds_offline(tmp_path):
+    pytest.importorskip("mkdocs")
+    done = subprocess.run([sys.executable, "-m", "mkdocs", "build", "--quiet", "--strict", "--site-dir", str(tmp_path)],
+                          cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    pages = list(tmp_path.rglob("*.html"))
+    assert len(pages) > 50
+    loaded = re.findall(r'(?:src|href)="(https?://[^"]+\.(?:js|css|woff2?))"', "".join(
+        page.read_text(encoding="utf-8") for page in pages))
+    assert not loaded
