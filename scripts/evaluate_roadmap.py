@@ -101,6 +101,18 @@ def line_figures(work: LineWork, shapes: np.ndarray, kinds: np.ndarray, given: n
             "within two sigma": float(np.mean(within)), **end_figures(work, axes[classes == "dashed"])}
 
 
+def course_figures(work: LineWork, city: Path) -> dict[str, float]:
+    """Share of the true lines' courses, with the gaps of dashes, along which a found line runs, painted or bridged."""
+    if not (city / "truth/lines.gpkg").is_file():
+        return {}
+    shapes, (kinds,) = read_layer(city / "truth/lines.gpkg", "class", layer="lines_aerial")
+    places = np.concatenate([sampled(shapely.force_2d(shape)) for shape, kind in zip(shapes, kinds)
+                             if kind != "stop line"])
+    plans = [line.plan for line in work.lines if line.kind != "stop line"]
+    at = shapely.STRtree(plans).query(places, predicate="dwithin", distance=NEAR)[0]
+    return {"lines, completeness of courses": len(np.unique(at)) / len(places)}
+
+
 def end_figures(work: LineWork, dashes: np.ndarray) -> dict[str, float]:
     """Errors along at dash ends."""
     ends = shapely.points(np.concatenate([shapely.get_coordinates(axis) for axis in dashes])) if len(dashes) else []
@@ -199,7 +211,8 @@ def main() -> None:
     done = time.process_time()
     shapes, (kinds,) = read_layer(city / "truth/markings.gpkg", "kind", layer="aerial")
     kinds = np.array(kinds)
-    figures = {**line_figures(work, shapes, kinds, parts), **area_figures(work, shapes, kinds),
+    figures = {**line_figures(work, shapes, kinds, parts), **course_figures(work, city),
+               **area_figures(work, shapes, kinds),
                **lane_figures(built, city),
                "CPU s, lines": lines_done - started, "CPU s, lanes": done - lines_done,
                "CPU s a km of lines": (done - started) / (sum(line.plan.length for line in work.lines) / 1000)}

@@ -8,6 +8,7 @@ from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.samplecity.scene.ground import KERB_HEIGHT, Surface
 from urbanmap_qgis.samplecity.scene.model import AERIAL, GROUND, FaceKind, Material
 from urbanmap_qgis.samplecity.scene.world import SCENES, make_scene
+from urbanmap_qgis.samplecity.truth.lines import true_lines
 
 
 @pytest.fixture(scope="module")
@@ -132,3 +133,19 @@ def test_same_seed_same_city():
 def test_bad_parameters_are_refused(size, scene):
     with pytest.raises(InputError):
         make_scene(size, scene, 1)
+
+
+def test_true_lines_lie_in_the_middle_of_their_paint_and_join_dashes(canyon):
+    layer = true_lines(canyon, AERIAL)
+    kinds, painted = np.array(layer.fields["class"]), shapely.union_all([
+        marking.plan for marking in canyon.markings_at(AERIAL) if marking.kind in ("centre", "edge", "lane", "stop")])
+    assert set(kinds) == {"solid", "dashed", "stop line"} and np.count_nonzero(kinds == "stop line") == 36
+    covered = np.array([line.intersection(painted).length / line.length for line in layer.geometries])
+    assert covered[kinds != "dashed"] == pytest.approx(1.0, abs=1e-6)
+    for row in np.flatnonzero(kinds == "dashed"):
+        line, dashes = layer.geometries[row], layer.fields["dashes"][row].split(";")
+        count = round((line.length + 4.5) / 7.5)
+        assert len(dashes) == count and covered[row] == pytest.approx(3.0 * count / line.length, abs=1e-3)
+        middles = [line.interpolate(sum(map(float, dash.split("-"))) / 2) for dash in dashes]
+        edge = shapely.distance(middles, painted.boundary)
+        assert edge == pytest.approx(0.075, abs=1e-3)

@@ -16,6 +16,7 @@ from .edges import true_kerbs, true_rails
 from .geopackage import Layer, write_geopackage
 from .geotiff import write_mask
 from .lanes import true_lanes
+from .lines import true_lines
 
 CELL = 0.25
 """Of the raster of the ground, m."""
@@ -25,7 +26,7 @@ BORDER = 30.0
 
 
 def write_truth(scene: Scene, folder: Path) -> dict:
-    """Write the layers markings, roofs, footprints, areas, lanes, edges and ground.tif to truth/ below `folder`."""
+    """Write the layers markings, lines, roofs, footprints, areas, lanes, edges and ground.tif to truth/ below `folder`."""
     truth = folder / "truth"
     truth.mkdir(parents=True, exist_ok=True)
     write_geopackage(truth / "markings.gpkg", [_markings(scene, AERIAL, "aerial"), _markings(scene, GROUND, "mms")])
@@ -34,6 +35,7 @@ def write_truth(scene: Scene, folder: Path) -> dict:
     write_geopackage(truth / "areas.gpkg", [_areas(scene)])
     write_geopackage(truth / "lanes.gpkg", [true_lanes(scene)])
     write_geopackage(truth / "edges.gpkg", [true_kerbs(scene), true_rails(scene)])
+    write_geopackage(truth / "lines.gpkg", [true_lines(scene, AERIAL), true_lines(scene, GROUND)])
     _write_ground(scene, truth / "ground.tif")
     return {"buildings": len(scene.buildings), "roofs": sum(len(building.parts) for building in scene.buildings),
             "markings": len(scene.markings), "trees": len(scene.trees), "vehicles": len(scene.vehicles)}
