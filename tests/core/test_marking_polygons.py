@@ -13,6 +13,8 @@ from hypothesis import strategies as st
 from pyproj import CRS
 from rasterio.transform import Affine
 
+from urbanmap_qgis.aerial import marking_polygons
+from urbanmap_qgis.aerial.marching_squares import zero_lines
 from urbanmap_qgis.aerial.marking_polygons import merge_tile_polygons, tile_polygons, with_heights
 from urbanmap_qgis.aerial.road_markings import (
     Markings,
@@ -116,3 +118,26 @@ def test_heights_of_the_ground(tmp_path):
     assert without == 0 and outside == 1
     x, y, z = shapely.get_coordinates(raised[:], include_z=True).T
     assert np.allclose(z, 10 + 0.1 * (x - 100) + 0.05 * (y - 180), atol=1e-4)
+
+
+def test_a_hole_belongs_to_the_ring_round_it_though_a_piece_lies_inside():
+    row, column = np.mgrid[:60, :60]
+    away = np.hypot(row - 30, column - 30)
+    paint = ((away > 20) & (away < 26)) | (away < 12)  # the middle of the hole lies on the piece in it
+    field = np.where(paint, 40, -40).astype(np.float32)
+    markings = Markings(paint, field, field, ~paint, np.ones(field.shape, np.float32))
+    found = polygons_of(markings)
+    assert sorted(len(polygon.interiors) for polygon in found.polygons) == [0, 1]
+    assert all(polygon.is_valid for polygon in found.polygons)
+    assert found.area.sum() == pytest.approx(np.count_nonzero(paint) * abs(PLACE.a * PLACE.e), rel=0.03)
+
+
+def test_lines_alone_simplify_as_the_slow_way_does():
+    noise = np.random.default_rng(3).normal(0, 1, (500, 500)).astype(np.float32)
+    field = np.pad(cv2.GaussianBlur(noise, (0, 0), 3) - np.float32(0.03), 1, constant_values=-1)
+    points, counts = zero_lines(field)
+    outlines = shapely.polygons(shapely.linearrings(points, indices=np.repeat(np.arange(len(counts)), counts)))
+    outlines = outlines[shapely.is_valid(outlines)]
+    slow = shapely.simplify(outlines, marking_polygons._SIMPLIFIED)
+    assert len(outlines) > 300 and len(shapely.get_coordinates(slow)) < 0.9 * len(shapely.get_coordinates(outlines))
+    assert shapely.equals_exact(marking_polygons._simplified(outlines), slow, 0).all()

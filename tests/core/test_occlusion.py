@@ -214,3 +214,16 @@ def test_refusals(tmp_path):
     with pytest.raises(InputError, match="greater than 0"):
         OcclusionSettings(0.0)
     assert not (tmp_path / "o.tif").exists()
+
+
+def test_windows_one_below_the_other_are_as_if_read_alone(tmp_path):
+    paths = write_town(tmp_path, with_box(40.0))
+    columns = slice(5, 60)
+    with NormalisedSurface(*paths) as rolling:
+        for top in (0, 20, 40, 10):
+            rows = slice(top, top + 25)
+            got = rolling.raised(rows, columns, 5.0, True)
+            with NormalisedSurface(*paths) as alone:
+                for one, other in zip(got, alone.raised(rows, columns, 5.0, True)):
+                    np.testing.assert_array_equal(one, other)
+            got[0][:] = -99.0  # they are the caller's own

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from urbanmap_qgis.aerial import vehicles
 from urbanmap_qgis.aerial.vehicles import composite, darkest, majority_vote, steepest_view
 
 ROAD, PAINT, WHITE_CAR, BLACK_CAR = 80.0, 200.0, 250.0, 20.0
@@ -99,3 +100,14 @@ def test_paint_is_not_erased_by_one_view_without_it():
     views[3, 35:55, 20:60] = ROAD * 1.05
     image = composite(views, majority_vote(views, np.ones((4, 90, 90), bool), 255))
     np.testing.assert_array_equal(image, expected)
+
+
+def test_lowest_and_middle_views_are_those_of_sorted_values():
+    rng = np.random.default_rng(0)
+    values = rng.integers(0, 4, (5, 40, 60)).astype(np.float32)  # many are equal: of those the first comes first
+    among = rng.random(values.shape) < 0.6
+    order = np.where(among, values, np.inf).argsort(axis=0, kind="stable")
+    count = among.sum(axis=0)
+    middle = np.take_along_axis(order, np.maximum(count - 1, 0)[None] // 2, axis=0)[0]
+    assert (vehicles._lowest(values, among) == np.where(count > 0, order[0], -1)).all()
+    assert (vehicles._middle(values, among) == np.where(count > 0, middle, -1)).all()
