@@ -42,6 +42,7 @@ from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
 DATA = ROOT.parent / "shared" / "data" / "als"
 DELFT = DATA / "delft_west"
 CELLS = ("82500_446000", "83000_446000", "83000_446500")
+CITY, CITY_CLOUDS = DATA.parent / "city", ("als", "als_classified")
 FLAT_RMSE_3D = 0.2
 """A building is flat-roofed where roofer's one-height model has at most this RMSE 3D (m)."""
 
@@ -55,7 +56,7 @@ class Run:
 
 
 def outlines_of(path: Path, field: str) -> tuple[np.ndarray, list]:
-    """Polygons and values of a field of a GeoPackage."""
+    """Polygons and values of a field of a GeoPackage; "fid" gives the numbers of the features."""
     from osgeo import ogr
 
     ogr.UseExceptions()
@@ -63,7 +64,7 @@ def outlines_of(path: Path, field: str) -> tuple[np.ndarray, list]:
     geometries, values = [], []
     for feature in source.GetLayer(0):
         geometries.append(shapely.from_wkb(bytes(feature.GetGeometryRef().ExportToWkb())))
-        values.append(feature.GetField(field))
+        values.append(feature.GetFID() if field == "fid" else feature.GetField(field))
     made = np.empty(len(geometries), dtype=object)
     made[:] = geometries
     return made, values
@@ -192,16 +193,21 @@ def steps_table(delft: Delft) -> None:
 
 
 def cells_table(reference: float) -> None:
-    """Speed of each stage on whole 500 m cells."""
+    """Speed of each stage on whole 500 m cells, and on the independent city: 300 m of blocks and towers."""
     rows = []
-    for name in CELLS:
-        outlines, base = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
-        run = chain(DATA / "delft_cells" / f"points_{name}.laz", outlines, np.array(base, float))
+    for name in (*CELLS, *CITY_CLOUDS):
+        if name in CELLS:
+            points = DATA / "delft_cells" / f"points_{name}.laz"
+            outlines, base = outlines_of(DATA / "delft_cells" / f"outlines_{name}.gpkg", "z_base")
+        else:
+            points, base = CITY / "als" / f"{name}.laz", None
+            outlines, _ = outlines_of(CITY / "footprints" / "gsi_buildings.gpkg", "fid")
+        run = chain(points, outlines, None if base is None else np.array(base, float))
         count = len(outlines)
         rows.append((name, count, *(1000 * value / count for value in run.seconds.values()),
                      1000 * sum(run.seconds.values()) / count, sum(run.seconds.values()) / reference,
                      sum(bool(model.solids) for model in run.models)))
-    print_table("Delft cells: CPU ms a building",
+    print_table("Delft cells and the independent city: CPU ms a building",
                 ("cell", "buildings", "segment buildings", "segment roofs", "roof polygons", "building models", "all",
                  "all / reference", "modelled"), rows)
 
