@@ -157,6 +157,23 @@ def _matched(name: str, truth: list, found: list, least: float) -> dict[str, flo
             f"{name}, true": len(truth)}
 
 
+def side_figures(built: VectorMap, shapes: np.ndarray, kinds: np.ndarray) -> dict[str, float]:
+    """Length of lanes that keep to the left of the nearest true centre line, and to its right (traffic on the left)."""
+    centres = shapes[np.isin(kinds, ["centre", "centre_dash"])]
+    tree, sides = shapely.STRtree(centres), {True: 0.0, False: 0.0}
+    for lane in built.lanes:
+        line = shapely.LineString(lane.centre[:, :2])
+        middle = line.interpolate(0.5, normalized=True)
+        near = tree.query_nearest(middle, max_distance=12.0)
+        if lane.kind != "lane" or not len(near):
+            continue
+        course = lane.centre[-1, :2] - lane.centre[0, :2]
+        ends = shapely.get_coordinates(shapely.shortest_line(middle, centres[near[0]]))
+        across = ends[1] - ends[0]
+        sides[bool(course[0] * across[1] - course[1] * across[0] < 0)] += line.length
+    return {"lanes on the right side of the centre line, m": sides[True], "lanes on the wrong side, m": sides[False]}
+
+
 def lane_figures(built: VectorMap, city: Path) -> dict[str, float]:
     """Share of the true lanes between junctions that lie in a lane of their direction with bounds where they belong."""
     figures = {f"lanes, {kind}": count for kind, count in Counter(lane.kind for lane in built.lanes).items()}
@@ -213,7 +230,7 @@ def main() -> None:
     kinds = np.array(kinds)
     figures = {**line_figures(work, shapes, kinds, parts), **course_figures(work, city),
                **area_figures(work, shapes, kinds),
-               **lane_figures(built, city),
+               **lane_figures(built, city), **side_figures(built, shapes, kinds),
                "CPU s, lines": lines_done - started, "CPU s, lanes": done - lines_done,
                "CPU s a km of lines": (done - started) / (sum(line.plan.length for line in work.lines) / 1000)}
     for name, value in figures.items():
