@@ -162,6 +162,8 @@ def test_worn_bound_goes_on_beside_its_neighbours_and_is_told():
     assert sum(lane.kind == "lane" for lane in built.lanes) == 4
     centre = [bound for bound in built.bounds if bound.colour == "yellow"]
     assert sum(bound.unseen for bound in centre) == pytest.approx(50.0, abs=3.0) and "bound not seen" in kinds(built)
+    elements, _ = lanelet_elements(built, WKT)
+    assert sum(float(way.tags.get("unseen", 0)) for way in elements.ways.values()) == pytest.approx(50.0, abs=3.0)
     for bound in centre:
         y = (built.bound_points(bound)[:, :2] - [roads.EAST, roads.NORTH]) @ [-np.sin(roads.ANGLE), np.cos(roads.ANGLE)]
         assert np.abs(y).max() < 0.05

@@ -14,6 +14,9 @@ from .map_records import Bound, VectorMap
 THICK = 0.22
 """Lines wider than this are line_thick, m."""
 
+UNSEEN = 1.0
+"""Bounds that were not seen over more than this tell so by a tag of their own, m."""
+
 META = {"format_version": "1", "map_version": "1"}
 
 
@@ -83,7 +86,7 @@ def lanelet_elements(built: VectorMap, crs_wkt: str, projector: str = "Transvers
 
 
 def _bound_tags(bound: Bound) -> dict[str, str]:
-    """Type and subtype as Lanelet2 names them, with colour, width and sigma where known."""
+    """Type and subtype as Lanelet2 names them, with colour, width, sigma and the length not seen where known."""
     if bound.kind == "virtual":
         return {"type": "virtual"}
     if bound.kind == "road border":
@@ -93,6 +96,7 @@ def _bound_tags(bound: Bound) -> dict[str, str]:
     tags = {"type": "line_thick" if thick else "line_thin", "subtype": subtype}
     tags |= {"color": bound.colour} if bound.colour else {}
     tags |= {"width": f"{bound.width:.3f}"} if np.isfinite(bound.width) else {}
+    tags |= {"unseen": f"{bound.unseen:.1f}"} if bound.unseen > UNSEEN else {}
     return tags | ({"sigma": f"{bound.sigma:.3f}"} if np.isfinite(bound.sigma) else {})
 
 
