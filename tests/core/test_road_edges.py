@@ -9,8 +9,9 @@ import pytest
 
 from tests.core.road_scene import KERB_AT, RAIL_AT, WALL_AT, Street, to_local, write_drive
 from urbanmap_qgis.errors import InsufficientDataError
+from urbanmap_qgis.roadmap.edges_doubts import with_doubts
 from urbanmap_qgis.roadmap.edges_profile import fit_edge_profile
-from urbanmap_qgis.roadmap.edges_records import EdgeSettings
+from urbanmap_qgis.roadmap.edges_records import EdgeSettings, RoadEdge
 from urbanmap_qgis.roadmap.edges_stage import road_edges
 
 SETTINGS = EdgeSettings(survey_sigma=0.0)
@@ -82,6 +83,22 @@ def test_rail_and_wall_stand_where_they_are(tmp_path):
         assert edge.status == "measured" and edge.length > 55.0
         assert np.abs(across(edge, 0.0) - at).max() < 0.02
         assert edge.height == pytest.approx(height, abs=0.14)
+
+
+def straight(kind, at, height, start=0.0, end=40.0):
+    foot = np.column_stack([np.arange(start, end, 0.5), *np.full((2, int(2 * (end - start))), at)])
+    foot[:, 2] = 0.0
+    return RoadEdge(kind, foot, foot + np.array([0.0, 0.0, height]), height, 0.01, 0.01, 100, 1, 1.0, 0, 0.0, "measured", "")
+
+
+def test_what_stands_before_the_kerb_may_be_a_vehicle():
+    path = np.column_stack([np.arange(0.0, 40.0, 0.5), np.zeros(80)])
+    edges = [straight("kerb", 4.0, 0.12), straight("guard rail", 4.2, 0.8), straight("wall", 2.5, 2.7),
+             straight("wall", 7.0, 2.7), straight("wall", 6.0, 1.5, 10.0, 14.0), straight("wall", 2.5, 9.0)]
+    told = with_doubts(edges, path, 40.0)
+    assert [edge.status for edge in told] == ["measured", "measured", "doubtful", "measured", "doubtful", "measured"]
+    assert "no kerb lies before it" in told[2].reason
+    assert with_doubts(edges[1:], path, 40.0) == edges[1:], "a road without kerbs tells nothing"
 
 
 def test_a_kerb_before_a_rail_is_found(tmp_path):

@@ -16,6 +16,7 @@ from ..progress import SILENT, Progress
 from .edges_assembly import kerb_lines
 from .edges_borders import border_candidates, border_lines, measure_borders
 from .edges_courses import find_courses, lengthened, linked
+from .edges_doubts import with_doubts
 from .edges_ground import above_ground, near_ground
 from .edges_points import EdgePoints, EdgeTile
 from .edges_records import POINT, Course, EdgeCandidates, EdgeSettings, RoadEdge, joined_candidates
@@ -78,6 +79,7 @@ def road_edges(paths: Sequence[str | os.PathLike], trajectory: Trajectory, setti
             measure_borders(border_stations, tile, low)
     edges = kerb_lines(stations, settings, survey.corner)
     edges += upright_lines(upright_stations, settings, survey.corner, len(kerbs))
+    edges = with_doubts(edges, survey.path + survey.corner[:2], float(survey.chainage[-1]))
     edges += border_lines(border_stations, edges, survey.path, settings, survey.corner, len(kerbs) + len(faces))
     return EdgesFound([_placed(edge, settings) for edge in edges], float(survey.chainage[-1]), survey.read_points,
                       survey.kept_points)
