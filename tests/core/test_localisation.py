@@ -100,7 +100,7 @@ def test_houses_at_equal_distances_repeat():
     assert np.abs(made.alias_shift[0]) == pytest.approx([12.0, 0.0], abs=0.6)
     rng = np.random.default_rng(2)
     odd = [(x, y, x + rng.uniform(4, 10), y + rng.uniform(6, 14)) for x in range(-120, 121, 12) for y in (8, -18)]
-    assert predicted(city(odd, 0.1), place(2, 0)).alias_share[0] < 0.1
+    assert predicted(city(odd, 0.1), place(2, 0)).alias_share[0] < 0.05
 
 
 def test_walls_with_measured_sigma_take_it():

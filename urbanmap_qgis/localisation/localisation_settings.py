@@ -73,7 +73,7 @@ class LocalisationSettings:
     search: float = 15.0
     good: float = 0.3
     usable: float = 1.0
-    alias_share: float = 0.1
+    alias_share: float = 0.05
     min_points: int = 20
     marking_range: float = 25.0
     marking_view: float = 360.0
