@@ -176,7 +176,8 @@ def cut_layer(source: Path, tile: GridTile, target: Path) -> dict[str, int]:
     """
     layer = QgsVectorLayer(str(source), source.stem, "ogr")
     names = layer.fields().names()
-    near = list(layer.getFeatures(QgsFeatureRequest().setFilterRect(QgsRectangle(*tile.outer))))
+    found = layer.getFeatures(QgsFeatureRequest().setFilterRect(QgsRectangle(*tile.outer)))
+    near = sorted(found, key=lambda feature: feature.id())  # they come as the spatial index was built
     if not near:
         return {}
     own = {}
