@@ -235,7 +235,7 @@ def test_page_of_the_fit(write, tmp_path):
     write_curve_report(tmp_path / "曲線.html", found, ["測量.laz"])
     page = (tmp_path / "曲線.html").read_text(encoding="utf-8")
     assert page.count("<svg") == 1 and "測量.laz" in page and "Scanner 1" in page
-    assert f"{found.curves[1].r2:.3f}" in page and "nan" not in page.lower().replace("finance", "")
+    assert f"{found.curves[1].r2:.2f}" in page and "nan" not in page.lower().replace("finance", "")
 
 
 @pytest.mark.parametrize(("attributes", "words"), [
