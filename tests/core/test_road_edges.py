@@ -88,7 +88,8 @@ def test_rail_and_wall_stand_where_they_are(tmp_path):
 def straight(kind, at, height, start=0.0, end=40.0):
     foot = np.column_stack([np.arange(start, end, 0.5), *np.full((2, int(2 * (end - start))), at)])
     foot[:, 2] = 0.0
-    return RoadEdge(kind, foot, foot + np.array([0.0, 0.0, height]), height, 0.01, 0.01, 100, 1, 1.0, 0, 0.0, "measured", "")
+    top = foot + np.array([0.0, 0.0, height])
+    return RoadEdge(kind, foot, top, height, 0.01, 0.01, 100, 1, 1.0, 0, 0.0, "measured", "")
 
 
 def test_what_stands_before_the_kerb_may_be_a_vehicle():
