@@ -26,7 +26,7 @@ BORDER = 30.0
 
 
 def write_truth(scene: Scene, folder: Path) -> dict:
-    """Write truth/ below `folder`: layers of markings, lines, roofs, footprints, areas, lanes, edges, and ground.tif."""
+    """Write truth/ below `folder`: layers of markings, lines, roofs, footprints, areas, lanes, edges; ground.tif."""
     truth = folder / "truth"
     truth.mkdir(parents=True, exist_ok=True)
     write_geopackage(truth / "markings.gpkg", [_markings(scene, AERIAL, "aerial"), _markings(scene, GROUND, "mms")])
