@@ -13,7 +13,8 @@ from ..framework.parameters import Declarations, tr
 from ..framework.trajectories import trajectory_exists, trajectory_of
 
 SIGMA_FIELDS = ("wall_sigma", "sigma_xy")
-DEFAULT_FIELDS = {"TOP_FIELD": ("z_top", "top"), "BASE_FIELD": ("z_base", "base", "z_low"),
+DEFAULT_FIELDS = {"TOP_FIELD": ("z_top", "top", "z_max"),
+                  "BASE_FIELD": ("z_base", "base", "z_low", "ground", "z_ground"),
                   "BUILDING_FIELD": ("building_id", "building", "building_i"), "SIGMA_FIELD": SIGMA_FIELDS}
 
 
@@ -50,8 +51,8 @@ class LocalisationInputs(Declarations):
                         "are taken, or the feet of the buildings beside them.", optional=True)
         for name, label, help in (
                 ("BUILDING_FIELD", "Field with the building", "Features with the same value are one building."),
-                ("TOP_FIELD", "Field with the height of the top", "m; z_top is found by itself."),
-                ("BASE_FIELD", "Field with the height of the foot", "m; z_base is found by itself."),
+                ("TOP_FIELD", "Field with the height of the top", "m; z_top and top are found by themselves."),
+                ("BASE_FIELD", "Field with the height of the foot", "m; z_base and ground are found by themselves."),
                 ("SIGMA_FIELD", "Field with the sigma of walls", "Of a building's walls, m; wall_sigma and sigma_xy "
                  "are found by themselves.")):
             self.add_field(name, label, help, "BUILDINGS", advanced=True)

@@ -182,7 +182,7 @@ def test_empty_plain_has_no_sigma():
 def test_few_points_are_no_small_sigma():
     post = city([(50, -0.3, 50.6, 0.3)], 0.02)
     made = predicted(post, place(0, 0))
-    assert made.status[0] == "few points on walls" and np.isnan(made.ellipse.major[0])
+    assert made.status[0] == "few points on walls" and np.isnan(made.ellipse.major[0]) and made.alias_share[0] == 0
 
 
 def test_buildings_without_heights_are_left_out_and_told():

@@ -12,7 +12,7 @@ from .clutter import clutter_patterns
 from .ellipses import PlanEllipse, along_and_across, plan_ellipses
 from .evidence import covariance, fused
 from .localisation_settings import LocalisationSettings
-from .map_aliases import EVIDENCE_OF_CELL, STEP, AliasModes, ScoreField, alias_modes
+from .map_aliases import EVIDENCE_OF_CELL, NO_ALIAS, STEP, AliasModes, ScoreField, alias_modes
 from .marking_map import MarkingMap, marking_evidence, visible_markings
 from .place_checks import refusals, sky_covered
 from .place_status import SourceSigns, place_classes, place_words
@@ -214,8 +214,7 @@ def _satellites(city: LocalisationMap, places: RoadPlaces, antenna: np.ndarray, 
 
 def _aliases(prepared: _Prepared, places: RoadPlaces, sensor: np.ndarray, able: np.ndarray, scan: WallScan | None, seen,
              city: LocalisationMap, settings: LocalisationSettings) -> list[AliasModes]:
-    nothing = AliasModes(np.zeros((0, 2)), np.zeros(0))
-    modes = [nothing] * len(places)
+    modes = [NO_ALIAS] * len(places)
     most = int(settings.search / STEP)
     if most < 1:
         return modes
@@ -239,6 +238,9 @@ def _described(city: LocalisationMap, places: RoadPlaces, refused: np.ndarray, b
         along, across = along_and_across(by_source[name], places.heading)
         sigma[name] = np.column_stack([along, across, np.degrees(np.sqrt(by_source[name][:, 2, 2]))])
     ellipse = plan_ellipses(by_source["together"])
+    # A place of which nothing can be said looks like no other.
+    known = np.isfinite(ellipse.major)
+    modes = [mode if known[row] else NO_ALIAS for row, mode in enumerate(modes)]
     share = np.array([mode.share.sum() for mode in modes]) if count else np.zeros(0)
     shift = np.array([mode.shift[0] if len(mode.share) else (np.nan, np.nan) for mode in modes]).reshape(count, 2)
     left = _left_out(city, places, settings)

@@ -48,7 +48,7 @@ def _summary(report: Report, made: AccuracyMap) -> None:
     total = made.places.step.sum()
     report.facts({"Places": len(made.places), "Length of road, m": float(total),
                   "Median sigma of the weakest direction, m": _median(made.ellipse.major),
-                  "Places that look like others": int((made.alias_share > 0).sum())})
+                  "Places that look like others": sum("repeats" in str(words) for words in made.status)})
     if not known.any():
         report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
     else:

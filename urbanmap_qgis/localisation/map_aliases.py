@@ -82,6 +82,10 @@ class AliasModes:
     share: np.ndarray
 
 
+NO_ALIAS = AliasModes(np.zeros((0, 2)), np.zeros(0))
+"""That of a place that looks like no other."""
+
+
 def alias_modes(log_odds: np.ndarray, apart: float) -> AliasModes:
     """Modes of a surface of log odds over shifts, apart from the middle by more than `apart` m, with a valley between.
 
