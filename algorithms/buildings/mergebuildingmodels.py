@@ -9,7 +9,8 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.building_layers import read_buildings
 from ..framework.layers import make_fields
 from ..framework.outlines import BuildingNames, building_names, column, numbers
-from ..framework.parameters import CITYJSON_FILTER, OBJ_FILTER, tr
+from ..framework.overlays import add_orthophoto, orthophoto_pictures
+from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
 from ..framework.workers import workers
 
 _USABLE = ("ok", "partly seen")
@@ -20,7 +21,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
     NAME = "Merge building models with measured walls"
     SOURCE = "Javanmardi 2018, 5.7"
     KEYWORDS = ("building", "model", "wall", "facade", "MMS", "ALS", "merge", "CityJSON")
-    REQUIRES = ("numpy", "scipy", "shapely", "pyproj")
+    REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "cv2")
     HELP = (
         "Joins building models from airborne scanning with walls measured from the street: below a height the walls "
         "lie where the survey found them, above it the models stay as they were.\n"
@@ -60,6 +61,9 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                              optional=True)
         self.add_file_output("OUTPUT_MESH", "OBJ mesh", "Wavefront OBJ file, a group for each building.", OBJ_FILTER,
                              optional=True)
+        add_orthophoto(self)
+        self.add_file_output("OUTPUT_REPORT", "Report", "What was merged and what not, and edges before and after over "
+                             "the orthophoto, as HTML.", HTML_FILTER, optional=True)
         self.add_number_output("BUILDINGS", "Buildings", "Number of models.")
         self.add_number_output("MERGED", "Merged", "Buildings with a wall that moved.")
         self.add_number_output("NOT_MERGED", "Not merged", "Buildings that could not be merged.")
@@ -104,6 +108,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
                                       progress.part(0.85, 0.9), unfinished)
             layers = self._write_layers(parameters, context, walls_table.crs, merged, columns, edges,
                                         (base_fields, base_columns), names, progress.part(0.9, 1.0))
+            layers.update(self._write_report(parameters, context, walls_table.crs, models, merged, (columns, edges),
+                                             names))
         return {**layers, **files, "BUILDINGS": len(merged), "NOT_MERGED": left,
                 "MERGED": sum(building.status == MERGED for building in merged),
                 "VALID": sum(building.valid for building in merged), "WALLS_MOVED": sum(columns["walls_moved"])}
@@ -162,6 +168,19 @@ class MergeBuildingModels(UrbanMapAlgorithm):
             parameters, "OUTPUT", context, make_fields(*MODEL_COLUMNS, base=fields), {**kept, **columns}, crs, shapes,
             "MultiPolygonZ", "merged_models", progress.part(0.5, 1.0), names)
         return results
+
+    def _write_report(self, parameters, context, crs, models, merged, tables, names):
+        """The report, where it is wanted."""
+        path = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if path is None:
+            return {}
+        from ...urbanmap_qgis.buildings.merging.merge_report import write_merge_report
+        from ...urbanmap_qgis.geometry.solid import multipolygon
+
+        shapes = [multipolygon(building.solids) if building.solids else None for building in merged]
+        write_merge_report(path, merged, *tables, [names.of(building.building_id) for building in merged],
+                           orthophoto_pictures(self, parameters, context, crs, "WALLS", models, shapes))
+        return {"OUTPUT_REPORT": str(path)}
 
     def _write_files(self, parameters, context, crs, merged, columns, names, progress, unfinished):
         """CityJSON and OBJ, where wanted; the CityJSON takes its place when `unfinished` is closed."""

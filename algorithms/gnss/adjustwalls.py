@@ -6,6 +6,7 @@ from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
+from ..framework.overlays import add_orthophoto, orthophoto_pictures
 from ..framework.parameters import HTML_FILTER, tr
 from .inputs import GnssInputs
 
@@ -47,6 +48,7 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
                               "that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), "
                               "length, low, top (m).",
                               source_type=QgsProcessing.SourceType.TypeVectorLine, optional=True, by_default=True)
+        add_orthophoto(self)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: sky plot, residuals by class against prediction, "
                              "walls before and after, what to distrust.", HTML_FILTER, optional=True, by_default=True)
         self.add_number_output("WALLS", "Walls", "Number of walls.")
@@ -84,7 +86,8 @@ class AdjustWalls(GnssInputs, UrbanMapAlgorithm):
                              "why."))
         report = self.output_path(parameters, "OUTPUT_REPORT", context)
         if report:
-            write_adjustment_report(report, signals, made, buildings.names, table.geometries)
+            write_adjustment_report(report, signals, made, buildings.names, table.geometries, orthophoto_pictures(
+                self, parameters, context, table.crs, "BUILDINGS", table.geometries, made.shapes))
         walls = None
         if parameters.get("OUTPUT_WALLS"):
             walls = self.write_layer(parameters, "OUTPUT_WALLS", context, make_fields(*WALL_COLUMNS),

@@ -84,9 +84,7 @@ class OverlayOnImages(UrbanMapAlgorithm):
 
     def _state(self, parameters, context, ending, name, progress):
         """Data of one state; what was not given for it is that of the other."""
-        from ...urbanmap_qgis.imagery.edge_lines import edge_samples, edge_segments
-        from ...urbanmap_qgis.imagery.overlay_stage import OverlayState
-        from ...urbanmap_qgis.imagery.roof_heights import roof_heights
+        from ...urbanmap_qgis.imagery.overlay_stage import edge_state
 
         def chosen(base):
             return f"{base}{ending}" if parameters.get(f"{base}{ending}") else base
@@ -100,7 +98,7 @@ class OverlayOnImages(UrbanMapAlgorithm):
         given = {**parameters, "TRAJECTORY": parameters.get(chosen("TRAJECTORY"))}
         sources = image_sources(self, given, context, crs, progress)
         sources += self._orthophoto(parameters, context, crs, len(sources))
-        return OverlayState(name, sources, cloud, edge_samples(edge_segments(geometries)), roof_heights(geometries))
+        return edge_state(name, sources, geometries, cloud)
 
     def _cloud(self, parameters, name, context, table):
         """The points, in the CRS of the lines where there are any; None where none were given."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
+from .report_images import add_report_images, check_report_images, report_pictures
 
 METHODS = ("drift", "relative", "iterative", "paper")
 SET_FIELDS = (("set", "text"), ("time", "real"), ("pairs", "int"), ("before", "real"), ("after", "real"),
@@ -57,6 +58,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         self.add_crs("CRS", "Coordinate reference system", "Of trajectory and tie points, where no layer says it; "
                      "needed for SBET trajectories.", optional=True, advanced=True)
         self.add_trajectory_reading()
+        add_report_images(self)
         self.add_trajectory_output("OUTPUT", "Rectified trajectory")
         self.add_layer_output("OUTPUT_SETS", "Sets", "One point a set: distance from the reference before and after, "
                               "correction, misfit within the set, how far off it would lie without itself (predicted), "
@@ -80,6 +82,9 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         self.add_number_output("HEIGHT_BEFORE", "Height before", "Root mean square distance from the ground as "
                                "reported; no value without a ground.", unit="m")
         self.add_number_output("HEIGHT_AFTER", "Height after", "The same after the rectification.", unit="m")
+
+    def check(self, parameters, context):
+        check_report_images(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.mobile.lines.rectification import RectifySettings, rectify
@@ -106,7 +111,8 @@ class RectifyTrajectory(UrbanMapAlgorithm):
         if report:
             from ...urbanmap_qgis.mobile.lines.rectification_report import write_report
 
-            write_report(report, file.trajectory, made, notes)
+            write_report(report, file.trajectory, made, notes,
+                         report_pictures(self, parameters, context, (file.trajectory, made.trajectory), crs, progress))
             results["OUTPUT_REPORT"] = str(report)
         return {**results, **numbers_of(made)}
 

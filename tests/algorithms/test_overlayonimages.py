@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
+import shapely
 
 STRIP = {"TRAJECTORY": "truth/lines_trajectory.csv", "CALIBRATION": "lines/calibration.json"}
 
@@ -47,3 +49,54 @@ def test_what_is_missing_is_told(run, small_city, tmp_path, others, message):
     with pytest.raises(QgsProcessingException, match=message):
         run("urbanmap:overlayonimages", given(small_city, tmp_path, **others))
     assert not (tmp_path / "重ね図").exists()
+
+
+def loaded_models(run, city, folder):
+    return run("urbanmap:loadcitymodel", {"INPUT": str(city / "models/buildings.city.json"), "OUTPUT": "memory:",
+                                          "OUTPUT_MODELS": str(folder / "建物.gpkg")})["OUTPUT_MODELS"]
+
+
+def test_a_rectified_trajectory_shows_the_frames_over_its_line_images(run, small_city, tmp_path):
+    city, page = small_city, tmp_path / "r.html"
+    given = {"TRAJECTORY": str(city / "lines/trajectory.csv"), "TIE_POINTS": str(city / "lines/tie_points.csv"),
+             "CRS": "EPSG:6677", "OUTPUT": str(tmp_path / "t.csv"), "OUTPUT_REPORT": str(page),
+             "IMAGES": [str(city / "lines/camera_1.png")], "LINES": loaded_models(run, city, tmp_path)}
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="Calibration: is needed"):
+        run("urbanmap:rectifytrajectory", given)
+    run("urbanmap:rectifytrajectory", {**given, "CALIBRATION": str(city / "lines/calibration.json")})
+    text = page.read_text(encoding="utf-8")
+    assert text.count('class="switch"') >= 1 and text.count("data:image/jpeg") % 3 == 0 and ">before<" in text
+
+
+def test_merged_models_are_shown_over_the_orthophoto(run, small_city, tmp_path):
+    models = loaded_models(run, small_city, tmp_path)
+    walls = measured_wall(models)
+    run("urbanmap:mergebuildingmodels", {"MODELS": models, "WALLS": walls, "OUTPUT": "memory:",
+                                         "ORTHOPHOTO": str(small_city / "aerial/ortho.tif"),
+                                         "OUTPUT_REPORT": str(tmp_path / "m.html")})
+    text = (tmp_path / "m.html").read_text(encoding="utf-8")
+    assert "1 of 15 buildings have walls that lie on measured ones" in text and text.count("data:image/jpeg") == 3
+
+
+def measured_wall(models):
+    """A layer with one wall 0.3 m before the longest upright face of the first model."""
+    from qgis.core import QgsFeature, QgsGeometry, QgsVectorLayer
+
+    faces = shapely.get_parts(shapely.from_wkb(bytes(next(QgsVectorLayer(models, "m", "ogr").getFeatures())
+                                                     .geometry().asWkb())))
+    upright = max((face for face in faces if shapely.area(face) < 0.01), key=shapely.length)
+    ring = shapely.get_coordinates(upright, include_z=True)
+    along = ring[np.argmax(np.hypot(*np.diff(ring[:, :2], axis=0).T)) + 1] - ring[np.argmax(
+        np.hypot(*np.diff(ring[:, :2], axis=0).T))]
+    normal = np.array([along[1], -along[0], 0.0]) / np.hypot(*along[:2])
+    layer = QgsVectorLayer("PolygonZ?crs=EPSG:6677&field=status:string&field=rmse:double&field=sigma:double", "walls",
+                           "memory")
+    feature = QgsFeature(layer.fields())
+    feature.setAttributes(["ok", 0.01, 0.01])
+    geometry = QgsGeometry()
+    geometry.fromWkb(shapely.to_wkb(shapely.Polygon(ring + 0.3 * normal)))
+    feature.setGeometry(geometry)
+    layer.dataProvider().addFeature(feature)
+    return layer

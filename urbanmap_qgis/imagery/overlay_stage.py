@@ -13,10 +13,10 @@ from ..errors import InsufficientDataError, OutputError
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.report import GOOD, LOOK, Report
 from ..progress import SILENT, Progress
-from .edge_lines import EdgeSamples
+from .edge_lines import EdgeSamples, edge_samples, edge_segments
 from .overlay_layers import DrawnEdges, DrawnPoints, nearest_points, visible_edges
 from .overlay_pictures import Overlay, PointColours, beside, best_windows, draw, jpeg
-from .roof_heights import RoofHeights
+from .roof_heights import RoofHeights, roof_heights
 from .views import Source
 
 NO_POINTS = DrawnPoints(np.empty(0, int), np.empty(0, int), np.empty(0))
@@ -73,6 +73,17 @@ def point_colours(kind: str, drawn: Iterable[Overlay]) -> PointColours:
     if kind in ("class", "one") or not len(values):
         return PointColours(kind)
     return PointColours(kind, *np.percentile(values, (2.0, 98.0)).tolist())
+
+
+def edge_state(name: str, sources: Sequence[Source], geometries: Sequence,
+               cloud: PointCloud | None = None) -> OverlayState:
+    """A state whose edges are those of models or lines (shapely geometries with heights).
+
+    Raises
+    ------
+    InputError : none of the geometries has heights.
+    """
+    return OverlayState(name, sources, cloud, edge_samples(edge_segments(geometries)), roof_heights(geometries))
 
 
 def write_overlays(states: Sequence[OverlayState], folder: str | os.PathLike, page: str | os.PathLike | None, kind: str,
@@ -133,6 +144,17 @@ def _write_whole(source: Source, overlay: Overlay, colours: PointColours, folder
         (folder / f"{Path(source.name).stem}_{state}{part}.jpg").write_bytes(jpeg(pixels))
 
 
+def add_overlays(report: Report, states: Sequence[OverlayState], max_range: float, pictures: int,
+                 progress: Progress = SILENT) -> None:
+    """Add windows of images that switch between the states of edges to another stage's report."""
+    drawn = [overlays(state, "one", max_range, progress) for state in states]
+    records = [_record(source, [one[number] for one in drawn]) for number, source in enumerate(states[-1].sources)]
+    report.section("Edges over images, before and after")
+    if all(record.empty for record in records):
+        report.warning("No edge lies in any of the images: they are of another place.")
+    _add_pictures(report, states, drawn, records, PointColours("one"), pictures, None)
+
+
 def _write_page(page: str | os.PathLike, states: Sequence[OverlayState], drawn: Sequence[Sequence[Overlay]],
                 records: Sequence[OverlayRecord], colours: PointColours, pictures: int, folder: Path) -> None:
     """The page: a switch between the states, the fullest windows, and what was drawn where."""
@@ -143,24 +165,31 @@ def _write_page(page: str | os.PathLike, states: Sequence[OverlayState], drawn: 
     if nothing:
         text += f" Nothing lies in {len(nothing)} of {len(records)} images."
     report.verdict(LOOK if nothing else GOOD, text)
-    names = [state.name for state in states]
-    each = max(pictures // max(len(records) - len(nothing), 1), 1)
-    for number, source in enumerate(states[-1].sources):
-        for window in best_windows(source, drawn[-1][number], each):
-            _add_window(report, source, window, names, [one[number] for one in drawn], colours, folder)
+    _add_pictures(report, states, drawn, records, colours, pictures, folder)
     report.section("Images")
+    names = [state.name for state in states]
     report.table(("image", *(f"points, {name}" for name in names), *(f"edges, {name} (pixels)" for name in names)),
                  [(record.image, *record.points, *(round(length) for length in record.edges)) for record in records])
     report.write(page)
 
 
+def _add_pictures(report: Report, states: Sequence[OverlayState], drawn: Sequence[Sequence[Overlay]],
+                  records: Sequence[OverlayRecord], colours: PointColours, pictures: int, folder: Path | None) -> None:
+    """Add the windows in which most is drawn, at most so many pictures."""
+    names = [state.name for state in states]
+    each = max(pictures // max(sum(not record.empty for record in records), 1), 1)
+    for number, source in enumerate(states[-1].sources):
+        for window in best_windows(source, drawn[-1][number], each):
+            _add_window(report, source, window, names, [one[number] for one in drawn], colours, folder)
+
+
 def _add_window(report: Report, source: Source, window: tuple[int, int, int, int], names: Sequence[str],
-                drawn: Sequence[Overlay], colours: PointColours, folder: Path) -> None:
+                drawn: Sequence[Overlay], colours: PointColours, folder: Path | None) -> None:
     """Add a window of an image that switches between the plain image and each state; two also as one file."""
     left, top, right, bottom = window
     plain = source.window(*window)
     panels = [draw(plain, overlay, colours, left, top) for overlay in drawn]
-    if len(panels) == 2:
+    if len(panels) == 2 and folder is not None:
         name = f"{Path(source.name).stem}_{left}_{top}_{'_'.join(names)}.jpg"
         (folder / name).write_bytes(jpeg(beside(*panels)))
     report.switcher([("image", jpeg(plain)), *((name, jpeg(panel)) for name, panel in zip(names, panels))],

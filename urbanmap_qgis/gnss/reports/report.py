@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
+from collections.abc import Callable
 
 import numpy as np
 
@@ -37,12 +38,13 @@ def write_reflection_report(path: str | os.PathLike, signals: Signals, paths: Si
 
 
 def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adjustment, names: np.ndarray,
-                            shapes: np.ndarray) -> None:
+                            shapes: np.ndarray, more: Callable[[Report], None] = lambda report: None) -> None:
     """Report of adjusted walls.
 
     Parameters
     ----------
     names : (buildings,) of the buildings by row.  shapes : (n,) the buildings as they were given.
+    more : adds to the report behind its plan.
     """
     report = Report("Walls adjusted by GNSS")
     walls = made.walls
@@ -64,6 +66,7 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
                   "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
                   "Iterations until nothing changed": made.iterations})
     _plan(report, made, shapes)
+    more(report)
     _reasons(report, made)
     _wall_table(report, made, names)
     _errors(report, made)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import html
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -36,8 +36,8 @@ _WIDTH = 900
 
 
 def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified,
-                 notes: Sequence[str] = ()) -> None:
-    """Write the HTML report of a rectification; `notes` (warnings) are shown as they are."""
+                 notes: Sequence[str] = (), more: Callable[[Report], None] = lambda report: None) -> None:
+    """Write the HTML report of a rectification; `notes` (warnings) are shown as they are, `more` adds to it."""
     report = Report("Rectified trajectory")
     _verdict(report, made, notes)
     for note in notes:
@@ -64,6 +64,7 @@ def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified,
     if made.heights is not None:
         report.section("Heights")
         _heights(report, before, made.heights)
+    more(report)
     report.write(path)
 
 

@@ -1,0 +1,46 @@
+"""The report of merged models: how many walls lie on measured ones now, and what could not be merged."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from ...io.report import BAD, GOOD, LOOK, Report
+from .merge_stage import MERGED, NOT_MERGED, MergedBuilding
+
+_ROWS = 50
+
+
+def write_merge_report(path: str | os.PathLike, merged: Sequence[MergedBuilding], columns: Mapping[str, Sequence],
+                       edges: Mapping[str, Sequence], names: Sequence,
+                       more: Callable[[Report], None] = lambda report: None) -> None:
+    """Write the report (HTML).
+
+    Parameters
+    ----------
+    columns, edges : of the buildings and of their walls, as `merged_columns` and `edge_columns` give them.
+    names : of the buildings, in their order. more : adds to the report, such as pictures.
+    """
+    report = Report("Merged building models")
+    status = Counter(building.status for building in merged)
+    text = f"{status[MERGED]} of {len(merged)} buildings have walls that lie on measured ones now."
+    if status[NOT_MERGED]:
+        text += f" {status[NOT_MERGED]} could not be merged and keep their models; the table tells why."
+    report.verdict(BAD if not status[MERGED] else LOOK if status[NOT_MERGED] else GOOD, text)
+    failed = [row for row, building in enumerate(merged) if building.status == NOT_MERGED]
+    if failed:
+        report.section("Not merged")
+        report.table(("building", "reason"), [(names[row], merged[row].reason) for row in failed[:_ROWS]])
+    more(report)
+    report.section("Result")
+    offsets = np.array([value for value in columns["mean_offset"] if value is not None], float)
+    offsets = offsets[np.isfinite(offsets)]
+    report.facts({"Buildings": len(merged), "Valid": sum(building.valid for building in merged),
+                  "Walls moved": int(sum(columns["walls_moved"])),
+                  "Mean offset of the moved walls (m)": float(np.abs(offsets).mean()) if len(offsets) else None})
+    report.table(("wall", "number"), sorted(Counter(edges["status"]).items()))
+    report.histogram(np.array(columns["max_offset"], float), "m", "Buildings by the largest offset of a wall")
+    report.write(path)
