@@ -50,6 +50,20 @@ def test_every_page_is_in_the_website():
     assert pages <= named and all((ROOT / "docs" / name).is_file() for name in named)
 
 
+def test_pictures_of_tutorials_are_those_that_the_script_makes():
+    spec = importlib.util.spec_from_file_location("make_tutorial_pictures", ROOT / "scripts/make_tutorial_pictures.py")
+    script = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = script
+    spec.loader.exec_module(script)
+    pages = "".join(path.read_text(encoding="utf-8") for path in [*(ROOT / "docs").glob("*.md"), *ROOT.glob("*.md")])
+    shown = set(re.findall(r"images/tutorials/([\w.]+)", pages))
+    there = {path.name: path.stat().st_size for path in (ROOT / "docs/images/tutorials").iterdir()}
+    assert shown == set(script.PICTURES) == set(there)
+    assert max(there.values()) < 120_000
+    dialogs = [kind for kind in script.PICTURES.values() if isinstance(kind, script.Dialog)]
+    assert dialogs and all(f" {kind.algorithm} " in script.dialog_command(kind) for kind in dialogs)
+
+
 def test_the_help_button_opens_the_algorithms_own_page(algorithms):
     from urllib.parse import unquote, urlparse
 
