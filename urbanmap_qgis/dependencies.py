@@ -24,6 +24,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .errors import Cancelled, UrbanMapError
+from .wording import say
 
 
 class InstallError(UrbanMapError):
@@ -275,7 +276,7 @@ def missing_message(missing: Sequence[Missing], folder: str | os.PathLike) -> st
     noun = "package" if len(missing) == 1 else "packages"
     missing = [item for item in missing if not item.in_the_way]
     if not missing:
-        return f"Python {noun} in the way: {names}."
+        return say("Python {noun} in the way: {names}.", noun=noun, names=names)
     command = shown_command(install_command(missing, folder))
     return (f"Python {noun} missing: {names}. Install with the menu Plugins > UrbanMap > Install Python packages, "
             f"or in a terminal with: {command}")
@@ -344,7 +345,8 @@ def _plain(name: str) -> str:
 def _no_pip(python: str) -> InstallError:
     advice = ("install it with: sudo apt install python3-pip" if platform.system() == "Linux"
               else f"install it with: {shown_command([python, '-m', 'ensurepip', '--user'])}")
-    return InstallError(f"{python} has no pip, which installs Python packages: {advice}")
+    return InstallError(say("{python} has no pip, which installs Python packages: {advice}", python=python,
+                            advice=advice))
 
 
 def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Callable[[], bool]) -> None:
@@ -353,7 +355,8 @@ def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Calla
                                    stdin=subprocess.DEVNULL, text=True, encoding="utf-8", errors="replace",
                                    env=_environment(), **_hidden_window())
     except OSError as error:
-        raise InstallError(f"Python cannot be started as {command[0]} ({error.strerror}).") from error
+        raise InstallError(say("Python cannot be started as {command} ({strerror}).", command=command[0],
+                               strerror=error.strerror)) from error
     last = ""
     with process:
         # pip is silent for minutes while it downloads, so a thread of its own looks for the cancel.
@@ -367,7 +370,7 @@ def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Calla
     if last.endswith("No module named pip"):
         raise _no_pip(command[0])
     if process.returncode != 0:
-        raise InstallError(f"pip could not install the packages: {last or 'it gave no reason'}")
+        raise InstallError(say("pip could not install the packages: {value}", value=last or "it gave no reason"))
 
 
 def _stop_on_cancel(process: subprocess.Popen, cancelled: Callable[[], bool]) -> None:

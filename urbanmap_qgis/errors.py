@@ -8,6 +8,8 @@ from __future__ import annotations
 import errno
 import sqlite3
 
+from .wording import say
+
 
 class UrbanMapError(Exception):
     """Root of all errors that the core raises on purpose."""
@@ -41,8 +43,8 @@ _NO_ROOM = (errno.ENOSPC, errno.EDQUOT if hasattr(errno, "EDQUOT") else errno.EN
 def system_sentence(error: BaseException) -> str:
     """One sentence for an error that the system's lack of room caused; empty for any other, a mistake of ours."""
     if isinstance(error, MemoryError):
-        return "The memory is not enough for this run: give less data at a time, or a coarser resolution."
+        return say("The memory is not enough for this run: give less data at a time, or a coarser resolution.")
     full = isinstance(error, OSError) and error.errno in _NO_ROOM
     if full or (isinstance(error, sqlite3.OperationalError) and "full" in str(error)):
-        return "The disk is full: make room on the disk of the outputs and of temporary files, and run again."
+        return say("The disk is full: make room on the disk of the outputs and of temporary files, and run again.")
     return ""

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.guard import first_not_finite, read_json, read_text, reads
+from ..wording import say
 
 _COLUMNS = ("image", "x", "y", "z", "omega", "phi", "kappa")
 _NEWTON_STEPS = 12
@@ -103,7 +104,7 @@ class FrameCamera:
 
     def __post_init__(self) -> None:
         if not (self.focal_length > 0 and self.pixel_pitch > 0 and self.width > 0 and self.height > 0):
-            raise InputError("The camera's focal length, pixel pitch, width and height must be greater than 0.")
+            raise InputError(say("The camera's focal length, pixel pitch, width and height must be greater than 0."))
 
     def ground_pixel(self, distance: float) -> float:
         """Side of a pixel, m, on things `distance` m away along the axis."""
@@ -166,11 +167,13 @@ def read_camera(path: str | os.PathLike) -> FrameCamera:
     path = Path(path)
     values = read_json(path, "a camera file")
     if not isinstance(values, dict):
-        raise InputError(f"{path.name} holds no camera: it must be a JSON object with focal_length_mm and so on.")
+        raise InputError(say("{path} holds no camera: it must be a JSON object with focal_length_mm and so on.",
+                             path=path.name))
     focal = _number(values, "focal_length_mm", path)
     point = values.get("principal_point_mm", [0.0, 0.0])
     if not isinstance(point, list) or len(point) != 2:
-        raise InputError(f"principal_point_mm in {path.name} must be two numbers: x0 and y0 in millimetres.")
+        raise InputError(say("principal_point_mm in {path} must be two numbers: x0 and y0 in millimetres.",
+                             path=path.name))
     named = {"x0": point[0], "y0": point[1]}
     return FrameCamera(focal, _number(values, "pixel_pitch_mm", path),
                   int(_number(values, "image_width", path)), int(_number(values, "image_height", path)),
@@ -181,7 +184,7 @@ def read_camera(path: str | os.PathLike) -> FrameCamera:
 def _number(values: dict, name: str, path: Path, default: float | None = None) -> float:
     value = values.get(name, default)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(float(value)):
-        raise InputError(f"{name} is missing in {path.name} or is not a number: add it.")
+        raise InputError(say("{name} is missing in {path} or is not a number: add it.", name=name, path=path.name))
     return float(value)
 
 
@@ -189,12 +192,12 @@ def _distortion(values: object, focal: float, path: Path) -> Distortion:
     if values is None:
         return Distortion()
     if not isinstance(values, dict) or values.get("model", "brown") != "brown":
-        raise InputError(f"The distortion in {path.name} is not of the model \"brown\": convert it, or resample the "
-                         "frames without distortion.")
+        raise InputError(say("The distortion in {path} is not of the model \"brown\": convert it, or resample the "
+                             "frames without distortion.", path=path.name))
     units = values.get("units")
     coefficients = {name: _number(values, name, path, 0.0) for name in ("k1", "k2", "k3", "p1", "p2")}
     if units not in ("mm", "focal") and any(coefficients.values()):
-        raise InputError(f"The distortion in {path.name} must name its units: \"mm\" or \"focal\".")
+        raise InputError(say("The distortion in {path} must name its units: \"mm\" or \"focal\".", path=path.name))
     return Distortion(**coefficients, unit_mm=focal if units == "focal" else 1.0)
 
 
@@ -293,8 +296,8 @@ def read_exterior(path: str | os.PathLike, unit: str = "automatic", order: str =
         _require_degrees(numbers[:, 3:], path)
     scale = {"automatic": 1.0, "degrees": 1.0, "gon": 0.9, "radians": math.degrees(1.0)}
     if unit not in scale or order not in ("papers", "usual"):
-        raise InputError(f"The angles are in degrees, gon or radians and in the order papers or usual, not {unit} "
-                         f"and {order}.")
+        raise InputError(say("The angles are in degrees, gon or radians and in the order papers or usual, not {unit} "
+                             "and {order}.", unit=unit, order=order))
     poses = []
     for name, row in zip(names, numbers.tolist()):
         angles = tuple(angle * scale[unit] for angle in row[3:])
@@ -312,26 +315,27 @@ def _exterior_rows(path: Path) -> tuple[list[str], np.ndarray]:
     rows.fieldnames = [(name or "").strip().lower() for name in rows.fieldnames or ()]
     missing = [name for name in _COLUMNS if name not in rows.fieldnames]
     if missing:
-        raise InputError(f"{path.name} has no column {', '.join(missing)}: its first line must be "
-                         f"{','.join(_COLUMNS)}.")
+        raise InputError(say("{path} has no column {missing}: its first line must be {columns}.", path=path.name,
+                             missing=", ".join(missing), columns=",".join(_COLUMNS)))
     names, numbers = [], []
     for row in rows:
         name = (row["image"] or "").strip()
         if not name or name in names:
-            raise InputError(f"Line {rows.line_num} of {path.name} names no image or one that came before: each image "
-                             "needs one line.")
+            raise InputError(say("Line {line_num} of {path} names no image or one that came before: each image needs "
+                                 "one line.", line_num=rows.line_num, path=path.name))
         try:
             numbers.append([float(row[column]) for column in _COLUMNS[1:]])
         except (TypeError, ValueError) as error:
-            raise InputError(f"Line {rows.line_num} of {path.name} ({name}) must hold numbers in x, y, z, omega, phi, "
-                             "kappa.") from error
+            raise InputError(say("Line {line_num} of {path} ({name}) must hold numbers in x, y, z, omega, phi, kappa.",
+                                 line_num=rows.line_num, path=path.name, name=name)) from error
         names.append(name)
     if not names:
-        raise InputError(f"{path.name} lists no image.")
+        raise InputError(say("{path} lists no image.", path=path.name))
     table = np.array(numbers)
     bad = first_not_finite(table)
     if bad is not None:
-        raise InputError(f"{path.name} holds a value that is not a number for {names[bad]}: correct it.")
+        raise InputError(say("{path} holds a value that is not a number for {names}: correct it.", path=path.name,
+                             names=names[bad]))
     return names, table
 
 
@@ -339,8 +343,8 @@ def _require_degrees(angles: np.ndarray, path: Path) -> None:
     """Refuse angles (n, 3) that are gon or radians by their looks."""
     guess = _looks_like(angles)
     if guess:
-        raise InputError(f"The angles in {path.name} look like {guess}: convert them to degrees, or say their unit if "
-                         "you know it.")
+        raise InputError(say("The angles in {path} look like {guess}: convert them to degrees, or say their unit if "
+                             "you know it.", path=path.name, guess=guess))
 
 
 def _looks_like(angles: np.ndarray) -> str:

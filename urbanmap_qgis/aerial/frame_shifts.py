@@ -16,6 +16,7 @@ import numpy as np
 
 from ..geometry.grid import Grid
 from ..progress import SILENT, Progress
+from ..wording import say
 from .mosaic import GroundView, ViewSource, reaching, tiles
 
 PATCH = 64
@@ -165,16 +166,19 @@ def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progres
     """Warn of the pairs that are apart, the worst first; say where heights hide whether they are."""
     bad = sorted((shift for shift in shifts if apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
     for shift in bad[:_MAX_WARNINGS]:
-        progress.warn(f"{shift.first} and {shift.second} lie {shift.unexplained[0]:.2f} m apart on the road markings "
-                      f"{'across their base ' if shift.explained else ''}(east {shift.east:.2f}, north "
-                      f"{shift.north:.2f}, sigma {shift.unexplained[1]:.2f}; {shift.patches} places): check their "
-                      "orientation and the ground.")
+        progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
+                          "{east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their "
+                          "orientation and the ground.", first=shift.first, second=shift.second,
+                          unexplained=shift.unexplained[0], value=say("across their base ") if shift.explained else "",
+                          east=shift.east, north=shift.north, unexplained_2=shift.unexplained[1],
+                          patches=shift.patches))
     if len(bad) > _MAX_WARNINGS:
-        progress.warn(f"{len(bad) - _MAX_WARNINGS} more pairs of images lie apart.")
+        progress.warn(say("{bad_count} more pairs of images lie apart.", bad_count=len(bad) - _MAX_WARNINGS))
     hidden = sum(status_of(shift, pixel) == "height" for shift in shifts)
     if hidden:
-        progress.message(f"In {hidden} pairs of images the shift may come from the height of what stands on the "
-                         "ground: a surface (DSM) would tell, here only shifts across their base were checked.")
+        progress.message(say("In {hidden} pairs of images the shift may come from the height of what stands on the "
+                             "ground: a surface (DSM) would tell, here only shifts across their base were checked.",
+                             hidden=hidden))
 
 
 def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress = SILENT,

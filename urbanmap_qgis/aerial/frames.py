@@ -16,6 +16,7 @@ from rasterio.windows import Window
 
 from ..errors import InputError
 from ..io.raster import own_gdal
+from ..wording import say
 from .camera import ExteriorOrientation, FrameCamera
 
 _NAMED = 5
@@ -50,12 +51,13 @@ def find_frames(images: Sequence[str | os.PathLike], poses: Sequence[ExteriorOri
             continue
         pose = by_name.get(given.name.casefold()) or by_name.get(given.stem.casefold())
         if pose is None:
-            raise InputError(f"The exterior orientation has no line for {given.name}: add it, or leave the frame out.")
+            raise InputError(say("The exterior orientation has no line for {given}: add it, or leave the frame out.",
+                                 given=given.name))
         frames.append(AerialFrame(given, pose))
     names = [frame.path.resolve() for frame in frames]
     twice = next((path for k, path in enumerate(names) if path in names[:k]), None)
     if twice:
-        raise InputError(f"The frame {twice.name} is given twice: name each once.")
+        raise InputError(say("The frame {twice} is given twice: name each once.", twice=twice.name))
     return frames
 
 
@@ -75,8 +77,9 @@ def _frames_of_folder(folder: Path, poses: Sequence[ExteriorOrientation]) -> lis
             frames.append(AerialFrame(path, pose))
     if missing:
         more = f" and {len(missing) - _NAMED} more" if len(missing) > _NAMED else ""
-        raise InputError(f"Images of the exterior orientation are not in {folder.name}: {', '.join(missing[:_NAMED])}"
-                         f"{more}; copy them there, or choose the frames one by one.")
+        raise InputError(say("Images of the exterior orientation are not in {folder}: {missing}{more}; copy them "
+                             "there, or choose the frames one by one.", folder=folder.name,
+                             missing=", ".join(missing[:_NAMED]), more=more))
     return frames
 
 
@@ -100,7 +103,7 @@ class FrameImage:
                 warnings.simplefilter("ignore", NotGeoreferencedWarning)
                 self._source = rasterio.open(self.path)
         except (RasterioError, OSError) as error:
-            raise InputError(f"{self.path.name} cannot be read as an image: check the file.") from error
+            raise InputError(say("{path} cannot be read as an image: check the file.", path=self.path.name)) from error
         self.bands, self.width, self.height = self._source.count, self._source.width, self._source.height
         self.dtype = np.dtype(self._source.dtypes[0])
         problem = self._problem(camera)
@@ -130,7 +133,7 @@ class FrameImage:
             with own_gdal():
                 return self._source.read(window=window)
         except RasterioError as error:
-            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+            raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error
 
     def valid(self, rows: slice, columns: slice) -> np.ndarray | None:
         """Where a window holds an image by the file's own word (no-data value, alpha, mask), bool; None: everywhere."""
@@ -141,4 +144,4 @@ class FrameImage:
             with own_gdal():
                 return self._source.dataset_mask(window=window) > 0
         except RasterioError as error:
-            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+            raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error

@@ -27,6 +27,7 @@ from ..execution import in_order
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from ..wording import say
 from .image_strips import within
 from .marking_filter import coarse_step
 from .marking_polygons import CACHE, MarkingPolygons, TilePolygons, merge_tile_polygons, tile_polygons
@@ -97,19 +98,21 @@ class _OrthophotoReader:
         try:
             self.source = stack.enter_context(rasterio.open(self.path))
         except RasterioError as error:
-            raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
+            raise InputError(say("{path} cannot be read as a raster: check the file.", path=self.path.name)) from error
         self.bands = colour_bands(self.source, self.path)
         place = self.source.transform
         if not np.isfinite(place[:6]).all():
-            raise InputError(f"{self.path.name} says where it lies in numbers that are not finite: it is damaged; "
-                             "export it again.")
+            raise InputError(say("{path} says where it lies in numbers that are not finite: it is damaged; export it "
+                                 "again.", path=self.path.name))
         across, down = math.hypot(place.a, place.d), math.hypot(place.b, place.e)
         if not 0.9 < across / down < 1.1 or abs(place.a * place.b + place.d * place.e) > 0.1 * across * down:
-            raise InputError(f"{self.path.name} has pixels that are not square: warp it to square pixels first.")
+            raise InputError(say("{path} has pixels that are not square: warp it to square pixels first.",
+                                 path=self.path.name))
         self.own_pixel = math.sqrt(across * down) * metres_per_unit
         if self.own_pixel > MAX_PIXEL:
-            raise InputError(f"{self.path.name} has pixels of {self.own_pixel:.2f} m, in which road markings cannot be "
-                             f"seen: use an orthophoto of {MAX_PIXEL} m or finer.")
+            raise InputError(say("{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use "
+                                 "an orthophoto of {max_pixel} m or finer.", path=self.path.name,
+                                 own_pixel=self.own_pixel, max_pixel=MAX_PIXEL))
         self.factor = max(int(min_pixel / self.own_pixel), 1)
         self.pixel = self.own_pixel * self.factor
         self.rows = -(-self.source.height // self.factor)
@@ -123,10 +126,11 @@ class _OrthophotoReader:
         try:
             mask = stack.enter_context(rasterio.open(path))
         except RasterioError as error:
-            raise InputError(f"{Path(path).name} cannot be read as a raster: check the file.") from error
+            raise InputError(say("{path} cannot be read as a raster: check the file.", path=Path(path).name)) from error
         own, other = self.source.bounds, mask.bounds
         if own.left >= other.right or own.right <= other.left or own.bottom >= other.top or own.top <= other.bottom:
-            raise InputError(f"{Path(path).name} does not reach {self.path.name}: give a mask of the same place.")
+            raise InputError(say("{path} does not reach {path_2}: give a mask of the same place.", path=Path(path).name,
+                                 path_2=self.path.name))
         return stack.enter_context(WarpedVRT(
             mask, crs=self.source.crs, src_crs=mask.crs or self.source.crs, transform=self.source.transform,
             width=self.source.width, height=self.source.height, add_alpha=False))
@@ -151,7 +155,7 @@ class _OrthophotoReader:
             if self.mask is not None:
                 seen &= self.mask.read(1, window=window) == 0
         except RasterioError as error:
-            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+            raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error
         if np.issubdtype(bands.dtype, np.floating):
             seen &= np.isfinite(bands).all(axis=0)
             bands = np.where(seen, bands, 0)
@@ -171,16 +175,17 @@ def colour_bands(source: rasterio.DatasetReader, path: Path) -> list[int]:
     """
     kinds = source.colorinterp
     if ColorInterp.palette in kinds:
-        raise InputError(f"{path.name} has a colour table: convert it to red, green and blue first.")
+        raise InputError(say("{path} has a colour table: convert it to red, green and blue first.", path=path.name))
     if source.dtypes and source.dtypes[0].startswith("complex"):
-        raise InputError(f"{path.name} holds complex numbers, no image: give an orthophoto.")
+        raise InputError(say("{path} holds complex numbers, no image: give an orthophoto.", path=path.name))
     wanted = ColorInterp.red, ColorInterp.green, ColorInterp.blue
     colours = [kinds.index(kind) + 1 for kind in wanted if kind in kinds]
     if len(colours) == 3:
         return colours
     plain = [band + 1 for band, kind in enumerate(kinds) if kind != ColorInterp.alpha]
     if not plain:
-        raise InputError(f"{path.name} has no image bands: give an orthophoto in grey or in red, green and blue.")
+        raise InputError(say("{path} has no image bands: give an orthophoto in grey or in red, green and blue.",
+                             path=path.name))
     return plain[:3] if len(plain) >= 3 else plain[:1]
 
 
@@ -204,8 +209,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         min_pixel = 0.0 if settings.paper else MIN_PIXEL
         scene = _OrthophotoReader(path, places, metres_per_unit, min_pixel, stack)
         if not scene.mask_covers():
-            progress.warn(f"{Path(places.mask).name} does not cover all of {scene.path.name}: where it does not, "
-                          "nothing is taken as hidden.")
+            progress.warn(say("{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.",
+                              mask=Path(places.mask).name, path=scene.path.name))
         levels = _levels(scene, settings, progress.part(0.0, 0.1))
         profile = {"driver": "GTiff", "width": scene.source.width, "height": scene.source.height, "count": 1,
                    "dtype": "uint8", "transform": scene.source.transform, "crs": scene.source.crs, "tiled": True,
@@ -221,7 +226,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
                 return _gathered(found, scene, settings, target, metres_per_unit)
         except RasterioError as error:
-            raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error
+            raise OutputError(say("{output} cannot be written ({error}): choose another output.",
+                                  output=Path(output).name, error=error)) from error
 
 
 def levels_of_orthophoto(path: str | os.PathLike, places: SearchArea | None = None,

@@ -17,6 +17,7 @@ from rasterio.transform import Affine
 
 from ..io.raster import own_gdal
 from ..io.report import BAD, GOOD, LOOK, Report
+from ..wording import say
 from .marking_files import MarkingResult, colour_bands
 from .marking_polygons import CACHE
 from .stored_polygons import batches
@@ -93,8 +94,10 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
     if not len(found.polygons):
         report.verdict(BAD, doubts[-1])
     else:
-        report.verdict(LOOK if doubts else GOOD, f"{len(found.polygons)} markings were found. "
-                       + (f"{len(doubts)} things are to be looked at first." if doubts else
+        report.verdict(LOOK if doubts else GOOD, say("{polygons_count} markings were found. ",
+                                                     polygons_count=len(found.polygons))
+                       + (say("{doubts_count} things are to be looked at first.",
+                              doubts_count=len(doubts)) if doubts else
                           "Nothing stands out; check some markings against the picture all the same."))
     if doubts:
         report.section("What to distrust")
@@ -133,12 +136,13 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
             doubts.append(f"{pair.first} and {pair.second} lie {np.hypot(pair.east, pair.north):.2f} m apart on the "
                           "road markings: markings in their overlap are uncertain by as much. Check the orientation.")
     if evidence.pairs is not None and not evidence.pairs:
-        doubts.append("No two frames share enough markings to be compared: a wrong orientation would not show.")
+        doubts.append(say("No two frames share enough markings to be compared: a wrong orientation would not show."))
     if found.pixel > _COARSE:
-        doubts.append(f"With pixels of {found.pixel:.2f} m lane lines are narrower than a pixel: many are missed.")
+        doubts.append(say("With pixels of {pixel:.2f} m lane lines are narrower than a pixel: many are missed.",
+                          pixel=found.pixel))
     if not evidence.roads:
-        doubts.append("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and lines "
-                      "of car parks may be among the markings; cut by their confidence, or give roads.")
+        doubts.append(say("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and "
+                          "lines of car parks may be among the markings; cut by their confidence, or give roads."))
     alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
     if alone > _ONE_VIEW:
         doubts.append(f"{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and "
@@ -148,7 +152,7 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
         doubts.append(f"{(markings.contrast < _FAINT * evidence.contrast).mean():.0%} of the markings hardly stand out "
                       "from the road: worn paint, shadow edges or paving.")
     if not len(markings):
-        doubts.append("No marking was found: check the roads, the contrast and whether the image shows any.")
+        doubts.append(say("No marking was found: check the roads, the contrast and whether the image shows any."))
     return doubts
 
 

@@ -25,6 +25,7 @@ from ..geometry.grid import Grid
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gain_compensation import GainCorrection, RadiometricSamples, compensate_gains
 from .vehicles import REACH, composite, darkest, majority_vote, steepest_view
 from .worker_resources import WorkerResource, worker_resource
@@ -131,8 +132,8 @@ def covering_grid(sources: Sequence[ViewSource], cell: float) -> Grid:
     """Grid over all that the sources can show, its edges at multiples of `cell` (m)."""
     boxes = np.array([source.bounds for source in sources if source.bounds is not None])
     if not len(boxes):
-        raise InsufficientDataError("No frame shows any of the ground: check that frames, exterior orientation and "
-                                    "ground lie in the same place and coordinate system.")
+        raise InsufficientDataError(say("No frame shows any of the ground: check that frames, exterior orientation "
+                                        "and ground lie in the same place and coordinate system."))
     return Grid.covering(*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0), cell)
 
 
@@ -258,7 +259,7 @@ def write_mosaic(sources: Sequence[ViewSource], grid: Grid, crs_wkt: str, bands:
     """
     choice, workers = choice or PixelSelection(), workers or Workers()
     if dtype not in _FULL_SCALE:
-        raise InputError(f"The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.")
+        raise InputError(say("The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.", dtype=dtype))
     gains = GainCorrection.identity(len(sources), bands)
     if choice.even and len(sources) > 1:
         gains = gain_correction_of(sources, grid, bands, progress.part(0.0, 0.2))
@@ -282,8 +283,9 @@ def write_mosaic(sources: Sequence[ViewSource], grid: Grid, crs_wkt: str, bands:
             pixels_shared += int((made.count >= 2).sum())
             pixels_hidden += made.hidden
         if not pixels_seen:
-            raise InsufficientDataError("No frame sees any ground there: check that frames, exterior orientation, "
-                                        "ground and surface lie in the same place and coordinate system.")
+            raise InsufficientDataError(say("No frame sees any ground there: check that frames, exterior "
+                                            "orientation, ground and surface lie in the same place and coordinate "
+                                            "system."))
     return Mosaic(grid, len(used), pixels_seen, pixels_shared, pixels_hidden, gains)
 
 
@@ -314,6 +316,7 @@ def _written(output: MosaicFiles, grid: Grid, crs_wkt: str, bands: int, dtype: s
                 stack.enter_context(written_beside(path)), "w", crs=crs, **profile))
                 for path, profile in ((output.image, image), (output.count, count)))
     except CRSError as error:
-        raise InputError("The coordinate reference system cannot be understood: set another one.") from error
+        raise InputError(say("The coordinate reference system cannot be understood: set another one.")) from error
     except RasterioError as error:
-        raise OutputError(f"{Path(output.image).name} cannot be written ({error}): choose another output.") from error
+        raise OutputError(say("{image} cannot be written ({error}): choose another output.",
+                              image=Path(output.image).name, error=error)) from error

@@ -20,6 +20,7 @@ from ..geometry.grid import Grid
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from ..wording import say
 from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_to_frame
 from .normalised_surface import NormalisedSurface, cell_centres, wall_offsets
 from .silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
@@ -53,7 +54,7 @@ class OcclusionSettings:
 
     def __post_init__(self) -> None:
         if not self.threshold > 0:
-            raise InputError("The height threshold must be greater than 0.")
+            raise InputError(say("The height threshold must be greater than 0."))
 
 
 DEFAULT_OCCLUSION = OcclusionSettings()
@@ -111,8 +112,8 @@ def occlusion_map(camera: FrameCamera, pose: ExteriorOrientation, dsm: str | os.
     with NormalisedSurface(dsm, ground) as surface:
         rows, columns, uncovered = frame_window(camera, pose, surface)
         if uncovered > 0.01:
-            progress.warn(f"{uncovered:.0%} of {pose.image} looks beyond the surface or the ground raster: buildings "
-                          "there are not masked.")
+            progress.warn(say("{uncovered:.0%} of {image} looks beyond the surface or the ground raster: buildings "
+                              "there are not masked.", uncovered=uncovered, image=pose.image))
         raised, lifted, flat = raise_footprints(surface, footprints, rows, columns, settings, progress.part(0, 0.2))
         sides = frame_silhouette(camera, pose, surface, rows, columns, settings, raised, progress.part(0.2, 0.7))
     hidden = _write(output, camera, sides, progress.part(0.7, 1.0))
@@ -157,8 +158,8 @@ def frame_window(camera: FrameCamera, pose: ExteriorOrientation, surface: Normal
         seen = surface.known(*_meet(pose, ray, level))
         if part.rows > 1 and part.columns > 1 and seen.any():
             return rows, columns, float(1 - seen.mean())
-    raise InputError(f"{pose.image} looks past the surface and ground rasters: choose rasters of its place, and check "
-                     "that heights, CRS and angles fit.")
+    raise InputError(say("{image} looks past the surface and ground rasters: choose rasters of its place, and check "
+                         "that heights, CRS and angles fit.", image=pose.image))
 
 
 def _meet(pose: ExteriorOrientation, ray: np.ndarray, level: float) -> tuple[np.ndarray, np.ndarray]:
@@ -304,5 +305,6 @@ def _write(output: str | os.PathLike, camera: FrameCamera, sides: SilhouetteEdge
                     target.write(mask.view(np.uint8) * np.uint8(HIDDEN), 1,
                                  window=Window(0, first, camera.width, len(mask)))
     except RasterioError as error:
-        raise OutputError(f"{Path(output).name} cannot be written ({error}): choose another output.") from error
+        raise OutputError(say("{output} cannot be written ({error}): choose another output.", output=Path(output).name,
+                              error=error)) from error
     return hidden

@@ -22,6 +22,7 @@ from ..errors import InputError
 from ..geometry.grid import Grid
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
+from ..wording import say
 from .camera import ExteriorOrientation, FrameCamera, frame_rays, project_places
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .frames import AerialFrame, FrameImage
@@ -60,8 +61,9 @@ class FramePixels:
         kinds = [self._kind(frame.path) for frame in frames]
         for frame, kind in zip(frames, kinds):
             if kind != kinds[0]:
-                raise InputError(f"{frame.path.name} has {kind[0]} bands of {kind[1]} but {frames[0].path.name} "
-                                 f"{kinds[0][0]} of {kinds[0][1]}: give frames of one kind.")
+                raise InputError(say("{path} has {kind} bands of {kind_2} but {path_2} {kinds} of {kinds_2}: give "
+                                     "frames of one kind.", path=frame.path.name, kind=kind[0], kind_2=kind[1],
+                                     path_2=frames[0].path.name, kinds=kinds[0][0], kinds_2=kinds[0][1]))
         self.bands, self.dtype = kinds[0]
 
     def __enter__(self) -> FramePixels:
@@ -185,7 +187,7 @@ def _range(raster: RasterSampler) -> tuple[float, float]:
             values = values[np.isfinite(values)]
             low, high = min(low, values.min(initial=np.inf)), max(high, values.max(initial=-np.inf))
     if not np.isfinite(low):
-        raise InputError(f"{raster.path.name} holds no heights: check the raster.")
+        raise InputError(say("{path} holds no heights: check the raster.", path=raster.path.name))
     return float(low), float(high)
 
 
@@ -393,7 +395,8 @@ def _frame_masks(frames: Sequence[AerialFrame], camera: FrameCamera, place: Elev
                  settings: OcclusionSettings, folder: Path, progress: Progress) -> list[Path]:
     """Occlusion maps of all frames, written to a folder."""
     if place.surface is None:
-        raise InputError("Occlusion maps of the frames need a surface (DSM): give one, or give the maps themselves.")
+        raise InputError(say("Occlusion maps of the frames need a surface (DSM): give one, or give the maps "
+                             "themselves."))
     masks = [folder / f"{number}.tif" for number in range(len(frames))]
     for number, (frame, mask) in enumerate(zip(frames, masks)):
         part = progress.part(number / len(frames), (number + 1) / len(frames))
@@ -442,7 +445,7 @@ def _own_resolution(frames: Sequence[AerialFrame], camera: FrameCamera, terrain:
     """Median pixel of the frames at the nadir, m, rounded to the centimetre (to the millimetre below 5 cm)."""
     ground = camera.ground_pixel(float(np.median([frame.pose.z for frame in frames])) - terrain.low)
     if ground <= 0:
-        raise InputError("The frames lie below the ground: check the heights in the exterior orientation.")
+        raise InputError(say("The frames lie below the ground: check the heights in the exterior orientation."))
     return max(round(ground, 2 if ground >= 0.05 else 3), 0.001)
 
 
@@ -450,13 +453,15 @@ def _warn_of_places(sources: Sequence[OrthorectifiedFrame], terrain: Terrain, gr
     """Warn of frames beside the ground and of a surface that does not cover the mosaic."""
     beside = [source.name for source in sources if source.bounds is None]
     if beside:
-        progress.warn(f"{len(beside)} frames show none of the ground and are left out: {', '.join(beside[:5])}"
-                      f"{' and others' if len(beside) > 5 else ''}.")
+        progress.warn(say("{beside_count} frames show none of the ground and are left out: {beside}{value}.",
+                          beside_count=len(beside), beside=", ".join(beside[:5]),
+                          value=say(" and others") if len(beside) > 5 else ""))
     if terrain.surface is None:
-        progress.warn("Without a surface (DSM) buildings cannot be told to hide the ground: they lie over it in the "
-                      "mosaic.")
+        progress.warn(say("Without a surface (DSM) buildings cannot be told to hide the ground: they lie over it in "
+                          "the mosaic."))
         return
     box, have = grid.bounds, terrain.surface.grid.bounds
     if box[0] < have[0] - grid.cell or box[1] < have[1] - grid.cell or box[2] > have[2] + grid.cell \
             or box[3] > have[3] + grid.cell:
-        progress.warn("The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the ground.")
+        progress.warn(say("The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the "
+                          "ground."))

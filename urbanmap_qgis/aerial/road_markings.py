@@ -14,6 +14,7 @@ import cv2
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 from .image_strips import grown, row_strips, within
 from .marking_confidence import clear_of_paint, texture
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
@@ -100,8 +101,8 @@ class LevelAdjustment:
         if not text.strip():
             return None
         if len(numbers) != 4 or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
-            raise InputError("Levels are four numbers, low, high, middle and noise, the second above the first: give "
-                             "those, or none.")
+            raise InputError(say("Levels are four numbers, low, high, middle and noise, the second above the first: "
+                                 "give those, or none."))
         return cls(*numbers)
 
 

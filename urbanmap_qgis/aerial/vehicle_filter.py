@@ -22,6 +22,7 @@ from ..errors import InputError
 from ..geometry.grid import Grid
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from ..wording import say
 from .frame_shifts import FrameShift, frame_shifts, warn_of_shifts
 from .mosaic import GroundView, Mosaic, MosaicFiles, PixelSelection, Workers, write_mosaic
 
@@ -46,10 +47,10 @@ class OrthophotoSource:
             try:
                 self._file = rasterio.open(path)
             except (RasterioError, OSError) as error:
-                raise InputError(f"{self.name} cannot be read as an image: check the file.") from error
+                raise InputError(say("{name} cannot be read as an image: check the file.", name=self.name)) from error
         if self._file.crs is None:
             self._file.close()
-            raise InputError(f"{self.name} has no coordinate reference system: set it first.")
+            raise InputError(say("{name} has no coordinate reference system: set it first.", name=self.name))
         self.crs = self._file.crs
         self.bands = 3 if self._file.count >= 3 else 1
         self.dtype = self._file.dtypes[0]
@@ -87,7 +88,7 @@ class OrthophotoSource:
                 image = self._view.read(list(range(1, self.bands + 1)), window=window)
                 mask = self._view.dataset_mask(window=window) > 0
         except RasterioError as error:
-            raise InputError(f"{self.name} is damaged: {error}.") from error
+            raise InputError(say("{name} is damaged: {error}.", name=self.name, error=error)) from error
         if not mask.any():
             return None
         if self._view is not self._file:
@@ -109,9 +110,11 @@ def _grid_of(source: rasterio.DatasetReader, name: str) -> Grid:
     """Grid of the first orthophoto, which must be north-up with square pixels."""
     place = source.transform
     if not np.isfinite(place[:6]).all():
-        raise InputError(f"{name} says where it lies in numbers that are not finite: it is damaged; export it again.")
+        raise InputError(say("{name} says where it lies in numbers that are not finite: it is damaged; export it "
+                             "again.", name=name))
     if place.b or place.d or place.a <= 0 or not np.isclose(place.a, -place.e, rtol=1e-6):
-        raise InputError(f"{name} is turned or its pixels are not square: warp it to a north-up raster first.")
+        raise InputError(say("{name} is turned or its pixels are not square: warp it to a north-up raster first.",
+                             name=name))
     return Grid(place.c, place.f, place.a, source.height, source.width)
 
 
@@ -122,8 +125,9 @@ def open_orthophotos(orthophotos: Sequence[str | os.PathLike], stack: ExitStack)
     for path in orthophotos[1:]:
         source = stack.enter_context(OrthophotoSource(path, first.grid, first.crs))
         if (source.bands, source.dtype) != (first.bands, first.dtype):
-            raise InputError(f"{source.name} has {source.bands} bands of {source.dtype} but {first.name} "
-                             f"{first.bands} of {first.dtype}: give orthophotos of one kind.")
+            raise InputError(say("{source} has {bands} bands of {dtype} but {first} {bands_2} of {dtype_2}: give "
+                                 "orthophotos of one kind.", source=source.name, bands=source.bands, dtype=source.dtype,
+                                 first=first.name, bands_2=first.bands, dtype_2=first.dtype))
         sources.append(source)
     return sources
 
@@ -149,7 +153,8 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
     InputError : fewer than two, or of different kinds. InsufficientDataError : no pixel has data.
     """
     if len(orthophotos) < 2:
-        raise InputError("Vehicles can only be told by comparing: give two or more orthophotos of the same ground.")
+        raise InputError(say("Vehicles can only be told by comparing: give two or more orthophotos of the same "
+                             "ground."))
     with ExitStack() as stack:
         opener = partial(open_orthophotos, orthophotos)
         sources = opener(stack)
@@ -160,5 +165,5 @@ def filter_vehicles(orthophotos: Sequence[str | os.PathLike], output: str | os.P
         made = write_mosaic(sources, first.grid, first.crs.to_wkt(), first.bands, first.dtype, MosaicFiles(output),
                             choice, progress.part(0.1, 1.0), workers=Workers(executor, opener))
         if not made.pixels_shared:
-            progress.warn("No two of the orthophotos show the same ground: no vehicle was filtered.")
+            progress.warn(say("No two of the orthophotos show the same ground: no vehicle was filtered."))
         return made

@@ -11,6 +11,7 @@ from ..errors import InputError
 from ..io.point_buckets import PointBuckets, stable_order
 from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, valid_points
 from ..progress import SILENT, Progress
+from ..wording import say
 
 BUILDINGS_AT_ONCE = 64
 """Buildings that are worked on together."""
@@ -24,8 +25,8 @@ def require_dimension(cloud: PointCloud, name: str, maker: str) -> None:
     InputError : some file has no such attribute.
     """
     if not cloud.has_dimension(name):
-        raise InputError(f"{cloud.paths[0].name} has no attribute {name}: run “{maker}” first and give its "
-                         "result.")
+        raise InputError(say("{paths} has no attribute {name}: run “{maker}” first and give its result.",
+                             paths=cloud.paths[0].name, name=name, maker=maker))
 
 
 def iter_building_blocks(cloud: PointCloud, layout: PointLayout, ids: np.ndarray,

@@ -15,6 +15,7 @@ from ..geometry.grid import Grid
 from ..geometry.solid import Solid
 from ..io.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
+from ..wording import say
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension
 from .fit_points import candidate_points
 from .model_status import (
@@ -144,8 +145,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
     InputError : no roof belongs to any of the footprints.
     """
     if len(roofs.building_id) and not np.isin(roofs.building_id, footprints.ids).any():
-        raise InputError("No roof has a building_id that the outlines have: give the outlines that the roofs "
-                         "were made with.")
+        raise InputError(say("No roof has a building_id that the outlines have: give the outlines that the roofs "
+                             "were made with."))
     models: list[BuildingModel | None] = [None] * len(footprints)
     base, source = bases_with_neighbours(footprints, base)
     sloped = roof_shape == PLANES and any(is_sloped(polygon) for polygon in roofs.polygon)

@@ -11,6 +11,7 @@ import shapely
 from ..geometry.solid import volume
 from ..io.report import BAD, GOOD, LOOK, Report
 from ..io.svg import plan_map
+from ..wording import say
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
 from .model_stage import BuildingModel
 from .model_status import MAX_UNSEEN, NOT_MODELLED, STATUSES, counts
@@ -71,7 +72,7 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
     report = Report("Building models")
     _verdict(report, status)
     worst = _worst(columns)
-    report.section(f"The worst {len(worst)}")
+    report.section(say("The worst {worst_count}", worst_count=len(worst)))
     names = ("building_id", "status", "quality", "roofs", "points", "rmse_z95", "p95")
     heads = ("building", "status", "quality", "roofs", "points", "RMSE z 95 % (m)", "p95 (m)", "why")
     report.table(heads, [[*(columns[name][row] for name in names), _why(columns, row)] for row in worst])

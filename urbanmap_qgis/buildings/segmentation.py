@@ -25,6 +25,7 @@ from ..io.point_buckets import PointBuckets, stable_order
 from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from ..terrain.surface import ground_raster
+from ..wording import say
 from .base_height import outline_ground
 from .building_points import coordinates
 from .outlines.courtyards import with_courtyards
@@ -166,8 +167,8 @@ def segment_buildings(cloud: PointCloud, footprints: Footprints, output: str | o
                 buckets.add(keys, records if len(members) == len(records) else records[members])
                 near += len(members)
         if not near:
-            raise InputError("No sound point lies near any outline: check that points and outlines are of the same "
-                             "place, and that coordinates and heights are in metres.")
+            raise InputError(say("No sound point lies near any outline: check that points and outlines are of the "
+                                 "same place, and that coordinates and heights are in metres."))
         pieces = _tiles(tiles, buckets, layout, footprints, parameters, ground)
         # Without an executor nobody else looks whether the user cancels while a tile is worked on.
         work = _segment_tile if executor else partial(_segment_tile, progress=Progress(cancelled=progress.cancelled))
@@ -186,8 +187,8 @@ class _Tiling:
         bounds = shapely.bounds(footprints.polygons[rows])
         low, high = bounds[:, :2].min(axis=0), bounds[:, 2:].max(axis=0)
         if (low > cloud.maximum[:2]).any() or (high < cloud.minimum[:2]).any():
-            raise InputError("The point cloud and the outlines do not overlap: check that both are of the "
-                             "same place and that their coordinate reference systems are set right.")
+            raise InputError(say("The point cloud and the outlines do not overlap: check that both are of the same "
+                                 "place and that their coordinate reference systems are set right."))
         extent = np.maximum(cloud.maximum[:2] - cloud.minimum[:2], 1.0)
         self.density = cloud.point_count / float(np.prod(extent))
         self.side = float(np.clip(math.sqrt(TILE_POINTS / self.density), *TILE_SIDE))

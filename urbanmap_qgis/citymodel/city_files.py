@@ -12,6 +12,7 @@ import numpy as np
 from ..io.geoid import Geoid
 from ..io.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
+from ..wording import say
 from .city_sources import placed_model
 from .citygml_writer import write_citygml
 from .cityjson_writer import write_model_cityjson, write_model_cityjsonseq
@@ -48,7 +49,8 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
         write_citygml(citygml, replace(model, buildings=ready), progress)
         missing = sum(not any(part.shapes for part in item.objects()) for item in buildings)
         if missing and model.reference.epsg in PLATEAU_SYSTEMS:
-            progress.warn(f"{missing} buildings have no model and no place in a mesh: CityGML leaves them out.")
+            progress.warn(say("{missing} buildings have no model and no place in a mesh: CityGML leaves them out.",
+                              missing=missing))
     progress.step(0.75)
     if tiles is not None:
         heights = geoid.at if geoid is not None and model.reference.heights != ELLIPSOIDAL.word else None
@@ -82,9 +84,10 @@ def _warn_of_heights(model: CityModel, plateau: bool, bare: bool, progress: Prog
     """Say what a format claims or leaves open of the heights."""
     heights = model.reference.heights
     if plateau and model.reference.epsg in PLATEAU_SYSTEMS and heights not in ("JGD2011", "JGD2024"):
-        progress.warn(f"CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give "
-                      "the height system, or convert the heights, if they are others.")
+        progress.warn(say("CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: "
+                          "give the height system, or convert the heights, if they are others.", heights=heights))
     if bare and heights != ELLIPSOIDAL.word:
         known = "of no stated system" if heights == UNKNOWN.word else f"in {heights}"
-        progress.warn(f"3D Tiles want heights above the ellipsoid, but those of the models are {known} and are "
-                      "written as they are: give a geoid model, or buildings sink or float on a globe.")
+        progress.warn(say("3D Tiles want heights above the ellipsoid, but those of the models are {known} and are "
+                          "written as they are: give a geoid model, or buildings sink or float on a globe.",
+                          known=known))

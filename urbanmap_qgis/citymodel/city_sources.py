@@ -16,6 +16,7 @@ from ..io.height_systems import height_system, stating_heights
 from ..io.plane_rectangular import zone_epsg, zone_numbers
 from ..io.reprojection import epsg_wkt, plane_transform
 from ..progress import SILENT, Progress
+from ..wording import say
 from .citygml_reader import ReadingNotes, open_citygml
 from .cityjson_reader import open_cityjson
 from .model import CityModel, CityObject, CityReference
@@ -42,7 +43,7 @@ def open_city_model(path: PathLike | Sequence[PathLike], stack: ExitStack, notes
     if others:
         models.insert(0, open_citygml(others, stack, notes, given, progress))
     if any(model.reference != models[0].reference for model in models):
-        raise InputError("The city models are in different reference systems: load them in separate runs.")
+        raise InputError(say("The city models are in different reference systems: load them in separate runs."))
     images = models[0].images if len(models) == 1 else {}
     return replace(models[0], images=images, buildings=itertools.chain.from_iterable(
         model.buildings for model in models))
@@ -75,15 +76,15 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
     buildings = iter(model.buildings)
     head = list(itertools.islice(buildings, 1))
     if not head:
-        raise InsufficientDataError("The city model holds no building: give one that has buildings.")
+        raise InsufficientDataError(say("The city model holds no building: give one that has buildings."))
     heading = head
     place = next((ring[0] for item in head[0].objects() for shape in item.shapes for surface in shape.surfaces
                   for ring in surface.rings), None)
     while place is None:
         more = list(itertools.islice(buildings, 1))
         if not more:
-            raise InsufficientDataError("No building of the city model has a geometry: give one with outlines or "
-                                        "solids.")
+            raise InsufficientDataError(say("No building of the city model has a geometry: give one with outlines or "
+                                            "solids."))
         heading += more
         place = next((ring[0] for item in more[0].objects() for shape in item.shapes for surface in shape.surfaces
                       for ring in surface.rings), None)
@@ -92,7 +93,7 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
     x, y = float(place[0]), float(place[1])
     transform = plane_transform(source, target, (x, y, x, y))
     if transform is not None and transform.told:
-        notes.append(f"The city model was taken into another datum by {transform.told}.")
+        notes.append(say("The city model was taken into another datum by {told}.", told=transform.told))
 
     def places(corners: np.ndarray) -> np.ndarray:
         if transform is None:
@@ -106,6 +107,6 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
 def _own_zone(place: np.ndarray) -> str:
     longitude, latitude = float(place[0]), float(place[1])
     if not (_JAPAN[0] <= longitude <= _JAPAN[2] and _JAPAN[1] <= latitude <= _JAPAN[3]):
-        raise InputError("The city model is in degrees outside of Japan: choose a projected coordinate reference "
-                         "system in metres for the result.")
+        raise InputError(say("The city model is in degrees outside of Japan: choose a projected coordinate reference "
+                             "system in metres for the result."))
     return epsg_wkt(zone_epsg(int(zone_numbers(longitude, latitude)[0])))

@@ -20,6 +20,7 @@ from ..io.gsi_sources import PathLike, Wanted, XmlSource, list_sources
 from ..io.guard import reads
 from ..io.xml_stream import root_children
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gml_shapes import GmlTextures, ShapeReader
 from .gml_values import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
 from .model import BUILDING, BUILDING_PART, CityModel, CityObject, CityReference
@@ -56,9 +57,11 @@ class ReadingNotes:
         """One sentence for each."""
         made = []
         if self.others:
-            made.append(f"City objects that are no buildings were passed over ({_counts(self.others)}).")
+            made.append(say("City objects that are no buildings were passed over ({counts}).",
+                            counts=_counts(self.others)))
         if self.unread:
-            made.append(f"Parts of buildings that have no place in the result were left out ({_counts(self.unread)}).")
+            made.append(say("Parts of buildings that have no place in the result were left out ({counts}).",
+                            counts=_counts(self.unread)))
         if self.missing_lists:
             made.append(f"{len(self.missing_lists)} lists of codes are not there or damaged, so that codes stay as "
                         f"they are ({', '.join(sorted(self.missing_lists)[:3])}).")
@@ -124,8 +127,8 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
         for source in sources:
             own = _reference_of(source, given)
             if own.reference != reference.reference:
-                raise InputError(f"{source.name} is in another reference system than {sources[0].name}: load them in "
-                                 "separate runs.")
+                raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
+                                     "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
             for building in _buildings_of(source, own, notes, images, part):
                 yield _once(building, seen, notes)
@@ -153,7 +156,8 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
     """The reference system that a file names, at its head or on its first geometry."""
     for root, element in root_children(source, MAKER, LARGEST_BUILDING):
         if split_tag(root.tag)[1] != "CityModel":
-            raise InputError(f"{source.name} is no CityGML (its root is {split_tag(root.tag)[1]}): give a city model.")
+            raise InputError(say("{source} is no CityGML (its root is {split_tag}): give a city model.",
+                                 source=source.name, split_tag=split_tag(root.tag)[1]))
         for item in (root, *element.iter()):
             if item.get("srsName"):
                 return named_reference(item.get("srsName"), source.name)
@@ -161,7 +165,8 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
             continue
         break
     if given is None:
-        raise InputError(f"{source.name} names no coordinate reference system: give the one that it is in.")
+        raise InputError(say("{source} names no coordinate reference system: give the one that it is in.",
+                             source=source.name))
     return NamedReference(given, False)
 
 

@@ -20,6 +20,7 @@ from ..errors import InputError, OutputError
 from ..geometry.mesh_code import third_mesh_code
 from ..io.atomic import written_beside
 from ..progress import SILENT, Progress
+from ..wording import say
 from .citygml_attributes import generic_attribute, split_attributes, xml_text
 from .citygml_geometry import object_geometry
 from .cityjson_writer import unique_objects
@@ -87,7 +88,8 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
     try:
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"The folder {target} cannot be made ({error.strerror}): choose another output.") from error
+        raise OutputError(say("The folder {target} cannot be made ({strerror}): choose another output.", target=target,
+                              strerror=error.strerror)) from error
     files: dict[str, _GmlFile] = {}
     names = _Names()
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
@@ -112,7 +114,8 @@ def gml_folder_trouble(folder: str | os.PathLike) -> str:
     for path in sorted(Path(folder).rglob("*.gml")) if Path(folder).is_dir() else ():
         with open(path, "rb") as file:
             if WRITTEN_BY.encode() not in file.read(4096):
-                return f"The folder {folder} holds CityGML of another program ({path.name}): choose another folder."
+                return say("The folder {folder} holds CityGML of another program ({path}): choose another folder.",
+                           folder=folder, path=path.name)
     return ""
 
 
@@ -269,9 +272,10 @@ def _place_images(place: Path, names: Mapping[str, str], images: Mapping[str, Pa
     """
     for image, name in names.items():
         if image not in images:
-            raise InputError(f"The image {image} of a texture was not given: its file is missing.")
+            raise InputError(say("The image {image} of a texture was not given: its file is missing.", image=image))
         try:
             (place / name).parent.mkdir(exist_ok=True)
             shutil.copyfile(images[image], place / name)
         except OSError as error:
-            raise OutputError(f"The image {place / name} cannot be written ({error.strerror}).") from error
+            raise OutputError(say("The image {place} cannot be written ({strerror}).", place=place / name,
+                                  strerror=error.strerror)) from error

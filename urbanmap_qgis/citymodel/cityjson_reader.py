@@ -19,6 +19,7 @@ from ..geometry.solid import FaceTexture
 from ..io.guard import first_not_finite, read_json, reads
 from ..io.height_systems import JAPANESE
 from ..progress import SILENT, Progress
+from ..wording import say
 from .citygml_reader import ReadingNotes
 from .gml_shapes import unmatched_edges
 from .model import (
@@ -66,7 +67,7 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
         head = read_json(path, "CityJSON")
         pieces = iter((head,))
     if not isinstance(head, Mapping) or head.get("type") != "CityJSON":
-        raise InputError(f"{path.name} is not a CityJSON file: its type is not 'CityJSON'.")
+        raise InputError(say("{path} is not a CityJSON file: its type is not 'CityJSON'.", path=path.name))
     metadata = head.get("metadata") or {}
     reference = _reference(metadata, path, given)
     images: dict[str, Path] = {}
@@ -94,9 +95,11 @@ def _line(text: str, path: Path, number: int) -> dict:
     try:
         found = json.loads(text, parse_constant=lambda name: float("nan"))
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path.name} is damaged: its line {number} is no JSON; export it again.") from error
+        raise InputError(say("{path} is damaged: its line {number} is no JSON; export it again.", path=path.name,
+                             number=number)) from error
     if not isinstance(found, dict):
-        raise InputError(f"{path.name} is damaged: its line {number} is no object; export it again.")
+        raise InputError(say("{path} is damaged: its line {number} is no object; export it again.", path=path.name,
+                             number=number))
     return found
 
 
@@ -117,7 +120,8 @@ def _reference(metadata: Mapping, path: Path, given: CityReference | None) -> Ci
     name = metadata.get("referenceSystem")
     if not name:
         if given is None:
-            raise InputError(f"{path.name} names no coordinate reference system: give the one that it is in.")
+            raise InputError(say("{path} names no coordinate reference system: give the one that it is in.",
+                                 path=path.name))
         return given
     found = named_reference(str(name), path.name).reference
     stated = _TITLE_HEIGHTS.search(str(metadata.get("title") or ""))
@@ -134,14 +138,15 @@ class _Piece:
         self.path, self.notes, self.digits = path, notes, 9 if reference.geographic else 3
         self.objects = content.get("CityObjects")
         if not isinstance(self.objects, Mapping):
-            raise InputError(f"{path.name} is damaged: it has no city objects; export it again.")
+            raise InputError(say("{path} is damaged: it has no city objects; export it again.", path=path.name))
         transform = head.get("transform") or content.get("transform")
         vertices = np.asarray(content.get("vertices") or [], dtype=np.float64).reshape(-1, 3)
         if transform:
             vertices = vertices * np.asarray(transform["scale"], float) + np.asarray(transform["translate"], float)
         bad = first_not_finite(vertices)
         if bad is not None:
-            raise InputError(f"{path.name} is damaged: its vertex {bad} has no finite coordinates.")
+            raise InputError(say("{path} is damaged: its vertex {bad} has no finite coordinates.", path=path.name,
+                                 bad=bad))
         # Latitude first, as the codes of geographic systems have it, or longitude first: Japan and most of Asia lie
         # east of 90 degrees, where only one of the two can be a latitude.
         if reference.geographic and len(vertices) and np.abs(vertices[:, 0]).max() <= 90 < np.abs(vertices[:, 1]).max():
@@ -237,9 +242,11 @@ class _Piece:
     def _ring(self, ring: list) -> np.ndarray | None:
         numbers = np.asarray(ring)
         if numbers.dtype.kind not in "iu" or numbers.ndim != 1:
-            raise InputError(f"{self.path.name} is damaged: a ring is no list of vertices; export it again.")
+            raise InputError(say("{path} is damaged: a ring is no list of vertices; export it again.",
+                                 path=self.path.name))
         if len(numbers) and (numbers.min() < 0 or numbers.max() >= len(self.vertices)):
-            raise InputError(f"{self.path.name} is damaged: it names a vertex that it does not have; export it again.")
+            raise InputError(say("{path} is damaged: it names a vertex that it does not have; export it again.",
+                                 path=self.path.name))
         return self.vertices[numbers] if len(numbers) >= 3 else None
 
     def _texture(self, rings: list | None, count: int) -> FaceTexture | None:

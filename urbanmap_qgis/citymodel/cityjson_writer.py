@@ -16,6 +16,7 @@ from ..errors import InputError
 from ..io.atomic import written_beside
 from ..io.cityjson_parts import UNITS, VertexList, json_text, json_value, write_end
 from ..progress import SILENT, Progress
+from ..wording import say
 from .model import (
     FOOTPRINT,
     MULTI_SURFACE,
@@ -98,8 +99,8 @@ def write_model_cityjsonseq(path: str | os.PathLike, model: CityModel, progress:
 def _require_metres(reference: CityReference) -> None:
     """Vertices are whole tenths of a millimetre, which degrees would lose."""
     if reference.geographic:
-        raise InputError("CityJSON is written in metres, but the model counts in degrees: take it into a plane "
-                         "reference system first.")
+        raise InputError(say("CityJSON is written in metres, but the model counts in degrees: take it into a plane "
+                             "reference system first."))
 
 
 def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
@@ -113,7 +114,7 @@ def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
     for building in buildings:
         for item in building.objects():
             if item.id in seen:
-                raise InputError(f"Two buildings have the id '{item.id}': give each building its own.")
+                raise InputError(say("Two buildings have the id '{id}': give each building its own.", id=item.id))
             seen.add(item.id)
         yield building
 

@@ -8,6 +8,7 @@ from xml.sax.saxutils import escape
 
 from ..errors import OutputError
 from ..io.atomic import written_beside
+from ..wording import say
 from .model import CodeValue
 
 FOLDER = "../../codelists/"
@@ -36,7 +37,8 @@ def write_codelists(folder: str | os.PathLike) -> None:
     try:
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"The folder {place} cannot be made ({error.strerror}): choose another output.") from error
+        raise OutputError(say("The folder {place} cannot be made ({strerror}): choose another output.", place=place,
+                              strerror=error.strerror)) from error
     for name, codes in LISTS.items():
         entries = "".join(
             f'<gml:dictionaryEntry><gml:Definition gml:id="id{code}"><gml:description>{escape(meaning)}'

@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 from ..errors import InputError, OutputError
 from ..geometry.solid import FaceTexture, Solid
 from ..io.guard import read_json, reads
+from ..wording import say
 from .model import CityModel, CityObject
 
 SAME = 0.02
@@ -65,11 +66,11 @@ def read_textured_faces(path: str | os.PathLike) -> TexturedFaces:
     """
     content = read_json(path, "CityJSON")
     if not isinstance(content, dict) or content.get("type") != "CityJSON":
-        raise InputError(f"{path} is not a CityJSON file: its type is not 'CityJSON'.")
+        raise InputError(say("{path} is not a CityJSON file: its type is not 'CityJSON'.", path=path))
     appearance = content.get("appearance") or {}
     names = [str(texture["image"]) for texture in appearance.get("textures", ())]
     if not names:
-        raise InputError(f"{path} has no textures: give the CityJSON file that “Facade textures” wrote.")
+        raise InputError(say("{path} has no textures: give the CityJSON file that “Facade textures” wrote.", path=path))
     files = {name: _inside(Path(path), name) for name in names}
     missing = tuple(name for name, file in files.items() if not file.is_file())
     transform = content["transform"]
@@ -90,7 +91,8 @@ def _inside(path: Path, name: str) -> Path:
     """File of an image beside a model."""
     pure = PurePosixPath(name.replace("\\", "/"))
     if pure.is_absolute() or ".." in pure.parts or ":" in pure.parts[0]:
-        raise InputError(f"{path.name} names the image {name}, which is not in its own folder: move it there.")
+        raise InputError(say("{path} names the image {name}, which is not in its own folder: move it there.",
+                             path=path.name, name=name))
     return path.parent / pure
 
 
@@ -132,7 +134,8 @@ def images_beside(model: CityModel, path: str | os.PathLike) -> CityModel:
             (path.parent / folder).mkdir(exist_ok=True)
             shutil.copyfile(file, path.parent / names[name])
         except OSError as error:
-            raise OutputError(f"The image {path.parent / names[name]} cannot be written ({error.strerror}).") from error
+            raise OutputError(say("The image {parent} cannot be written ({strerror}).",
+                                  parent=path.parent / names[name], strerror=error.strerror)) from error
     return replace(model, buildings=(_renamed(item, names) for item in model.buildings),
                    images={names[name]: file for name, file in model.images.items()})
 

@@ -14,6 +14,7 @@ from pyproj.exceptions import CRSError
 from ..errors import InputError
 from ..io.crs_text import horizontal_part, parse_wkt, wkt_text
 from ..io.height_systems import height_system, heights_of
+from ..wording import say
 from .model import CityReference
 from .reference import GEOGRAPHIC, GEOGRAPHIC_2024, JGD2024
 
@@ -40,7 +41,8 @@ def named_reference(name: str, where: str) -> NamedReference:
     """
     codes = [int(code) for code in _CODES.findall(name)]
     if not codes:
-        raise InputError(f"{where}: the coordinate reference system {name} is not known; give the one that it is in.")
+        raise InputError(say("{where}: the coordinate reference system {name} is not known; give the one that it is "
+                             "in.", where=where, name=name))
     ordered = not re.match(r"\s*EPSG:", name, re.IGNORECASE)
     if codes[0] == GEOGRAPHIC_2024:
         made = CityReference(_wkt(GEOGRAPHIC, where).to_wkt(), GEOGRAPHIC, True, JGD2024)
@@ -60,8 +62,8 @@ def _wkt(code: int, where: str) -> CRS:
     try:
         return CRS.from_epsg(code)
     except CRSError as error:
-        raise InputError(f"{where}: the coordinate reference system EPSG:{code} is not known here; give the one that "
-                         "it is in.") from error
+        raise InputError(say("{where}: the coordinate reference system EPSG:{code} is not known here; give the one "
+                             "that it is in.", where=where, code=code)) from error
 
 
 def given_reference(wkt: str) -> CityReference:
@@ -73,6 +75,6 @@ def given_reference(wkt: str) -> CityReference:
     """
     part = horizontal_part(parse_wkt(wkt))
     if part is None:
-        raise InputError("The coordinate reference system has no horizontal part: choose another.")
+        raise InputError(say("The coordinate reference system has no horizontal part: choose another."))
     plane = CRS.from_wkt(wkt_text(part))
     return CityReference(plane.to_wkt(), plane.to_epsg(), plane.is_geographic, heights_of(wkt).word)

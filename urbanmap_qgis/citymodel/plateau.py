@@ -9,6 +9,7 @@ import re
 from dataclasses import replace
 
 from ..errors import InputError
+from ..wording import say
 from .codelists import code_value
 from .model import AttributeGroup, CityObject, CodeValue, Measure
 
@@ -33,7 +34,8 @@ def check_city_code(code: str) -> None:
     InputError : with what to give.
     """
     if code and not re.fullmatch(r"\d{5}", code):
-        raise InputError(f"The code {code} is none of a municipality: give its five digits, such as 13101.")
+        raise InputError(say("The code {code} is none of a municipality: give its five digits, such as 13101.",
+                             code=code))
 
 
 def with_plateau_attributes(item: CityObject, number: int, city_code: str = "", extended: bool = True,

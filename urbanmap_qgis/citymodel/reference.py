@@ -5,6 +5,7 @@ from __future__ import annotations
 from ..errors import InputError
 from ..io.crs_text import horizontal_part, parse_wkt
 from ..io.height_systems import height_system, heights_of, same_heights
+from ..wording import say
 from .model import CityReference
 
 JGD2011, JGD2024 = "JGD2011", "JGD2024"
@@ -44,8 +45,8 @@ def city_reference(wkt: str, heights: str = "") -> CityReference:
     """
     stated, given = heights_of(wkt), height_system(heights)
     if given.known and stated.known and not same_heights(given, stated):
-        raise InputError(f"The models state heights in {stated}, not in {given}: convert them first, or leave the "
-                         "height system out.")
+        raise InputError(say("The models state heights in {stated}, not in {given}: convert them first, or leave the "
+                             "height system out.", stated=stated, given=given))
     plane = horizontal_part(parse_wkt(wkt)) if wkt else None
     system = stated if stated.known else given
     return CityReference(wkt, plane.epsg if plane is not None else None,

@@ -19,6 +19,7 @@ from ..geometry.solid import GROUND, OUTER_WALL, OVERHANG, ROOF
 from ..geometry.triangulation import triangulate_face
 from ..io.glb_file import GlbBuffer
 from ..io.gltf import SAMPLER, SURFACE_COLOURS
+from ..wording import say
 from .model import (
     CEILING_SURFACE,
     FLOOR_SURFACE,
@@ -82,8 +83,8 @@ def write_tile(path: str | os.PathLike, buildings: Sequence[TileBuilding], origi
         files = {look: images.get(look.removeprefix("image:")) for look in looks if look.startswith("image:")}
         for look, file in files.items():
             if file is None:
-                raise InputError(f"The image {look.removeprefix('image:')} of a texture was not given: its file is "
-                                 "missing.")
+                raise InputError(say("The image {look} of a texture was not given: its file is missing.",
+                                     look=look.removeprefix("image:")))
         primitives = [_primitive(number, look, buildings, origin, axes, buffer) for number, look in enumerate(looks)]
         document = _document(looks, primitives, {look: file.read_bytes() for look, file in files.items()}, buffer)
         document["extensions"] = {"EXT_structural_metadata": metadata}

@@ -20,6 +20,7 @@ import numpy as np
 from ..errors import InputError, OutputError
 from ..io.atomic import written_beside
 from ..progress import SILENT, Progress
+from ..wording import say
 from .cityjson_writer import plain_attributes, unique_objects
 from .model import MULTI_SURFACE, SOLID, CityModel, CityObject, CityReference, CityShape
 from .tile_content import TileBuilding, look_of, surface_triangles, write_tile
@@ -74,7 +75,8 @@ def write_tiles(folder: str | os.PathLike, model: CityModel, geoid: GeoidHeights
     try:
         (target / "tiles").mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"The folder {target} cannot be made ({error.strerror}): choose another output.") from error
+        raise OutputError(say("The folder {target} cannot be made ({strerror}): choose another output.", target=target,
+                              strerror=error.strerror)) from error
     to_degrees = _to_degrees(model.reference)
     cells: dict[tuple[int, int], TileCell] = {}
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
@@ -104,7 +106,8 @@ def tiles_folder_trouble(folder: str | os.PathLike) -> str:
         ours = json.loads(path.read_text(encoding="utf-8"))["asset"]["generator"] == GENERATOR
     except (OSError, ValueError, KeyError, TypeError):
         ours = False
-    return "" if ours else f"The folder {folder} holds a tileset of another program: choose another folder."
+    return "" if ours else say("The folder {folder} holds a tileset of another program: choose another folder.",
+                               folder=folder)
 
 
 def tileset(cells: Mapping[tuple[int, int], TileCell], asset: Mapping[str, Any]) -> dict[str, Any]:
@@ -149,7 +152,8 @@ def _to_degrees(reference: CityReference) -> Callable[[np.ndarray], np.ndarray]:
     if reference.geographic:
         return lambda corners: corners
     if not reference.wkt and reference.epsg is None:
-        raise InputError("3D Tiles need a place on the earth: the models' coordinate reference system is not known.")
+        raise InputError(say("3D Tiles need a place on the earth: the models' coordinate reference system is not "
+                             "known."))
     from pyproj import Transformer
 
     transformer = Transformer.from_crs(reference.epsg or reference.wkt, 4326, always_xy=True)

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError, InsufficientDataError
+from ..wording import say
 
 _LEAST_FACE = 1e-4
 """A face whose plan is smaller than this (m2) is upright."""
@@ -49,7 +50,7 @@ def building_plans(geometries: Sequence[shapely.Geometry | None], ids: Sequence[
     """
     ids = np.asarray(ids, np.int64)
     if len(np.unique(ids)) < len(ids):
-        raise InputError("Two buildings have the same building_id: give each building its own.")
+        raise InputError(say("Two buildings have the same building_id: give each building its own."))
     plan = np.full(len(ids), None, object)
     base, top = np.full(len(ids), np.nan), np.full(len(ids), np.nan)
     for row, geometry in enumerate(geometries):
@@ -60,7 +61,7 @@ def building_plans(geometries: Sequence[shapely.Geometry | None], ids: Sequence[
         if geometry.has_z and np.isfinite(z).all() and np.ptp(z) > 0:
             base[row], top[row] = z.min(), z.max()
     if shapely.is_missing(plan).all():
-        raise InsufficientDataError("No building has a polygon: choose a layer of outlines or building models.")
+        raise InsufficientDataError(say("No building has a polygon: choose a layer of outlines or building models."))
     return BuildingPlans(ids, plan, base, top)
 
 

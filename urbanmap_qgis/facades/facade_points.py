@@ -22,6 +22,7 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
+from ..wording import say
 from .building_plans import BuildingPlans
 from .plane_fit import component
 
@@ -60,7 +61,8 @@ class FacadeSettings:
 
     def __post_init__(self) -> None:
         if not self.max_height > 0 or not 0 < self.tolerance <= 10:
-            raise InputError("The height must be greater than 0 and the tolerance of the outlines between 0 and 10 m.")
+            raise InputError(say("The height must be greater than 0 and the tolerance of the outlines between 0 and "
+                                 "10 m."))
 
 
 @dataclass(frozen=True, eq=False)
@@ -237,8 +239,8 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
         rows = _collect(cloud, nearest, settings, ground, buckets, low, progress)
         if not rows:
             raise InsufficientDataError(
-                "No point of the survey lies near a building: check that both are of the same place and CRS, and that "
-                "the survey has been put on the map.")
+                say("No point of the survey lies near a building: check that both are of the same place and CRS, and "
+                    "that the survey has been put on the map."))
         origin = np.array([[0.0, 0.0] if plan is None else plan.bounds[:2] for plan in plans.plan])
         planes = low.planes(len(plans), origin)
         if ground is not None:

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..errors import InputError
+from ..wording import say
 
 NEIGHBOURS = 8
 DEVIATIONS = 3.0
@@ -23,7 +24,7 @@ def statistical_outliers(places: np.ndarray, neighbours: int = NEIGHBOURS,
     places : (n, 3), m; points, or the centroids of voxels that stand for them.
     """
     if neighbours < 1 or not deviations > 0:
-        raise InputError("Outliers need at least one neighbour and a number of deviations above 0.")
+        raise InputError(say("Outliers need at least one neighbour and a number of deviations above 0."))
     if len(places) <= neighbours + 1:
         return np.zeros(len(places), bool)
     distance = cKDTree(places).query(places, neighbours + 1)[0][:, 1:].mean(axis=1)

@@ -15,6 +15,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..geometry.alpha_shape import alpha_shape, signed_area
+from ..wording import say
 from .plane_fit import WallPlane, component
 
 _THIN = 0.12
@@ -50,8 +51,8 @@ class ContourSettings:
 
     def __post_init__(self) -> None:
         if not self.min_area > 0 or self.min_opening < 0 or min(self.alpha, self.max_gap) < 0:
-            raise InputError("The minimum area of a wall must be greater than 0, the minimum opening and alpha and gap "
-                             "not below.")
+            raise InputError(say("The minimum area of a wall must be greater than 0, the minimum opening and alpha "
+                                 "and gap not below."))
 
 
 @dataclass(frozen=True, eq=False)

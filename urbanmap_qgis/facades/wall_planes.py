@@ -14,6 +14,7 @@ from scipy import ndimage
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .normals import NormalVoxels, voxel_normals
 from .plane_fit import WallPlane, component, least_squares_plane, robust_plane
 from .statistical_outliers import statistical_outliers
@@ -45,7 +46,7 @@ class PlaneSettings:
 
     def __post_init__(self) -> None:
         if not (self.tolerance > 0 and self.min_area > 0 and self.max_gap >= 0):
-            raise InputError("Tolerance and minimum area of walls must be greater than 0.")
+            raise InputError(say("Tolerance and minimum area of walls must be greater than 0."))
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,6 +14,7 @@ from ..execution import in_order
 from ..io.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
+from ..wording import say
 from .building_plans import BuildingPlans, outline_edges
 from .facade_points import FacadePoints, FacadeSettings, facade_points
 from .plane_fit import WallPlane
@@ -136,8 +137,8 @@ def _pieces(buildings: Iterator[tuple[int, FacadePoints]], plans: BuildingPlans,
     for row, points in buildings:
         progress.step(row / len(plans))
         if points.kept_share < 1:
-            progress.warn(f"Building {plans.ids[row]}: only {100 * points.kept_share:.0f} % of its points were used, "
-                          "as there are more than fit into memory.")
+            progress.warn(say("Building {ids}: only {kept_share:.0f} % of its points were used, as there are more "
+                              "than fit into memory.", ids=plans.ids[row], kept_share=100 * points.kept_share))
         yield _Piece(int(plans.ids[row]), plans.plan[row], float(plans.top[row]), points)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import Delaunay, QhullError
 
 from ..errors import InputError
+from ..wording import say
 
 ALPHA_SPACINGS = 2.0
 """Default alpha in mean point spacings. For points without order the share of Delaunay circles wider than
@@ -17,7 +18,7 @@ R is (1 + pi d R^2) exp(-pi d R^2) with density d: 6e-5 at two spacings, so that
 def default_alpha(density: float) -> float:
     """Alpha in metres that fits the density (points per m2): larger gaps are courtyards or bays."""
     if not density > 0:
-        raise InputError("The point density must be above zero points per square metre.")
+        raise InputError(say("The point density must be above zero points per square metre."))
     return ALPHA_SPACINGS / math.sqrt(density)
 
 
@@ -37,9 +38,9 @@ def alpha_shape(xy: np.ndarray, alpha: float) -> list[np.ndarray]:
     """
     xy = np.asarray(xy, float)
     if xy.ndim != 2 or xy.shape[1] != 2:
-        raise InputError("An alpha shape needs points with two coordinates.")
+        raise InputError(say("An alpha shape needs points with two coordinates."))
     if not alpha > 0:
-        raise InputError("Alpha must be above zero metres.")
+        raise InputError(say("Alpha must be above zero metres."))
     if len(xy) < 3:
         return []
     local = xy - xy.mean(axis=0)

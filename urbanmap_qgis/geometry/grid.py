@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Grid:
         Snapping to multiples makes grids of neighbouring tiles fall on each other.
         """
         if not all(map(math.isfinite, (x_min, y_min, x_max, y_max))) or not cell > 0:
-            raise InputError("The raster's extent or cell size is not a number: check the coordinates.")
+            raise InputError(say("The raster's extent or cell size is not a number: check the coordinates."))
         left, bottom = math.floor(x_min / cell), math.floor(y_min / cell)
         right, top = math.floor(x_max / cell) + 1, math.floor(y_max / cell) + 1
         return cls(left * cell, top * cell, cell, top - bottom, right - left)

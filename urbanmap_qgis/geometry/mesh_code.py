@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from ..errors import InputError
+from ..wording import say
 
 ROWS, COLUMNS = 120, 80
 """Third meshes a degree of latitude and of longitude."""
@@ -25,7 +26,8 @@ def third_mesh_code(longitude: float, latitude: float) -> str:
     InputError : the place is outside of the meshes' range, 0 to 66 degrees north and 100 to 180 east.
     """
     if not (_LATITUDES[0] <= latitude < _LATITUDES[1] and _LONGITUDES[0] <= longitude < _LONGITUDES[1]):
-        raise InputError(f"The place {latitude:.5f}, {longitude:.5f} has no mesh code: it is not in Japan.")
+        raise InputError(say("The place {latitude:.5f}, {longitude:.5f} has no mesh code: it is not in Japan.",
+                             latitude=latitude, longitude=longitude))
     return regional_mesh_code(math.floor(latitude * ROWS), math.floor((longitude - WEST) * COLUMNS))
 
 

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
+from ..wording import say
 
 STEP = 0.25
 """Length of the pieces, m."""
@@ -42,8 +43,8 @@ def edge_segments(geometries: Sequence[shapely.Geometry | None]) -> np.ndarray:
     """
     parts = shapely.get_parts([item for item in geometries if item is not None and not shapely.is_empty(item)])
     if len(parts) and not shapely.has_z(parts).any():
-        raise InputError("The models or lines have no heights, without which they have no place in an image: give "
-                         "models or lines with heights (for lines: QGIS's “Drape”).")
+        raise InputError(say("The models or lines have no heights, without which they have no place in an image: "
+                             "give models or lines with heights (for lines: QGIS's “Drape”)."))
     kinds = shapely.get_type_id(parts)
     lines = [_pieces(part) for part in parts[(kinds == 1) | (kinds == 2)]]
     return np.concatenate([*lines, _face_edges(parts[kinds == 3])]) if len(parts) else np.empty((0, 2, 3))

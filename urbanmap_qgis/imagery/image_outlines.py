@@ -14,6 +14,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError, InsufficientDataError
+from ..wording import say
 from .views import Source
 
 POLYGON, LINE, POINT = "polygon", "line", "point"
@@ -60,7 +61,7 @@ def image_outlines(geometries: Sequence[shapely.Geometry | None], images: Sequen
             found.append(ImageOutline(number, _KINDS[int(shapely.get_type_id(part))], source, _pixels(part)))
             _require_inside(number, found[-1])
     if not found:
-        raise InsufficientDataError("No outline was drawn: draw polygons, lines or points on the images first.")
+        raise InsufficientDataError(say("No outline was drawn: draw polygons, lines or points on the images first."))
     return found
 
 
@@ -68,15 +69,16 @@ def _source_of(number: int, name: str | None, sources: Sequence[Source]) -> Sour
     if name is None or not str(name).strip():
         if len(sources) == 1:
             return sources[0]
-        raise InputError(f"Outline {number + 1} does not say on which of the {len(sources)} images it was drawn: fill "
-                         "the field “image” with the file's name.")
+        raise InputError(say("Outline {number} does not say on which of the {sources_count} images it was drawn: "
+                             "fill the field “image” with the file's name.", number=number + 1,
+                             sources_count=len(sources)))
     wanted = Path(str(name).replace("\\", "/")).name.casefold()
     for source in sources:
         if wanted in (source.name.casefold(), Path(source.name).stem.casefold()):
             return source
     known = ", ".join(source.name for source in sources[:5])
-    raise InputError(f"Outline {number + 1} was drawn on {name}, which was not given (images: {known}): add the image "
-                     "or correct the field “image”.")
+    raise InputError(say("Outline {number} was drawn on {name}, which was not given (images: {known}): add the image "
+                         "or correct the field “image”.", number=number + 1, name=name, known=known))
 
 
 def _pixels(part: shapely.Geometry) -> shapely.Geometry:
@@ -88,5 +90,6 @@ def _require_inside(number: int, outline: ImageOutline) -> None:
     columns, rows = outline.source.size()
     left, top, right, bottom = outline.pixels.bounds
     if right < -0.5 or bottom < -0.5 or left > columns - 0.5 or top > rows - 0.5:
-        raise InputError(f"Outline {number + 1} lies outside {outline.source.name} ({columns} x {rows} pixels): draw "
-                         "it on the image without a coordinate reference system, where y is negative.")
+        raise InputError(say("Outline {number} lies outside {source} ({columns} x {rows} pixels): draw it on the "
+                             "image without a coordinate reference system, where y is negative.", number=number + 1,
+                             source=outline.source.name, columns=columns, rows=rows))

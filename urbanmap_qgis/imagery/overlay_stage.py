@@ -13,6 +13,7 @@ from ..errors import InsufficientDataError, OutputError
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.report import GOOD, LOOK, Report
 from ..progress import SILENT, Progress
+from ..wording import say
 from .edge_lines import EdgeSamples, edge_samples, edge_segments
 from .overlay_layers import DrawnEdges, DrawnPoints, nearest_points, visible_edges
 from .overlay_pictures import Overlay, PointColours, beside, best_windows, draw, jpeg
@@ -105,8 +106,8 @@ def write_overlays(states: Sequence[OverlayState], folder: str | os.PathLike, pa
     images = states[-1].sources
     records = [_record(source, [one[number] for one in drawn]) for number, source in enumerate(images)]
     if all(record.empty for record in records):
-        raise InsufficientDataError("Nothing lies in any of the images: check that images, trajectory, points and "
-                                    "lines are of one place, in one coordinate system, and heights in metres.")
+        raise InsufficientDataError(say("Nothing lies in any of the images: check that images, trajectory, points "
+                                        "and lines are of one place, in one coordinate system, and heights in metres."))
     target = Path(folder)
     try:
         target.mkdir(parents=True, exist_ok=True)
@@ -115,7 +116,8 @@ def write_overlays(states: Sequence[OverlayState], folder: str | os.PathLike, pa
             for state, one in zip(states, drawn):
                 _write_whole(source, one[number], colours, target, state.name, progress.check)
     except OSError as error:
-        raise OutputError(f"{target} cannot be written ({error.strerror}): choose another folder.") from error
+        raise OutputError(say("{target} cannot be written ({strerror}): choose another folder.", target=target,
+                              strerror=error.strerror)) from error
     if page is not None:
         _write_page(page, states, drawn, records, colours, pictures, target)
     return records
@@ -160,8 +162,8 @@ def _write_page(page: str | os.PathLike, states: Sequence[OverlayState], drawn: 
     """The page: a switch between the states, the fullest windows, and what was drawn where."""
     report = Report("Overlay on images")
     nothing = [record.image for record in records if record.empty]
-    text = ("Edges should run along what the images show, and points lie on what they were measured from; where they "
-            "do not, survey, orientation or models are off.")
+    text = (say("Edges should run along what the images show, and points lie on what they were measured from; where "
+                "they do not, survey, orientation or models are off."))
     if nothing:
         text += f" Nothing lies in {len(nothing)} of {len(records)} images."
     report.verdict(LOOK if nothing else GOOD, text)
@@ -193,4 +195,5 @@ def _add_window(report: Report, source: Source, window: tuple[int, int, int, int
         name = f"{Path(source.name).stem}_{left}_{top}_{'_'.join(names)}.jpg"
         (folder / name).write_bytes(jpeg(beside(*panels)))
     report.switcher([("image", jpeg(plain)), *((name, jpeg(panel)) for name, panel in zip(names, panels))],
-                    f"{source.name}, columns {left} to {right}, rows {top} to {bottom}")
+                    say("{source}, columns {left} to {right}, rows {top} to {bottom}", source=source.name, left=left,
+                        right=right, top=top, bottom=bottom))

@@ -15,6 +15,7 @@ from ..io.cityjson import CityBuilding, write_cityjson
 from ..io.gltf import write_glb
 from ..io.obj import write_obj
 from ..progress import SILENT, Progress
+from ..wording import say
 from .texture_stage import FacadeRecord, Textured
 
 ENDINGS = (".glb", ".obj", ".city.json", ".json")
@@ -31,7 +32,7 @@ def check_model_name(path: str | os.PathLike | None) -> None:
     InputError : with the endings that can be had.
     """
     if path is not None and not Path(path).name.lower().endswith(ENDINGS):
-        raise InputError(f"The textured model {Path(path).name} must end in .glb, .obj or .city.json.")
+        raise InputError(say("The textured model {path} must end in .glb, .obj or .city.json.", path=Path(path).name))
 
 
 def write_textured(made: Iterable[Textured], model: str | os.PathLike | None, folder: str | os.PathLike | None, *,
@@ -94,7 +95,8 @@ def _make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise OutputError(f"The folder {folder} cannot be made ({error.strerror}): choose another output.") from error
+        raise OutputError(say("The folder {folder} cannot be made ({strerror}): choose another output.", folder=folder,
+                              strerror=error.strerror)) from error
 
 
 def _copy(source: Path, target: Path) -> None:
@@ -104,6 +106,7 @@ def _copy(source: Path, target: Path) -> None:
         shutil.copyfile(source, beside)
         os.replace(beside, target)
     except OSError as error:
-        raise OutputError(f"{target} cannot be written ({error.strerror}): choose another output.") from error
+        raise OutputError(say("{target} cannot be written ({strerror}): choose another output.", target=target,
+                              strerror=error.strerror)) from error
     finally:
         beside.unlink(missing_ok=True)

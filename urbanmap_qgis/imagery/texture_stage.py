@@ -17,6 +17,7 @@ from ..geometry.solid import ROOF, FaceTexture, Solid
 from ..geometry.solid_faces import solids_of
 from ..io.cityjson import CityBuilding
 from ..progress import SILENT, Progress
+from ..wording import say
 from .atlas import coarsest_step, draw_atlas, pack_textures
 from .facade_texture import NOT_FACED, FacadeTexture, TextureSettings, texture_facade
 from .facades import Facade, TexelGrid, facades_of, texel_grid
@@ -88,11 +89,11 @@ def buildings_of(ids: Sequence, geometries: Sequence[shapely.Geometry | None],
         if geometry is None or shapely.is_empty(geometry):
             continue
         if not shapely.has_z(geometry):
-            raise InputError(f"Building {number} has no heights: give building models (MultiPolygonZ), such as "
-                             "those of “Building models”.")
+            raise InputError(say("Building {number} has no heights: give building models (MultiPolygonZ), such as "
+                                 "those of “Building models”.", number=number))
         found.append(BuildingSolids(number, solids_of(geometry), attributes[row] if attributes else {}))
     if not found:
-        raise InsufficientDataError("There is no building model to texture: check the layer.")
+        raise InsufficientDataError(say("There is no building model to texture: check the layer."))
     return found
 
 

@@ -16,6 +16,7 @@ from ..mobile.calibration import read_calibration
 from ..mobile.lines.line_camera import StripImage, camera_poses, pixel_rays, project_to_strip
 from ..mobile.lines.strip_images import read_columns, read_strips, sample_pixels
 from ..mobile.trajectory import Trajectory
+from ..wording import say
 
 GRAZING = np.cos(np.radians(80.0))
 """Rays that meet the facade flatter than this show nothing useful."""
@@ -184,9 +185,10 @@ def strip_source(number: int, name: str, strip: StripImage, trajectory: Trajecto
     """
     inside = trajectory.within(strip.times)
     if np.count_nonzero(inside) < 2:
-        raise InputError(f"The strip image {name} was taken from {strip.times[0]:.1f} to {strip.times[-1]:.1f} s, the "
-                         f"trajectory runs from {trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s: give those of "
-                         "one survey.")
+        raise InputError(say("The strip image {name} was taken from {times:.1f} to {times_2:.1f} s, the trajectory "
+                             "runs from {time:.1f} to {time_2:.1f} s: give those of one survey.", name=name,
+                             times=strip.times[0], times_2=strip.times[-1], time=trajectory.time[0],
+                             time_2=trajectory.time[-1]))
     path = np.full((strip.columns, 3), np.inf)
     path[inside] = camera_poses(strip.camera, trajectory, strip.times[inside])[0]
     return StripSource(number, name, strip, trajectory, path)

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..errors import OutputError
+from ..wording import say
 from .staging import final_text
 
 STEM_LENGTH = 32
@@ -30,14 +31,16 @@ def written_beside(path: str | os.PathLike) -> Iterator[Path]:
     folder, shown = target.parent, final_text(str(target))
     try:
         if not folder.is_dir():
-            raise OutputError(f"The folder {final_text(str(folder))} does not exist: create it or choose another "
-                              "output.")
+            raise OutputError(say("The folder {final_text} does not exist: create it or choose another output.",
+                                  final_text=final_text(str(folder))))
         if not os.access(folder, os.W_OK):
-            raise OutputError(f"The folder {final_text(str(folder))} cannot be written: choose another output.")
+            raise OutputError(say("The folder {final_text} cannot be written: choose another output.",
+                                  final_text=final_text(str(folder))))
         if target.is_dir():
-            raise OutputError(f"{shown} is a folder: give the name of a file.")
+            raise OutputError(say("{shown} is a folder: give the name of a file.", shown=shown))
     except OSError as error:
-        raise OutputError(f"{shown} cannot be the name of a file ({error.strerror}): choose another output.") from error
+        raise OutputError(say("{shown} cannot be the name of a file ({strerror}): choose another output.", shown=shown,
+                              strerror=error.strerror)) from error
     suffix = "".join(target.suffixes[-2:]) or target.suffix
     suffix = suffix if len(suffix) <= STEM_LENGTH else target.suffix
     temporary = folder / f".{target.stem.split('.')[0][:STEM_LENGTH]}-{uuid.uuid4().hex[:8]}{suffix}"
@@ -47,14 +50,17 @@ def written_beside(path: str | os.PathLike) -> Iterator[Path]:
             os.replace(temporary, target)
         except OSError as error:
             raise OutputError(
-                f"{shown} cannot be replaced ({error.strerror}): close the program that has it open."
+                say("{shown} cannot be replaced ({strerror}): close the program that has it open.", shown=shown,
+                    strerror=error.strerror)
             ) from error
     except OSError as error:
-        raise OutputError(f"{shown} cannot be written ({error.strerror}).") from error
+        raise OutputError(say("{shown} cannot be written ({strerror}).", shown=shown,
+                              strerror=error.strerror)) from error
     except RuntimeError as error:
         # What the compressor of LAZ makes of a file that cannot grow.
         if type(error).__name__ != "LazrsError" or "call write" not in str(error):
             raise
-        raise OutputError(f"{shown} cannot be written: make room on its disk, or choose another output.") from error
+        raise OutputError(say("{shown} cannot be written: make room on its disk, or choose another output.",
+                              shown=shown)) from error
     finally:
         temporary.unlink(missing_ok=True)

@@ -17,6 +17,7 @@ from ..errors import InputError
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid
 from ..geometry.solid_faces import face_normal
 from ..progress import SILENT, Progress
+from ..wording import say
 from .atomic import written_beside
 from .cityjson_parts import VertexList, json_text, json_value, write_end
 from .guard import first_not_finite, read_json, reads
@@ -93,7 +94,7 @@ def write_cityjson(path: str | os.PathLike, buildings: Iterable[CityBuilding], *
         for number, building in enumerate(buildings):
             progress.check()
             if building.id in seen:
-                raise InputError(f"Two buildings have the id '{building.id}': give each building its own.")
+                raise InputError(say("Two buildings have the id '{id}': give each building its own.", id=building.id))
             seen.add(building.id)
             file.write(",\n" if number else "\n")
             file.write(f"{json_text(building.id)}:{json_text(_city_object(building, lod, vertices, appearance))}")
@@ -190,7 +191,7 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
     """
     content = read_json(path, "CityJSON")
     if not isinstance(content, dict) or content.get("type") != "CityJSON":
-        raise InputError(f"{path} is not a CityJSON file: its type is not 'CityJSON'.")
+        raise InputError(say("{path} is not a CityJSON file: its type is not 'CityJSON'.", path=path))
     try:
         vertices = np.asarray(content["vertices"], dtype=np.float64).reshape(-1, 3)
         transform = content.get("transform")
@@ -198,18 +199,20 @@ def read_cityjson(path: str | os.PathLike) -> tuple[ReadObject, ...]:
             vertices = vertices * np.asarray(transform["scale"]) + np.asarray(transform["translate"])
         bad = first_not_finite(vertices)
         if bad is not None:
-            raise InputError(f"{path} is damaged: its vertex {bad} has no finite coordinates.")
+            raise InputError(say("{path} is damaged: its vertex {bad} has no finite coordinates.", path=path, bad=bad))
         for key, item in content["CityObjects"].items():
             values = item.get("attributes", {}).values()
             if any(isinstance(value, float) and not math.isfinite(value) for value in values):
-                raise InputError(f"{path} is damaged: an attribute of {key} is no finite number.")
+                raise InputError(say("{path} is damaged: an attribute of {key} is no finite number.", path=path,
+                                     key=key))
         return _with_parts(content["CityObjects"], {
             key: ReadObject(key, item["type"], item.get("attributes", {}),
                             tuple(solid for geometry in _most_detailed(item.get("geometry", []))
                                   for solid in _solids(geometry, vertices)))
             for key, item in content["CityObjects"].items()})
     except (KeyError, TypeError, ValueError, IndexError) as error:
-        raise InputError(f"{path} is damaged: a city object or its vertices cannot be understood.") from error
+        raise InputError(say("{path} is damaged: a city object or its vertices cannot be understood.",
+                             path=path)) from error
 
 
 def _with_parts(items: Mapping[str, Mapping], objects: Mapping[str, ReadObject]) -> tuple[ReadObject, ...]:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ..errors import InputError
+from ..wording import say
 
 HORIZONTAL = ("PROJCRS", "PROJECTEDCRS", "PROJCS", "GEOGCRS", "GEOGRAPHICCRS", "GEODCRS", "GEODETICCRS", "GEOGCS")
 VERTICAL = ("VERTCRS", "VERTICALCRS", "VERT_CS", "VERTCS")
@@ -74,7 +75,7 @@ def parse_wkt(text: str) -> WktNode:
     """
     tokens = list(_TOKEN.finditer(text))
     if not tokens or "".join(found.group(0) for found in tokens).strip() != text.strip():
-        raise InputError("The coordinate reference system is no WKT that can be understood: set another one.")
+        raise InputError(say("The coordinate reference system is no WKT that can be understood: set another one."))
     try:
         node, end = _node(tokens, 0, 0)
         if end < len(tokens) and tokens[end].group(4) == ",":
@@ -82,9 +83,9 @@ def parse_wkt(text: str) -> WktNode:
             vertical, end = _node(tokens, end + 1, 0)
             node = WktNode(_COMPOUND, (f"{node.name} + {vertical.name}", node, vertical))
     except IndexError as error:
-        raise InputError("The coordinate reference system is cut off: set another one.") from error
+        raise InputError(say("The coordinate reference system is cut off: set another one.")) from error
     if end != len(tokens):
-        raise InputError("The coordinate reference system is no WKT that can be understood: set another one.")
+        raise InputError(say("The coordinate reference system is no WKT that can be understood: set another one."))
     return node
 
 

@@ -12,6 +12,7 @@ import rasterio
 from rasterio.errors import RasterioError
 
 from ..errors import InputError
+from ..wording import say
 from .guard import read_text, reads
 from .raster import own_gdal
 
@@ -69,8 +70,9 @@ class Geoid:
         bad = ~inside | ~np.isfinite(height)
         if bad.any():
             first = int(np.argmax(bad))
-            raise InputError(f"{self.name} does not reach latitude {latitude.flat[first]:.4f}, longitude "
-                             f"{longitude.flat[first]:.4f}: give the geoid model of the survey's place.")
+            raise InputError(say("{name} does not reach latitude {flat:.4f}, longitude {flat_2:.4f}: give the geoid "
+                                 "model of the survey's place.", name=self.name, flat=latitude.flat[first],
+                                 flat_2=longitude.flat[first]))
         return height
 
 
@@ -86,8 +88,8 @@ def read_geoid(path: str | os.PathLike) -> Geoid:
     made = _from_text(path) if path.suffix.lower() in _TEXT_SUFFIXES else _from_raster(path)
     known = made.heights[np.isfinite(made.heights)]
     if min(made.heights.shape) < 2 or not len(known) or np.abs(known).max() > HIGHEST:
-        raise InputError(f"{path.name} is no geoid model: its values must be heights of the geoid above the ellipsoid "
-                         f"in metres, none beyond {HIGHEST:g}.")
+        raise InputError(say("{path} is no geoid model: its values must be heights of the geoid above the ellipsoid "
+                             "in metres, none beyond {highest:g}.", path=path.name, highest=HIGHEST))
     return made
 
 
@@ -97,10 +99,11 @@ def _from_raster(path: Path) -> Geoid:
             place, crs = source.transform, source.crs
             heights = source.read(1, masked=True).astype(float).filled(np.nan)
     except (RasterioError, OSError) as error:
-        raise InputError(f"{path.name} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of "
-                         "GSI.") from error
+        raise InputError(say("{path} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of GSI.",
+                             path=path.name)) from error
     if place.b or place.d or place.a <= 0 or place.e >= 0 or (crs is not None and not crs.is_geographic):
-        raise InputError(f"{path.name} is no geoid model: its cells must lie along latitude and longitude in degrees.")
+        raise InputError(say("{path} is no geoid model: its cells must lie along latitude and longitude in degrees.",
+                             path=path.name))
     rows = len(heights)
     # Values of a raster are those of the middles of its cells.
     return Geoid(path.name, heights[::-1], place.f + place.e * (rows - 0.5), place.c + 0.5 * place.a,
@@ -153,6 +156,6 @@ def _whole_seconds(step: float) -> float:
 def _grid(name: str, body: str, rows: int, columns: int, nothing: float) -> np.ndarray:
     values = np.array(body.replace("end_of_data", "").split(), float)
     if len(values) != rows * columns:
-        raise InputError(f"{name} holds {len(values)} heights, its header says {rows * columns}: the file is cut off; "
-                         "download it again.")
+        raise InputError(say("{name} holds {values_count} heights, its header says {rows}: the file is cut off; "
+                             "download it again.", name=name, values_count=len(values), rows=rows * columns))
     return np.where(np.isclose(values, nothing), np.nan, values).reshape(rows, columns)

@@ -18,6 +18,7 @@ from ..errors import InputError
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF
 from ..geometry.triangulation import triangulate_face
 from ..progress import SILENT, Progress
+from ..wording import say
 from .atomic import written_beside
 from .cityjson import CityBuilding
 from .glb_file import GlbBuffer
@@ -47,7 +48,7 @@ def write_glb(path: str | os.PathLike, buildings: Iterable[CityBuilding], images
     OutputError : the file cannot be written.
     """
     if Path(path).suffix.lower() != ".glb":
-        raise InputError(f"The model file {Path(path).name} needs a name that ends in .glb.")
+        raise InputError(say("The model file {path} needs a name that ends in .glb.", path=Path(path).name))
     with tempfile.TemporaryFile() as data:
         file = _Glb(images or {}, data)
         for building in buildings:
@@ -97,7 +98,7 @@ class _Glb:
     def _material(self, key: str, image: bool) -> int:
         if image and key not in self.images:
             if key not in self.given:
-                raise InputError(f"The image {key} of a texture was not given.")
+                raise InputError(say("The image {key} of a texture was not given.", key=key))
             image = self.given[key].read_bytes()
             self.images[key] = self.buffer.view(image)
             self.media[key] = "image/png" if image.startswith(b"\x89PNG") else "image/jpeg"

@@ -17,6 +17,7 @@ from pyproj.exceptions import CRSError, ProjError
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gsi_gml import Harvest, Outlines, read_source
 from .gsi_outlines import Buildings, buildings_from_lines, concatenated, one_of_each, repaired, without_known
 from .gsi_sources import Listing, PathLike, list_sources
@@ -111,11 +112,12 @@ def reproject(buildings: GsiBuildings, crs: CRS | str | None = None,
             buildings.geometries,
             lambda xy: np.column_stack(transformer.transform(xy[:, 0], xy[:, 1], errcheck=True)))
     except ProjError as error:
-        raise InputError(f"The buildings cannot be turned into {target.name}: choose a reference system made "
-                         "for Japan.") from error
+        raise InputError(say("The buildings cannot be turned into {target}: choose a reference system made for Japan.",
+                             target=target.name)) from error
     if _datum(buildings.crs) == JGD2000 and _datum(target) != JGD2000:
-        notes.append(f"The outlines are in JGD2000 and were taken into {target.name} without the movements "
-                     "of the ground in 2011, up to 5 m in north-east Japan: correct them there with PatchJGD.")
+        notes.append(say("The outlines are in JGD2000 and were taken into {target} without the movements of the "
+                         "ground in 2011, up to 5 m in north-east Japan: correct them there with PatchJGD.",
+                         target=target.name))
     for note in notes:
         progress.warn(note)
     return replace(buildings, geometries=geometries, crs=target, notes=(*buildings.notes, *notes))
@@ -154,8 +156,8 @@ def _assembled(harvest: Harvest, progress: Progress, notes: list[str]) -> Buildi
     if mended:
         notes.append(f"{mended} outlines that cross or touch themselves were repaired.")
     if len(buildings.polygons) == 0:
-        raise InputError(f"No outline in {harvest.lines.attributes['source'][0]} closes to a polygon: "
-                         "give all map sheets around the area, or BldA files.")
+        raise InputError(say("No outline in {source} closes to a polygon: give all map sheets around the area, or "
+                             "BldA files.", source=harvest.lines.attributes["source"][0]))
     return buildings
 
 
@@ -183,16 +185,16 @@ def _crs(harvest: Harvest, notes: list[str]) -> CRS:
     names = sorted(name.lower() for name in harvest.srs_names)
     unknown = [name for name in names if name not in _GEODETIC]
     if unknown:
-        raise InputError(f"The reference system {unknown[0]} of the outlines is not known: "
-                         "give data in JGD2000, JGD2011 or JGD2024 (latitude and longitude).")
+        raise InputError(say("The reference system {unknown} of the outlines is not known: give data in JGD2000, "
+                             "JGD2011 or JGD2024 (latitude and longitude).", unknown=unknown[0]))
     systems = sorted({_GEODETIC[name] for name in names})
     if len(systems) > 1:
-        raise InputError("Some outlines are in JGD2000 and others in JGD2011 or JGD2024, which lie up to 5 m "
-                         "apart: load them in separate runs.")
+        raise InputError(say("Some outlines are in JGD2000 and others in JGD2011 or JGD2024, which lie up to 5 m "
+                             "apart: load them in separate runs."))
     if not names:
-        notes.append("The outlines name no reference system; JGD2011 was taken.")
+        notes.append(say("The outlines name no reference system; JGD2011 was taken."))
     if "fguuid:jgd2024.bl" in names:
-        notes.append("JGD2024 was taken as JGD2011 (EPSG:6668): their horizontal coordinates are the same.")
+        notes.append(say("JGD2024 was taken as JGD2011 (EPSG:6668): their horizontal coordinates are the same."))
     return CRS.from_user_input(systems[0] if systems else JGD2011)
 
 
@@ -200,7 +202,7 @@ def _understood(crs: CRS | str) -> CRS:
     try:
         return CRS.from_user_input(crs)
     except CRSError as error:
-        raise InputError(f"The reference system {crs} is not known: choose another.") from error
+        raise InputError(say("The reference system {crs} is not known: choose another.", crs=crs)) from error
 
 
 def _datum(crs: CRS) -> str:
@@ -225,7 +227,7 @@ def _reading_notes(listing: Listing, harvest: Harvest) -> list[str]:
                      f"({_some(harvest.not_gsi)}).")
     if harvest.other_objects:
         kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(harvest.other_objects.items()))
-        notes.append(f"Objects that are no building outlines were passed over ({kinds}).")
+        notes.append(say("Objects that are no building outlines were passed over ({kinds}).", kinds=kinds))
     if harvest.unusable:
         notes.append(f"{len(harvest.unusable)} buildings have no usable outline and are missing in the "
                      f"result: {_some(harvest.unusable)}.")
@@ -243,7 +245,8 @@ def _nothing_found(listing: Listing, harvest: Harvest) -> str:
     """Why there are no buildings, in one sentence."""
     first = listing.sources[0].name
     if harvest.unusable:
-        return f"None of the buildings in {first} has a usable outline: {_some(harvest.unusable)}."
+        return say("None of the buildings in {first} has a usable outline: {some}.", first=first,
+                   some=_some(harvest.unusable))
     if harvest.other_objects:
         kinds = ", ".join(sorted(harvest.other_objects))
         return f"{first} holds no building outlines (BldA or BldL) but {kinds}: give the buildings' file."

@@ -18,6 +18,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gsi_gml import FGD, GML
 from .gsi_sources import PathLike, Wanted, XmlSource, list_sources
 from .guard import reads
@@ -100,13 +101,15 @@ def read_gsi_dem(path: PathLike | Sequence[PathLike], progress: Progress = SILEN
             mesh = _read_mesh(source, part)
             (meshes if mesh is not None else strange).append(mesh if mesh is not None else source.name)
     if not meshes:
-        raise InputError(f"{strange[0]} is no elevation model of the GSI: give {DEMS.what} as they were downloaded.")
+        raise InputError(say("{strange} is no elevation model of the GSI: give {what} as they were downloaded.",
+                             strange=strange[0], what=DEMS.what))
     meshes, more = _newest_of_each(meshes)
     notes = _notes(listing.others, strange, older + more, meshes)
     systems = sorted({mesh.system for mesh in meshes})
     if len(systems) > 1:
-        raise InputError(f"Some meshes are in {systems[0]} and others in {systems[1]}, whose heights differ by up to "
-                         "decimetres: load them in separate runs and convert one with “Convert heights”.")
+        raise InputError(say("Some meshes are in {systems} and others in {systems_2}, whose heights differ by up to "
+                             "decimetres: load them in separate runs and convert one with “Convert heights”.",
+                             systems=systems[0], systems_2=systems[1]))
     for note in notes:
         progress.warn(note)
     return DemMeshes(tuple(meshes), tuple(notes))
@@ -162,18 +165,20 @@ def _read_mesh(source: XmlSource, progress: Progress) -> DemMesh | None:
 def _mesh(element: Element, source: XmlSource) -> DemMesh:
     coverage = element.find(FGD + "coverage")
     if coverage is None:
-        raise InputError(f"{source.name} is damaged: its elevation model has no coverage; download it again.")
+        raise InputError(say("{source} is damaged: its elevation model has no coverage; download it again.",
+                             source=source.name))
     system = _system(coverage, source)
     south, west = _pair(coverage, "lowerCorner", source)
     north, east = _pair(coverage, "upperCorner", source)
     columns, rows = (int(high - low) + 1 for low, high in zip(
         _pair(coverage, "low", source), _pair(coverage, "high", source)))
     if not (0 < rows * columns <= _MOST_CELLS and rows > 0 and north > south and east > west):
-        raise InputError(f"{source.name} is damaged: its grid of {columns} x {rows} cells cannot be; download it "
-                         "again.")
+        raise InputError(say("{source} is damaged: its grid of {columns} x {rows} cells cannot be; download it again.",
+                             source=source.name, columns=columns, rows=rows))
     cell = (east - west) / columns
     if abs((north - south) / rows - cell) > 1e-3 * cell:
-        raise InputError(f"{source.name} is damaged: its cells are not as high as wide; download it again.")
+        raise InputError(say("{source} is damaged: its cells are not as high as wide; download it again.",
+                             source=source.name))
     heights, kinds = _heights(coverage, rows, columns, source)
     named = _NAME.match(source.short_name)
     date = named.group(3) if named and named.group(3) else _date(element)
@@ -186,8 +191,8 @@ def _system(coverage: Element, source: XmlSource) -> str:
     envelope = coverage.find(f".//{GML}Envelope")
     name = (envelope.get("srsName") or "" if envelope is not None else "").lower()
     if name not in _SYSTEMS:
-        raise InputError(f"{source.name}: the reference system {name or 'that it does not name'} is not known: give "
-                         "data in JGD2000, JGD2011 or JGD2024.")
+        raise InputError(say("{source}: the reference system {value} is not known: give data in JGD2000, JGD2011 or "
+                             "JGD2024.", source=source.name, value=name or "that it does not name"))
     return _SYSTEMS[name]
 
 
@@ -197,9 +202,11 @@ def _pair(coverage: Element, name: str, source: XmlSource) -> tuple[float, float
     try:
         first, second = (float(value) for value in (text or "").split())
     except ValueError as error:
-        raise InputError(f"{source.name} is damaged: {name} does not hold two numbers; download it again.") from error
+        raise InputError(say("{source} is damaged: {name} does not hold two numbers; download it again.",
+                             source=source.name, name=name)) from error
     if not (np.isfinite(first) and np.isfinite(second)):
-        raise InputError(f"{source.name} is damaged: {name} does not hold two numbers; download it again.")
+        raise InputError(say("{source} is damaged: {name} does not hold two numbers; download it again.",
+                             source=source.name, name=name))
     return first, second
 
 
@@ -211,14 +218,15 @@ def _heights(coverage: Element, rows: int, columns: int, source: XmlSource) -> t
     order = (rule.get("order") or "+x-y" if rule is not None else "+x-y").replace(" ", "")
     if sorted(order.replace("+", "").replace("-", "")) != ["x", "y"] or len(order) != 4 or (
             rule is not None and (rule.text or "Linear").strip() != "Linear"):
-        raise InputError(f"{source.name}: its cells are in an order ({order}) that is not known; download it again.")
+        raise InputError(say("{source}: its cells are in an order ({order}) that is not known; download it again.",
+                             source=source.name, order=order))
     values, kinds = _tuples(coverage.findtext(f".//{GML}tupleList") or "", source)
     first, second = (columns, rows) if order[1] == "x" else (rows, columns)
     inner, outer = (column, row) if order[1] == "x" else (row, column)
     begin = int(outer) * first + int(inner)
     if min(column, row) < 0 or inner >= first or begin + len(values) > rows * columns:
-        raise InputError(f"{source.name} is damaged: it has more heights than its {columns} x {rows} cells from its "
-                         "start point on; download it again.")
+        raise InputError(say("{source} is damaged: it has more heights than its {columns} x {rows} cells from its "
+                             "start point on; download it again.", source=source.name, columns=columns, rows=rows))
     flat = np.full(rows * columns, np.nan, np.float32)
     flat[begin:begin + len(values)] = values
     grid = flat.reshape(second, first)
@@ -238,13 +246,15 @@ def _tuples(text: str, source: XmlSource) -> tuple[np.ndarray, Counter]:
     for line in lines:
         kind, comma, height = line.rpartition(",")
         if not comma:
-            raise InputError(f"{source.name} is damaged: {line[:40]!r} is no kind with a height; download it again.")
+            raise InputError(say("{source} is damaged: {line!r} is no kind with a height; download it again.",
+                                 source=source.name, line=line[:40]))
         kinds.append(kind.strip())
         heights.append(height.strip() or "nan")
     try:
         values = np.array(heights, dtype=np.float64)
     except ValueError as error:
-        raise InputError(f"{source.name} is damaged: a height is no number; download it again.") from error
+        raise InputError(say("{source} is damaged: a height is no number; download it again.",
+                             source=source.name)) from error
     empty = ~((values > _LOWEST) & (values < _HIGHEST)) | np.array([kind in _EMPTY_KINDS for kind in kinds], bool)
     values[empty] = np.nan
     return values.astype(np.float32), Counter(kind for kind, gone in zip(kinds, empty.tolist()) if not gone)
@@ -261,8 +271,8 @@ def _product(element: Element, cell: float, source: XmlSource) -> str:
     for product, metres in PRODUCTS.items():
         if abs(cell * 3600 / _SECONDS[metres] - 1) < 0.02:
             return product
-    raise InputError(f"{source.name}: cells of {cell * 3600:.3f} seconds are of no elevation model of the GSI; give "
-                     f"{DEMS.what} as they were downloaded.")
+    raise InputError(say("{source}: cells of {cell:.3f} seconds are of no elevation model of the GSI; give {what} as "
+                         "they were downloaded.", source=source.name, cell=cell * 3600, what=DEMS.what))
 
 
 def _notes(others: list[str], strange: list[str], older: list[str], meshes: list[DemMesh]) -> list[str]:

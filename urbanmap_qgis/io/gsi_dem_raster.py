@@ -13,6 +13,7 @@ from ..errors import InputError
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gsi_dem import PRODUCTS, DemMesh, DemMeshes
 from .height_systems import japanese, stating_heights
 from .plane_rectangular import zone_epsg, zone_numbers
@@ -85,8 +86,8 @@ def write_dem(path: str | os.PathLike, meshes: DemMeshes, crs_wkt: str, transfor
                 if any(mesh.product == name for mesh in meshes.meshes)]
     grid = _target_grid(meshes, products[0], transform, resolution)
     if grid.rows * grid.columns > _MOST_CELLS:
-        raise InputError(f"The raster would have {grid.columns} x {grid.rows} cells: load fewer meshes at a time, or "
-                         "choose a coarser resolution.")
+        raise InputError(say("The raster would have {columns} x {rows} cells: load fewer meshes at a time, or choose "
+                             "a coarser resolution.", columns=grid.columns, rows=grid.rows))
     rows = _Rows(grid, products, transform)
     write_raster(path, rows, grid, stating_heights(crs_wkt, japanese(meshes.system)), progress=progress)
     empty = 1.0 - rows.filled / (grid.rows * grid.columns)
@@ -181,7 +182,7 @@ def _target_grid(meshes: DemMeshes, finest: _Product, transform: PlaneTransform 
         return Grid(left * cell, -top * cell, cell, bottom - top, right - left)
     bounds = transform.transformer.transform_bounds(west, south, east, north)
     if not np.isfinite(bounds).all():
-        raise InputError("The elevation model lies outside of where the reference system can be computed: choose one "
-                         "made for Japan.")
+        raise InputError(say("The elevation model lies outside of where the reference system can be computed: choose "
+                             "one made for Japan."))
     degrees = transform.transformer.target_crs is not None and transform.transformer.target_crs.is_geographic
     return Grid.covering(*bounds, resolution or (finest.cell if degrees else PRODUCTS[finest.name]))

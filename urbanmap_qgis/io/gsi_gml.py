@@ -10,6 +10,7 @@ from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gsi_sources import XmlSource, opened
 from .xml_stream import decoded
 
@@ -91,15 +92,16 @@ def read_source(source: XmlSource, harvest: Harvest, progress: Progress = SILENT
                 parser.feed(text)
                 since = 0 if next(objects) else since + size
                 if since > _LARGEST_OBJECT:
-                    raise InputError(f"{source.name} has an object of more than {_LARGEST_OBJECT >> 20} MB, which no "
-                                     "building is: download it again.")
+                    raise InputError(say("{source} has an object of more than {largest_object} MB, which no building "
+                                         "is: download it again.", source=source.name,
+                                         largest_object=_LARGEST_OBJECT >> 20))
                 progress.step(read / max(source.size, read, 1))
             parser.close()
             next(objects)
         except ParseError as error:
             line, column = error.position
-            raise InputError(f"{source.name} is not whole, valid XML (line {line}, column {column}): "
-                             "download it again.") from error
+            raise InputError(say("{source} is not whole, valid XML (line {line}, column {column}): download it again.",
+                                 source=source.name, line=line, column=column)) from error
 
 
 def _objects(parser: XMLPullParser, source: XmlSource, harvest: Harvest) -> Iterator[int]:

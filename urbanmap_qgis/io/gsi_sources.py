@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import IO, Union
 
 from ..errors import InputError
+from ..wording import say
 
 PathLike = Union[str, os.PathLike]
 
@@ -93,7 +94,8 @@ def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted:
     """
     given = [paths] if isinstance(paths, (str, os.PathLike)) else list(paths)
     if not given:
-        raise InputError(f"No file was given: choose {wanted.what} ({wanted.suffixes[0]}, .zip or a folder of them).")
+        raise InputError(say("No file was given: choose {what} ({suffixes}, .zip or a folder of them).",
+                             what=wanted.what, suffixes=wanted.suffixes[0]))
     listing = Listing([], [])
     for path in given:
         found = len(listing.sources) + len(listing.others)
@@ -106,9 +108,11 @@ def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted:
                     chosen = _on_disk(file)
                     _add(chosen, listing, wanted, by_name=Path(path).is_dir())
         if len(listing.sources) + len(listing.others) == found:
-            raise InputError(f"{path} holds no {wanted.suffixes[0]} file: give {wanted.what} as they were downloaded.")
+            raise InputError(say("{path} holds no {suffixes} file: give {what} as they were downloaded.", path=path,
+                                 suffixes=wanted.suffixes[0], what=wanted.what))
     if not listing.sources:
-        raise InputError(f"{given[0]} holds no {wanted.what} but {listing.others[0]}: {wanted.advice}.")
+        raise InputError(say("{given} holds no {what} but {others}: {advice}.", given=given[0], what=wanted.what,
+                             others=listing.others[0], advice=wanted.advice))
     return listing
 
 
@@ -123,7 +127,7 @@ def _files_of(path: Path, wanted: Wanted) -> list[Path]:
     if path.is_file():
         return [path]
     if not path.is_dir():
-        raise InputError(f"{path} does not exist: check the path.")
+        raise InputError(say("{path} does not exist: check the path.", path=path))
     return sorted((file for file in path.rglob("*") if file.suffix.lower() in {*wanted.suffixes, ".zip"}
                    and file.is_file()), key=lambda file: file.as_posix())
 
@@ -131,7 +135,8 @@ def _files_of(path: Path, wanted: Wanted) -> list[Path]:
 def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: ExitStack, wanted: Wanted,
               depth: int) -> None:
     if depth > _DEEPEST_ZIP:
-        raise InputError(f"{name} is a zip nested more than {_DEEPEST_ZIP} deep: unpack it first.")
+        raise InputError(say("{name} is a zip nested more than {deepest_zip} deep: unpack it first.", name=name,
+                             deepest_zip=_DEEPEST_ZIP))
     entries = sorted((_entry_name(info), index, info) for index, info in enumerate(archive.infolist()))
     for entry, _, info in entries:
         suffix = Path(entry).suffix.lower()
@@ -139,10 +144,12 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
             continue
         label = f"{name}/{entry}"
         if info.flag_bits & 0x1:
-            raise InputError(f"{label} is encrypted: unpack it with its password and give the files in it.")
+            raise InputError(say("{label} is encrypted: unpack it with its password and give the files in it.",
+                                 label=label))
         if info.file_size > _LARGE and info.file_size > _MOST_PACKED * max(info.compress_size, 1):
-            raise InputError(f"{label} would unpack to {info.file_size >> 30} GB from {info.compress_size >> 20} MB, "
-                             "which no map data does: get the file again from where it comes from.")
+            raise InputError(say("{label} would unpack to {file_size} GB from {compress_size} MB, which no map data "
+                                 "does: get the file again from where it comes from.", label=label,
+                                 file_size=info.file_size >> 30, compress_size=info.compress_size >> 20))
         if suffix != ".zip":
             source = _in_zip(archive, info, label)
             _add(source, listing, wanted, by_name=True)
@@ -189,7 +196,8 @@ def _copy(packed: IO[bytes], spool: IO[bytes], label: str) -> None:
     while piece := packed.read(2**20):
         done += len(piece)
         if done > _LARGEST_ZIP:
-            raise InputError(f"{label} holds more than {_LARGEST_ZIP >> 30} GB: unpack it first.")
+            raise InputError(say("{label} holds more than {largest_zip} GB: unpack it first.", label=label,
+                                 largest_zip=_LARGEST_ZIP >> 30))
         spool.write(piece)
 
 
@@ -225,9 +233,11 @@ def _explained(name: str) -> Iterator[None]:
     try:
         yield
     except (zipfile.BadZipFile, zlib.error, EOFError) as error:
-        raise InputError(f"{name} is damaged or not a zip file ({error}): download it again.") from error
+        raise InputError(say("{name} is damaged or not a zip file ({error}): download it again.", name=name,
+                             error=error)) from error
     except (NotImplementedError, RuntimeError) as error:
-        raise InputError(f"{name} cannot be unpacked here ({error}): "
-                         "unpack it and give the files in it.") from error
+        raise InputError(say("{name} cannot be unpacked here ({error}): unpack it and give the files in it.", name=name,
+                             error=error)) from error
     except OSError as error:
-        raise InputError(f"{name} cannot be read ({error.strerror or error}): check the file.") from error
+        raise InputError(say("{name} cannot be read ({value}): check the file.", name=name,
+                             value=error.strerror or error)) from error

@@ -19,6 +19,7 @@ from xml.etree.ElementTree import ParseError
 import numpy as np
 
 from ..errors import InputError, UrbanMapError
+from ..wording import say
 
 Read = TypeVar("Read", bound=Callable)
 
@@ -70,8 +71,8 @@ def reads(what: str) -> Callable[[Read], Read]:
 
 
 def _refusal(path: object, what: str, error: BaseException) -> InputError:
-    return InputError(f"{_name(path)} cannot be read as {what}{_reason(error)}: it is damaged or of another kind; "
-                      "export or download it again.")
+    return InputError(say("{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or "
+                          "download it again.", name=_name(path), what=what, reason=_reason(error)))
 
 
 def _name(path: object) -> str:
@@ -115,8 +116,8 @@ def read_json(path: str | os.PathLike, what: str) -> object:
     try:
         return json.loads(read_text(path, what), parse_constant=_no_constant)
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{Path(path).name} cannot be read as {what}{_reason(error)}: it is not JSON, or damaged; "
-                         "export it again.") from error
+        raise InputError(say("{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.",
+                             path=Path(path).name, what=what, reason=_reason(error))) from error
 
 
 def _no_constant(name: str) -> float:

@@ -17,6 +17,7 @@ from pyproj import CRS, Transformer
 
 from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .crs_text import horizontal_part, parse_wkt, wkt_text
 from .geoid import Geoid
 from .height_systems import ELLIPSOIDAL, HeightSystem, heights_of, same_heights, stating_heights
@@ -102,30 +103,32 @@ def height_conversion(wkt: str, stated: HeightSystem, target: HeightSystem, grid
     """
     own = heights_of(wkt)
     if own.known and stated.known and not same_heights(own, stated):
-        raise InputError(f"The data say that their heights are in {own}, not in {stated}: leave the system of the data "
-                         "empty.")
+        raise InputError(say("The data say that their heights are in {own}, not in {stated}: leave the system of the "
+                             "data empty.", own=own, stated=stated))
     source = own if own.known else stated
     if not source.known:
-        raise InputError("The data do not say what their heights count from: give the height system that they are in.")
+        raise InputError(say("The data do not say what their heights count from: give the height system that they "
+                             "are in."))
     if not target.known:
-        raise InputError("The height system of the result is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or "
-                         "an EPSG code.")
+        raise InputError(say("The height system of the result is not known: give JGD2000, JGD2011, JGD2024, "
+                             "ellipsoidal or an EPSG code."))
     if same_heights(source, target):
-        raise InputError(f"The heights are in {source} already: there is nothing to convert.")
+        raise InputError(say("The heights are in {source} already: there is nothing to convert.", source=source))
     size = float(np.nanmax(np.abs(grid.heights)))
     if ELLIPSOIDAL in (source, target):
         if size <= LARGEST_CORRECTION:
-            raise InputError(f"{grid.name} holds at most {size:.2f} m, which are corrections: between ellipsoidal "
-                             "heights and those above the geoid give a geoid model.")
+            raise InputError(say("{grid} holds at most {size:.2f} m, which are corrections: between ellipsoidal "
+                                 "heights and those above the geoid give a geoid model.", grid=grid.name, size=size))
         sign = 1.0 if target == ELLIPSOIDAL else -1.0
     else:
         if size > LARGEST_CORRECTION:
-            raise InputError(f"{grid.name} holds up to {size:.1f} m, which is a geoid model: between {source} and "
-                             f"{target} give the grid of corrections.")
+            raise InputError(say("{grid} holds up to {size:.1f} m, which is a geoid model: between {source} and "
+                                 "{target} give the grid of corrections.", grid=grid.name, size=size, source=source,
+                                 target=target))
         sign = -1.0 if reverse else 1.0
     part = horizontal_part(parse_wkt(wkt)) if wkt else None
     if part is None:
-        raise InputError("The data have no coordinate reference system: assign the one that they are in.")
+        raise InputError(say("The data have no coordinate reference system: assign the one that they are in."))
     plane = CRS.from_wkt(wkt_text(part))
     to_degrees = None if plane.is_geographic else Transformer.from_crs(plane, plane.geodetic_crs, always_xy=True)
     return HeightConversion(grid, sign, target, stating_heights(plane.to_wkt(), target), to_degrees)
@@ -172,7 +175,7 @@ def convert_raster(path: str | os.PathLike, output: str | os.PathLike, crs_wkt: 
         conversion = height_conversion(crs_wkt or source.crs_wkt, stated, target, grid, reverse)
         write_raster(output, _ConvertedRows(source, conversion), source.grid, conversion.wkt, progress=progress)
     if not conversion.change.count:
-        raise InsufficientDataError(f"{source.path.name} holds no heights: give another raster.")
+        raise InsufficientDataError(say("{path} holds no heights: give another raster.", path=source.path.name))
     return conversion.change
 
 

@@ -11,6 +11,7 @@ import re
 from dataclasses import dataclass
 
 from ..errors import InputError
+from ..wording import say
 from .crs_text import (
     WktNode,
     horizontal_part,
@@ -90,8 +91,8 @@ def height_system(word: str) -> HeightSystem:
         return japanese(plain.upper())
     code = re.fullmatch(r"(?:EPSG:)?(\d+)", plain, re.IGNORECASE)
     if code is None:
-        raise InputError(f"The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the "
-                         "EPSG code of a vertical reference system.")
+        raise InputError(say("The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or "
+                             "the EPSG code of a vertical reference system.", word=word))
     return _coded(int(code.group(1)))
 
 
@@ -152,8 +153,9 @@ def refuse_other_heights(label_a: str, wkt_a: str, label_b: str, wkt_b: str) -> 
     """
     first, second = heights_of(wkt_a), heights_of(wkt_b)
     if first.known and second.known and not same_heights(first, second):
-        raise InputError(f"{label_a} has heights in {first}, but {label_b} in {second}: convert one of them with "
-                         "“Convert heights” and the correction or geoid grid for it.")
+        raise InputError(say("{label_a} has heights in {first}, but {label_b} in {second}: convert one of them with "
+                             "“Convert heights” and the correction or geoid grid for it.", label_a=label_a, first=first,
+                             label_b=label_b, second=second))
 
 
 def stating_heights(wkt: str, system: HeightSystem, coded: bool = True) -> str:

@@ -18,6 +18,7 @@ from typing import BinaryIO
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 
 RECORD_LENGTHS = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
 """Bytes of a record of each point format, without extra bytes."""
@@ -73,11 +74,11 @@ def check_las(path: str | os.PathLike) -> None:
                 held = max(size - header.points_start, 0) // header.record_length
                 raise _Damaged(f"it is truncated: it holds {held:,} of {header.count:,} points")
     except OSError as error:
-        raise InputError(f"{path.name} cannot be read ({error.strerror}).") from error
+        raise InputError(say("{path} cannot be read ({strerror}).", path=path.name, strerror=error.strerror)) from error
     except (_Damaged, struct.error, OverflowError) as error:
         reason = error if isinstance(error, _Damaged) else "its header is cut off"
-        raise InputError(f"{path.name} cannot be read as LAS or LAZ ({reason}): copy or download it again, or convert "
-                         "it if it is of another kind.") from error
+        raise InputError(say("{path} cannot be read as LAS or LAZ ({reason}): copy or download it again, or convert "
+                             "it if it is of another kind.", path=path.name, reason=reason)) from error
 
 
 @contextmanager
@@ -88,7 +89,7 @@ def decoding(path: str | os.PathLike) -> Iterator[None]:
     except BaseException as error:
         if type(error).__name__ != "PanicException":
             raise
-        raise InputError(f"{Path(path).name} is damaged: copy or download it again.") from None
+        raise InputError(say("{path} is damaged: copy or download it again.", path=Path(path).name)) from None
 
 
 def _header(file: BinaryIO, size: int) -> _Header:

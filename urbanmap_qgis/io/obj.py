@@ -17,6 +17,7 @@ from ..errors import InputError
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid
 from ..geometry.triangulation import triangulate_face
 from ..progress import SILENT, Progress
+from ..wording import say
 from .atomic import written_beside
 from .cityjson import CityBuilding
 
@@ -52,7 +53,7 @@ def write_obj(path: str | os.PathLike, buildings: Iterable[CityBuilding], *,
     """
     target = Path(path)
     if target.suffix.lower() != ".obj":
-        raise InputError(f"The mesh file {target.name} needs a name that ends in .obj.")
+        raise InputError(say("The mesh file {target} needs a name that ends in .obj.", target=target.name))
     material_file = target.with_suffix(".mtl")
     written = 0
     count = _Count()

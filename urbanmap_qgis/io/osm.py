@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
 
 from ..errors import InputError
+from ..wording import say
 from .atomic import written_beside
 from .guard import reads
 
@@ -63,7 +64,8 @@ def read_osm(path: str | os.PathLike) -> OsmFile:
     """
     root = ElementTree.parse(path).getroot()
     if root.tag != "osm":
-        raise InputError(f"{Path(path).name} is no OSM file: its outermost element is {root.tag}, not osm.")
+        raise InputError(say("{path} is no OSM file: its outermost element is {tag}, not osm.", path=Path(path).name,
+                             tag=root.tag))
     found: dict[str, dict] = {"node": {}, "way": {}, "relation": {}}
     repeated = []
     for element in root:

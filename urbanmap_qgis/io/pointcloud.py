@@ -17,6 +17,7 @@ from pyproj.exceptions import CRSError
 
 from ..errors import InputError, InsufficientDataError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .atomic import written_beside
 from .crs_text import same_horizontal
 from .decoded_points import decoded_points
@@ -95,20 +96,22 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
     """
     files = tuple(Path(path) for path in paths)
     if not files:
-        raise InputError("No point cloud was given: choose one or several LAS or LAZ files.")
+        raise InputError(say("No point cloud was given: choose one or several LAS or LAZ files."))
     headers = tuple(_header(path) for path in files)
     stated = [(path, crs) for path, header in zip(files, headers) if (crs := _stated_crs(path, header))]
     for path, crs in stated[1:]:
         if not same_plan_crs(crs, stated[0][1]):
-            raise InputError(f"{path.name} is in {crs.name}, but {stated[0][0].name} is in "
-                             f"{stated[0][1].name}: give files of one coordinate reference system.")
+            raise InputError(say("{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate "
+                                 "reference system.", path=path.name, crs=crs.name, stated=stated[0][0].name,
+                                 stated_2=stated[0][1].name))
         refuse_other_heights(path.name, crs.to_wkt(), stated[0][0].name, stated[0][1].to_wkt())
     full = [header for header in headers if header.point_count]
     if not full and not may_be_empty:
-        raise InsufficientDataError(f"{files[0].name} holds no points: choose another point cloud.")
+        raise InsufficientDataError(say("{files} holds no points: choose another point cloud.", files=files[0].name))
     corners = np.array([[header.mins, header.maxs] for header in full or headers[:1]], dtype=float)
     if not np.isfinite(corners).all():
-        raise InputError(f"{files[0].name} has coordinates that are not numbers: repair the file's header.")
+        raise InputError(say("{files} has coordinates that are not numbers: repair the file's header.",
+                             files=files[0].name))
     return PointCloud(files, headers, stated[0][1].to_wkt() if stated else crs_wkt or _ASSUMED.get(),
                       corners[:, 0].min(axis=0), corners[:, 1].max(axis=0))
 
@@ -116,14 +119,14 @@ def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
 def _header(path: Path) -> laspy.LasHeader:
     """Header of one file, or the sentence that tells the user why not."""
     if not path.is_file():
-        raise InputError(f"The point cloud {path} does not exist.")
+        raise InputError(say("The point cloud {path} does not exist.", path=path))
     check_las(path)
     try:
         with decoding(path), laspy.open(path) as reader:
             return reader.header
     except _READ_ERRORS as error:
-        raise InputError(f"{path.name} cannot be read as LAS or LAZ ({error}): it may be truncated or of "
-                         "another kind.") from error
+        raise InputError(say("{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.",
+                             path=path.name, error=error)) from error
 
 
 def _stated_crs(path: Path, header: laspy.LasHeader) -> CRS | None:
@@ -133,8 +136,8 @@ def _stated_crs(path: Path, header: laspy.LasHeader) -> CRS | None:
         stated = crs.to_wkt() if crs else ""
         return crs if known_wkt(stated) == stated else CRS.from_wkt(known_wkt(stated))
     except CRSError as error:
-        raise InputError(f"The coordinate reference system in {path.name} cannot be understood: "
-                         "set it right in the file.") from error
+        raise InputError(say("The coordinate reference system in {path} cannot be understood: set it right in the "
+                             "file.", path=path.name)) from error
 
 
 def plan_crs(crs: CRS) -> CRS:
@@ -177,11 +180,12 @@ def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: in
                 yield chunk
                 progress.step((done + read) / total)
         except _READ_ERRORS as error:
-            raise InputError(f"{path.name} is damaged or truncated after {read:,} of "
-                             f"{header.point_count:,} points: copy or download it again.") from error
+            raise InputError(say("{path} is damaged or truncated after {read:,} of {point_count:,} points: copy or "
+                                 "download it again.", path=path.name, read=read,
+                                 point_count=header.point_count)) from error
         if read < header.point_count:
-            raise InputError(f"{path.name} is truncated: it holds {read:,} of {header.point_count:,} points; "
-                             "copy or download it again.")
+            raise InputError(say("{path} is truncated: it holds {read:,} of {point_count:,} points; copy or download "
+                                 "it again.", path=path.name, read=read, point_count=header.point_count))
         done += read
 
 
@@ -288,7 +292,7 @@ def cloud_writer(path: str | os.PathLike, layout: PointLayout) -> Iterator[Cloud
     OutputError : the file cannot be written there.
     """
     if Path(path).suffix.lower() not in (".las", ".laz"):
-        raise InputError(f"{Path(path).name} must end in .laz or .las.")
+        raise InputError(say("{path} must end in .laz or .las.", path=Path(path).name))
     compress = Path(path).suffix.lower() == ".laz"
     with (written_beside(path) as temporary,
           laspy.open(temporary, mode="w", header=layout.header, do_compress=compress) as writer):

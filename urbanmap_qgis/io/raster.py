@@ -19,6 +19,7 @@ from ..errors import InputError, OutputError
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
+from ..wording import say
 from .atomic import written_beside
 from .height_systems import heights_of, stating_heights
 from .renamed_crs import known_wkt
@@ -77,9 +78,10 @@ def write_raster(path: str | os.PathLike, raster: np.ndarray, grid: Grid, crs_wk
                 target.write(band, 1, window=Window(0, top, grid.columns, len(band)))
                 progress.step(top / grid.rows)
     except CRSError as error:
-        raise InputError("The coordinate reference system cannot be understood: set another one.") from error
+        raise InputError(say("The coordinate reference system cannot be understood: set another one.")) from error
     except RasterioError as error:
-        raise OutputError(f"{Path(path).name} cannot be written ({error}): choose another output.") from error
+        raise OutputError(say("{path} cannot be written ({error}): choose another output.", path=Path(path).name,
+                              error=error)) from error
 
 
 def _lasting_crs(crs_wkt: str) -> CRS:
@@ -118,10 +120,11 @@ class RasterSampler:
                 self._source = rasterio.open(self.path)
                 self.crs_wkt = known_wkt(self._source.crs.to_wkt()) if self._source.crs else ""
         except (RasterioError, OSError) as error:
-            raise InputError(f"{self.path.name} cannot be read as a raster: check the file.") from error
+            raise InputError(say("{path} cannot be read as a raster: check the file.", path=self.path.name)) from error
         self.bands = self._source.count
         if not 1 <= band <= self.bands:
-            raise InputError(f"{self.path.name} has {self.bands} bands, no band {band}.")
+            raise InputError(say("{path} has {bands} bands, no band {band}.", path=self.path.name, bands=self.bands,
+                                 band=band))
         self.grid = _grid_of(self._source, self.path)
 
     def __enter__(self) -> RasterSampler:
@@ -139,7 +142,7 @@ class RasterSampler:
             with own_gdal():
                 values = self._source.read(self.band, window=window, masked=True)
         except RasterioError as error:
-            raise InputError(f"{self.path.name} is damaged: {error}.") from error
+            raise InputError(say("{path} is damaged: {error}.", path=self.path.name, error=error)) from error
         heights = values.data.astype(np.float32, copy=False)
         if values.mask is not np.ma.nomask:
             heights[values.mask] = np.nan
@@ -173,10 +176,11 @@ def _grid_of(source: rasterio.DatasetReader, path: Path) -> Grid:
     """Grid of an open raster, which must be north-up with square cells."""
     place = source.transform
     if not np.isfinite(place[:6]).all():
-        raise InputError(f"{path.name} says where it lies in numbers that are not finite: it is damaged; export it "
-                         "again.")
+        raise InputError(say("{path} says where it lies in numbers that are not finite: it is damaged; export it "
+                             "again.", path=path.name))
     if place.b or place.d or place.a <= 0 or not np.isclose(place.a, -place.e, rtol=1e-6):
-        raise InputError(f"{path.name} is turned or its cells are not square: warp it to a north-up raster first.")
+        raise InputError(say("{path} is turned or its cells are not square: warp it to a north-up raster first.",
+                             path=path.name))
     return Grid(place.c, place.f, place.a, source.height, source.width)
 
 

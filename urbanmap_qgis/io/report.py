@@ -1,6 +1,7 @@
 """Self-contained HTML reports: a verdict, text, tables, simple charts and pictures in one file.
 
-A report says by itself how it was made (`RunFacts`), as far as its run was told by `run_told`.
+Its methods put constant texts into the user's language; sentences with values in them are `say`'s. A report tells by
+itself how it was made (`RunFacts`), as far as its run was told by `run_told`.
 """
 
 from __future__ import annotations
@@ -133,30 +134,30 @@ class Report:
 
     def verdict(self, grade: str, text: str) -> None:
         """Say first of all what was reached, whether that is good enough and what to do; `grade`: GOOD, LOOK, BAD."""
-        self._verdict = f'<p class="verdict {grade}">{html.escape(text)}</p>\n'
+        self._verdict = f'<p class="verdict {grade}">{html.escape(known(text))}</p>\n'
 
     def section(self, heading: str) -> None:
         """Begin a new section."""
-        self._parts.append(f"<h2>{html.escape(heading)}</h2>")
+        self._parts.append(f"<h2>{html.escape(known(heading))}</h2>")
 
     def paragraph(self, text: str) -> None:
         """Add a paragraph of plain text."""
-        self._parts.append(f"<p>{html.escape(text)}</p>")
+        self._parts.append(f"<p>{html.escape(known(text))}</p>")
 
     def warning(self, text: str) -> None:
         """Add a paragraph that the reader must not miss."""
-        self._parts.append(f'<p class="warning">{html.escape(text)}</p>')
+        self._parts.append(f'<p class="warning">{html.escape(known(text))}</p>')
 
     def table(self, header: Sequence[str], rows: Iterable[Sequence[Cell]]) -> None:
         """Add a table; numbers are aligned right, missing ones (None, NaN) shown as a dash."""
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in header)
+        head = "".join(f"<th>{html.escape(known(name))}</th>" for name in header)
         body = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in rows)
         self._parts.append('<div class="wide"><table><thead><tr>'
                            f"{head}</tr></thead><tbody>\n{body}\n</tbody></table></div>")
 
     def facts(self, facts: Mapping[str, Cell]) -> None:
         """Add a two-column table of names and values."""
-        rows = "\n".join(f"<tr><th>{html.escape(name)}</th>{_cell(value)}</tr>"
+        rows = "\n".join(f"<tr><th>{html.escape(known(name))}</th>{_cell(value)}</tr>"
                          for name, value in facts.items())
         self._parts.append(f'<div class="wide"><table><tbody>\n{rows}\n</tbody></table></div>')
 
@@ -166,6 +167,7 @@ class Report:
 
         `label` names the axis with its unit. Missing values are left out and counted in the caption.
         """
+        label, caption = known(label), known(caption)
         finite = np.asarray(values, float)
         missing = int(np.count_nonzero(~np.isfinite(finite)))
         finite = finite[np.isfinite(finite)]
@@ -182,7 +184,7 @@ class Report:
     def figure(self, svg: str, caption: str) -> None:
         """Add a picture given as SVG; it shrinks with the page."""
         svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
-        self._parts.append(f"<figure>{svg}<figcaption>{html.escape(caption)}</figcaption></figure>")
+        self._parts.append(f"<figure>{svg}<figcaption>{html.escape(known(caption))}</figcaption></figure>")
 
     def picture(self, path: str | os.PathLike, caption: str) -> None:
         """Add a picture from a PNG or JPEG file; the page holds the picture itself.
@@ -194,8 +196,8 @@ class Report:
         data = Path(path).read_bytes()
         media = next((media for start, media in _PICTURES if data.startswith(start)), None)
         if media is None:
-            raise InputError(f"{path} is no PNG or JPEG picture: a report can hold only these.")
-        text = html.escape(caption)
+            raise InputError(say("{path} is no PNG or JPEG picture: a report can hold only these.", path=path))
+        text = html.escape(known(caption))
         self._parts.append(f'<figure><img src="data:{media};base64,{base64.b64encode(data).decode("ascii")}" '
                            f'alt="{text}"><figcaption>{text}</figcaption></figure>')
 
@@ -220,7 +222,7 @@ class Report:
         ------
         OutputError : the file cannot be written there.
         """
-        title = html.escape(self._title)
+        title = html.escape(known(self._title))
         self._about_run()
         page = (f'<!DOCTYPE html>\n<html lang="{language()}">\n<head>\n<meta charset="utf-8">\n'
                 '<meta name="viewport" content="width=device-width, initial-scale=1">\n'

@@ -14,6 +14,7 @@ from pyproj.transformer import TransformerGroup
 
 from ..errors import InputError
 from ..geometry.grid import Grid
+from ..wording import say
 from .crs_text import datum_key, horizontal_part, parse_wkt, same_horizontal, wkt_text
 from .raster import RasterSampler
 from .renamed_crs import known_wkt
@@ -54,8 +55,8 @@ class PlaneTransform:
         """
         made = np.column_stack(self(points[:, 0], points[:, 1]))
         if not np.isfinite(made).all():
-            raise InputError("Some places lie outside of where the reference system can be computed: check the "
-                             "coordinate reference systems.")
+            raise InputError(say("Some places lie outside of where the reference system can be computed: check the "
+                                 "coordinate reference systems."))
         return made
 
     @property
@@ -86,14 +87,15 @@ def plane_transform(source_wkt: str, target_wkt: str, bounds: tuple[float, float
             warnings.simplefilter("ignore", UserWarning)
             group = TransformerGroup(source, target, always_xy=True)
     except (CRSError, ProjError) as error:
-        raise InputError("A coordinate reference system cannot be understood: set another one.") from error
+        raise InputError(say("A coordinate reference system cannot be understood: set another one.")) from error
     moved = ({datum_key(parse_wkt(first)), datum_key(parse_wkt(second))} == {"jgd2000", "jgd2011"}
              and _touches(bounds, source, _MOVED_2011))
     usable = [] if moved else [
         found for found in group.transformers if 0.0 <= found.accuracy <= ROUGH and "allpark" not in found.description]
     if not usable:
-        raise InputError(f"From {source.name} to {target.name} no transformation of {ROUGH:g} m or better is known "
-                         "here: transform the data first, between Japan's datums with GSI's TKY2JGD or PatchJGD.")
+        raise InputError(say("From {source} to {target} no transformation of {rough:g} m or better is known here: "
+                             "transform the data first, between Japan's datums with GSI's TKY2JGD or PatchJGD.",
+                             source=source.name, target=target.name, rough=ROUGH))
     best = min(usable, key=lambda found: found.accuracy)
     steps = [step for step in best.description.split(" + ") if "axis order" not in step]
     return PlaneTransform(best, float(best.accuracy), " + ".join(steps))
@@ -111,7 +113,7 @@ def _touches(bounds: tuple[float, float, float, float] | None, source: CRS, area
 def _horizontal(wkt: str) -> str:
     node = horizontal_part(parse_wkt(known_wkt(wkt)))
     if node is None:
-        raise InputError("A coordinate reference system has no horizontal part: set another one.")
+        raise InputError(say("A coordinate reference system has no horizontal part: set another one."))
     return wkt_text(node)
 
 
@@ -125,7 +127,8 @@ def epsg_wkt(code: int) -> str:
     try:
         return CRS.from_epsg(code).to_wkt()
     except CRSError as error:
-        raise InputError(f"The reference system EPSG:{code} is not known here: choose another.") from error
+        raise InputError(say("The reference system EPSG:{code} is not known here: choose another.",
+                             code=code)) from error
 
 
 def moved_geometries(geometries: np.ndarray, transform: PlaneTransform) -> np.ndarray:
@@ -165,8 +168,8 @@ def resampled(source: RasterSampler, transform: PlaneTransform, bounds: tuple[fl
     here = np.column_stack(transform(np.array([x[0], x[0]]), np.array([y[0], y[0] + source.grid.cell])))
     cell = float(np.hypot(*(here[1] - here[0])))
     if not np.isfinite(cell) or cell <= 0:
-        raise InputError(f"{source.path.name} cannot be taken to where the other data lie: check the coordinate "
-                         "reference systems.")
+        raise InputError(say("{path} cannot be taken to where the other data lie: check the coordinate reference "
+                             "systems.", path=source.path.name))
     grid = Grid.covering(*bounds, cell)
     columns, rows = grid.centres()
     heights = np.empty(grid.shape, np.float32)

@@ -14,6 +14,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 from ..errors import OutputError
+from ..wording import say
 
 PREFIX = ".urbanmap-"
 _FILES, _EARLIER, _LOCK = "new", "earlier", "lock"
@@ -73,7 +74,8 @@ class Staging:
                 clear_leftovers(folder)
                 self._open(folder)
         except OSError as error:
-            raise OutputError(f"The folder {folder} cannot be written ({error.strerror}): choose another output."
+            raise OutputError(say("The folder {folder} cannot be written ({strerror}): choose another output.",
+                                  folder=folder, strerror=error.strerror)
                               ) from error
         return self._scratch[folder] / _FILES / target.name
 
@@ -112,8 +114,9 @@ class Staging:
                         undo.append((target, kept))
                 except OSError as error:
                     _put_back(undo)
-                    raise OutputError(f"{final_text(str(target))} cannot be replaced ({error.strerror}): close the "
-                                      "program that has it open, or choose another output.") from error
+                    raise OutputError(say("{final_text} cannot be replaced ({strerror}): close the program that has "
+                                          "it open, or choose another output.", final_text=final_text(str(target)),
+                                          strerror=error.strerror)) from error
 
 
 def _moves(made: Path, folder: Path) -> list[tuple[Path, Path]]:
@@ -211,24 +214,26 @@ def refuse_unless_replaceable(path: str | os.PathLike) -> None:
     folder = target.parent
     try:
         if not folder.is_dir():
-            raise OutputError(f"The folder {folder} does not exist; create it or choose another output.")
+            raise OutputError(say("The folder {folder} does not exist; create it or choose another output.",
+                                  folder=folder))
         if not os.access(folder, os.W_OK):
-            raise OutputError(f"The folder {folder} cannot be written; choose another output.")
+            raise OutputError(say("The folder {folder} cannot be written; choose another output.", folder=folder))
         if "\0" in str(target):
             raise ValueError
         there = _there(target)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or "it holds characters that no name can have"
-        raise OutputError(f"{target} cannot be the name of a file ({reason}); choose another output.") from error
+        raise OutputError(say("{target} cannot be the name of a file ({reason}); choose another output.", target=target,
+                              reason=reason)) from error
     if not there:
         return
     if target.is_dir():
-        raise OutputError(f"{target} is a folder; give the name of a file.")
+        raise OutputError(say("{target} is a folder; give the name of a file.", target=target))
     if not target.is_file():
-        raise OutputError(f"{target} is no plain file; give another name.")
+        raise OutputError(say("{target} is no plain file; give another name.", target=target))
     if target.suffix.lower() in DATABASES and held_open(target):
-        raise OutputError(f"{target} is open in another program, or is edited in this one; close it there, or choose "
-                          "another output.")
+        raise OutputError(say("{target} is open in another program, or is edited in this one; close it there, or "
+                              "choose another output.", target=target))
 
 
 def _there(path: Path) -> bool:

@@ -8,6 +8,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import shapely
 
+from ..wording import known
+
 RAMP = ("#1a9850", "#91cf60", "#fee08b", "#fc8d59", "#d73027")
 """Colours from good to bad."""
 
@@ -33,7 +35,7 @@ def bars(counts: np.ndarray, edges: np.ndarray, label: str) -> str:
             f'{ticks}<text x="{left - 6}" y="20" text-anchor="end">{tallest}</text>'
             f'<text x="{left - 6}" y="{height - bottom}" text-anchor="end">0</text>'
             f'<text x="{left + plot_width / 2:.0f}" y="{height - 6}" text-anchor="middle">'
-            f"{html.escape(label)}</text></svg>")
+            f"{html.escape(known(label))}</text></svg>")
 
 
 def plan_map(polygons: Sequence[shapely.Geometry | None], values: np.ndarray, limits: Sequence[float], unit: str,

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..wording import known
+
 COLOURS = ("#2f6f8f", "#d7263d", "#3a9d5d", "#8a5fb0", "#e09a2b")
 
 _MOST_POINTS = 1200
@@ -114,8 +116,8 @@ def _axes(place, x_span, y_span, width: int, height: int, x_label: str, y_label:
                      f'<text x="{left - 5}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
     middle = (top + height - bottom) / 2
     parts.append(f'<text x="{(left + width - right) / 2:.0f}" y="{height - bottom + 30}" text-anchor="middle">'
-                 f'{html.escape(x_label)}</text><text x="12" y="{middle:.0f}" text-anchor="middle" '
-                 f'transform="rotate(-90 12 {middle:.0f})">{html.escape(y_label)}</text>')
+                 f'{html.escape(known(x_label))}</text><text x="12" y="{middle:.0f}" text-anchor="middle" '
+                 f'transform="rotate(-90 12 {middle:.0f})">{html.escape(known(y_label))}</text>')
     return "".join(parts)
 
 
@@ -133,6 +135,6 @@ def _legend(series: Sequence[Series], intervals: Sequence[ShadedInterval], heigh
     parts, x = [], _MARGIN[0]
     for name, (colour, opacity) in named.items():
         parts.append(f'<rect x="{x}" y="{height + 4}" width="12" height="12" fill="{colour}" '
-                     f'fill-opacity="{opacity}"/><text x="{x + 16}" y="{height + 14}">{html.escape(name)}</text>')
+                     f'fill-opacity="{opacity}"/><text x="{x + 16}" y="{height + 14}">{html.escape(known(name))}</text>')
         x += 30 + 7 * len(name)
     return "".join(parts)

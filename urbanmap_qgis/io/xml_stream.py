@@ -10,6 +10,7 @@ from xml.etree.ElementTree import Element, ParseError, XMLPullParser
 
 from ..errors import InputError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gsi_sources import XmlSource, opened
 
 _CHUNK = 2**18
@@ -53,14 +54,15 @@ def root_children(source: XmlSource, maker: str, largest: int, progress: Progres
                         root.clear()
                         since = 0
                 if since > largest:
-                    raise InputError(f"{source.name} has an object of more than {largest >> 20} MB: get the file again "
-                                     "from where it comes from.")
+                    raise InputError(say("{source} has an object of more than {largest} MB: get the file again from "
+                                         "where it comes from.", source=source.name, largest=largest >> 20))
                 progress.step(read / max(source.size, read, 1))
             parser.close()
         except ParseError as error:
             line, column = error.position
-            raise InputError(f"{source.name} is not whole, valid XML (line {line}, column {column}): get the file "
-                             "again from where it comes from.") from error
+            raise InputError(say("{source} is not whole, valid XML (line {line}, column {column}): get the file "
+                                 "again from where it comes from.", source=source.name, line=line,
+                                 column=column)) from error
 
 
 def decoded(stream: IO[bytes], name: str, maker: str) -> Iterator[tuple[str, int]]:
@@ -83,17 +85,18 @@ def decoded(stream: IO[bytes], name: str, maker: str) -> Iterator[tuple[str, int
             text = decoder.decode(data, final=not data)
         except UnicodeError as error:
             encoding = getattr(error, "encoding", "text in the encoding that it declares")
-            raise InputError(f"{name} holds bytes that are not valid {encoding}: "
-                             "download it again or correct its declared encoding.") from error
+            raise InputError(say("{name} holds bytes that are not valid {encoding}: download it again or correct its "
+                                 "declared encoding.", name=name, encoding=encoding)) from error
         if prolog:
             start += text
             if len(start) > _LONGEST_PROLOG:
-                raise InputError(f"{name} has no object in its first {_LONGEST_PROLOG >> 20} MB: get the file again "
-                                 "from where it comes from.")
+                raise InputError(say("{name} has no object in its first {longest_prolog} MB: get the file again from "
+                                     "where it comes from.", name=name, longest_prolog=_LONGEST_PROLOG >> 20))
             plain = _NOT_MARKUP.sub("", start)
             if "<!DOCTYPE" in plain:
-                raise InputError(f"{name} has a document type declaration, which {maker} never has and which may be "
-                                 "harmful: get the file again from where it comes from.")
+                raise InputError(say("{name} has a document type declaration, which {maker} never has and which may "
+                                     "be harmful: get the file again from where it comes from.", name=name,
+                                     maker=maker))
             prolog = re.search(r"<[^!?\s]", plain) is None
         if text:
             yield text, len(data)
@@ -115,4 +118,5 @@ def _decoder(start: bytes, name: str) -> codecs.IncrementalDecoder:
             raise LookupError(encoding)
         return known.incrementaldecoder()
     except LookupError as error:
-        raise InputError(f"{name} declares the unknown encoding {encoding}: save it as UTF-8.") from error
+        raise InputError(say("{name} declares the unknown encoding {encoding}: save it as UTF-8.", name=name,
+                             encoding=encoding)) from error

@@ -8,6 +8,7 @@ from collections import Counter
 import numpy as np
 
 from ..io.report import BAD, GOOD, LOOK, Report
+from ..wording import say
 from .accuracy_map import SOURCES, AccuracyMap, LocalisationMap
 from .accuracy_tables import lengths_by_class
 from .localisation_pictures import accuracy_plan, agreement_plot
@@ -53,8 +54,9 @@ def _summary(report: Report, made: AccuracyMap) -> None:
         report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
     else:
         report.verdict(GOOD if known.all() else LOOK,
-                       f"On {known.mean():.0%} of the places the map tells where a vehicle is, with a median sigma of "
-                       f"{_median(made.ellipse.major):.2f} m in the weakest direction; the worst stretches are below.")
+                       say("On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of "
+                           "{median:.2f} m in the weakest direction; the worst stretches are below.", mean=known.mean(),
+                           median=_median(made.ellipse.major)))
     report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
                                                    for name, length in lengths_by_class(made).items()])
     report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
@@ -90,11 +92,12 @@ def _worst(report: Report, city: LocalisationMap, made: AccuracyMap) -> None:
     for place, number in enumerate(worst, 1):
         rows = parts[number]
         report.figure(accuracy_plan(city, made, rows, 5.0, 420, 40.0),
-                      f"{place}: street {made.places.street[rows[0]]}, from {made.places.way[rows].min():.0f} m. "
-                      "Ellipses five times enlarged.")
+                      say("{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.", place=place,
+                          street=made.places.street[rows[0]], min=made.places.way[rows].min()))
     without = [rows for rows in stretches(made) if (made.kind[rows] == NONE).all()]
     if without:
-        report.paragraph(f"Of {len(without)} stretches nothing can be said: see the statuses above and the layer.")
+        report.paragraph(say("Of {without_count} stretches nothing can be said: see the statuses above and the layer.",
+                             without_count=len(without)))
 
 
 def _check(report: Report, made: AccuracyMap, check: PredictionCheck) -> None:

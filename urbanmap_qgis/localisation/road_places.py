@@ -10,6 +10,7 @@ import shapely
 
 from ..errors import InputError
 from ..geometry.grid import Grid
+from ..wording import say
 
 MOST_PLACES = 2_000_000
 
@@ -72,10 +73,11 @@ def places_on_roads(lines: Sequence[shapely.Geometry | None], spacing: float,
             done += made.step.sum()
             parts.append(made)
         if sum(map(len, parts)) > MOST_PLACES:
-            raise InputError(f"More than {MOST_PLACES:,} places: choose a larger spacing or fewer roads.")
+            raise InputError(say("More than {most_places:,} places: choose a larger spacing or fewer roads.",
+                                 most_places=MOST_PLACES))
     parts = [part for part in parts if len(part)]
     if not parts:
-        raise InputError("The roads have no length: give lines along which vehicles drive.")
+        raise InputError(say("The roads have no length: give lines along which vehicles drive."))
     return _joined_places(parts)
 
 
@@ -103,7 +105,7 @@ def joined_places(parts: Sequence[RoadPlaces]) -> RoadPlaces:
     InputError : none of them has a place.
     """
     if not sum(map(len, parts)):
-        raise InputError("The trajectory does not move: give that of a drive.")
+        raise InputError(say("The trajectory does not move: give that of a drive."))
     return _joined_places(parts)
 
 

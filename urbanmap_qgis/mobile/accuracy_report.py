@@ -9,6 +9,7 @@ import numpy as np
 
 from ..io.report import LOOK, Report
 from ..io.svg_profile import COLOURS, Series, profile
+from ..wording import say
 from .control import Accuracy, ControlPoints, accuracy
 
 _WORST = 10
@@ -24,14 +25,17 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
     left_out : control points outside the survey's time.
     """
     report = Report("Accuracy at control points")
-    report.paragraph(f"{len(control)} control points. An error is where the survey has a point less where it truly is.")
+    report.paragraph(say("{control_count} control points. An error is where the survey has a point less where it "
+                         "truly is.", control_count=len(control)))
     if left_out:
-        report.warning(f"{left_out} control points were not measured during this survey and are left out.")
+        report.warning(say("{left_out} control points were not measured during this survey and are left out.",
+                           left_out=left_out))
     figures = {name: accuracy(values) for name, values in errors.items()}
     name, best = list(figures.items())[-1]
-    report.verdict(LOOK, f"{name}: {100 * best.mean_2d:.1f} cm off in plan on average and {100 * best.max_2d:.1f} cm "
-                   f"at most, at {len(control)} control points. Compare this with what the job asks for; the worst "
-                   "points are below.")
+    report.verdict(LOOK, say("{name}: {mean_2d:.1f} cm off in plan on average and {max_2d:.1f} cm at most, at "
+                             "{control_count} control points. Compare this with what the job asks for; the worst "
+                             "points are below.", name=name, mean_2d=100 * best.mean_2d, max_2d=100 * best.max_2d,
+                             control_count=len(control)))
     report.table(("Survey", "mean 2D (m)", "max 2D (m)", "std 2D (m)", "mean 3D (m)", "max 3D (m)", "std 3D (m)",
                   "east (m)", "north (m)", "up (m)"), [_row(name, item) for name, item in figures.items()])
     report.paragraph("East, north and up are mean errors: what is left in all points alike.")
@@ -45,8 +49,8 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
                       "Horizontal error of each control point")
     name, last = list(errors.items())[-1]
     plan = np.hypot(*last[:, :2].T)
-    report.histogram(plan, "m", f"Horizontal errors, {name}")
-    report.section(f"The worst control points, {name}")
+    report.histogram(plan, "m", say("Horizontal errors, {name}", name=name))
+    report.section(say("The worst control points, {name}", name=name))
     worst = np.argsort(-plan)[:_WORST]
     report.table(("Control point", "time (s)", "east (m)", "north (m)", "up (m)", "2D (m)"),
                  [(control.id[k], float(control.time[k]), *map(float, last[k]), float(plan[k])) for k in worst])

@@ -15,6 +15,7 @@ from ..errors import InputError, InsufficientDataError
 from ..io.atomic import written_beside
 from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, open_cloud
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gps_time import time_shift
 from .image_poses import ImagePoses, move_images, read_image_poses, write_image_poses
 from .pose_correction import PoseCorrection, correction_between
@@ -68,7 +69,7 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
     InputError : cloud and trajectories do not overlap in time, or points lie outside and `outside` is "refuse".
     """
     if Path(output).suffix.lower() not in (".las", ".laz"):
-        raise InputError(f"{Path(output).name} must end in .laz or .las.")
+        raise InputError(say("{output} must end in .laz or .las.", output=Path(output).name))
     cloud = open_cloud(paths)
     movement = correction_between(reported, corrected)
     shift = survey_time_shift(cloud, reported)
@@ -100,13 +101,14 @@ def apply_to_images(path: str | os.PathLike, reported: Trajectory, corrected: Tr
     start, end = max(reported.time[0], corrected.time[0]), min(reported.time[-1], corrected.time[-1])
     away = (poses.time < start) | (poses.time > end)
     if away.all():
-        raise InputError(f"{Path(path).name}: no image was taken between {start:.1f} and {end:.1f} s, the time of the "
-                         "trajectory: give the poses of this survey.")
+        raise InputError(say("{path}: no image was taken between {start:.1f} and {end:.1f} s, the time of the "
+                             "trajectory: give the poses of this survey.", path=Path(path).name, start=start, end=end))
     held: ImagePoses = replace(poses, time=np.clip(poses.time, start, end))
     write_image_poses(output, replace(move_images(held, reported, corrected), time=poses.time))
     if away.any():
-        progress.warn(f"{np.count_nonzero(away):,} of {len(away):,} images were taken outside the trajectory's time: "
-                      "they were moved with its nearest pose.")
+        progress.warn(say("{away_count:,} of {away_count_2:,} images were taken outside the trajectory's time: they "
+                          "were moved with its nearest pose.", away_count=np.count_nonzero(away),
+                          away_count_2=len(away)))
     return replace(moved, images=len(away), images_outside=int(np.count_nonzero(away)))
 
 
@@ -146,7 +148,7 @@ class _Statistics:
     def result(self) -> CorrectionSummary:
         inside = self.points - self.outside
         if not inside:
-            raise InsufficientDataError("No point was measured during the trajectory: give those of one survey.")
+            raise InsufficientDataError(say("No point was measured during the trajectory: give those of one survey."))
         return CorrectionSummary(self.points, self.outside, self.in_gaps, self.total / inside, self.largest)
 
 
@@ -167,11 +169,12 @@ class _Writing:
         far = np.maximum(np.abs(low - offsets), np.abs(high - offsets)) / scales > _LARGEST
         offsets[far] = np.floor(0.5 * (low + high))[far]
         if (np.maximum(high - offsets, offsets - low) / scales > _LARGEST).any():
-            raise InputError(f"{cloud.paths[0].name} is too wide for coordinates in steps of {scales.min():g} m: store "
-                             "it in tiles or with a coarser step.")
+            raise InputError(say("{paths} is too wide for coordinates in steps of {min:g} m: store it in tiles or "
+                                 "with a coarser step.", paths=cloud.paths[0].name, min=scales.min()))
         if self.coarse.any():
-            progress.warn(f"The coordinates are stored in steps of {header.scales.max():g} m, too coarse for the "
-                          f"correction: they are written in steps of {COARSEST_SCALE:g} m.")
+            progress.warn(say("The coordinates are stored in steps of {max:g} m, too coarse for the correction: they "
+                              "are written in steps of {coarsest_scale:g} m.", max=header.scales.max(),
+                              coarsest_scale=COARSEST_SCALE))
         header.scales, header.offsets = scales, offsets
         self.header = header
 
@@ -180,9 +183,10 @@ class _Writing:
         """The chunk's records with new coordinates."""
         within = self.movement.within(time)
         if outside == "refuse" and not within.all():
-            raise InputError(f"Points were measured at {time[~within][0]:.3f} s, outside the trajectory "
-                             f"({self.movement.time[0]:.3f} to {self.movement.time[-1]:.3f} s): give the trajectory of "
-                             "the whole survey, or let them be moved with the nearest pose.")
+            raise InputError(say("Points were measured at {time:.3f} s, outside the trajectory ({time_2:.3f} to "
+                                 "{time_3:.3f} s): give the trajectory of the whole survey, or let them be moved "
+                                 "with the nearest pose.", time=time[~within][0], time_2=self.movement.time[0],
+                                 time_3=self.movement.time[-1]))
         places = np.column_stack([chunk.x, chunk.y, chunk.z])
         movement = self.movement.at(places, time)
         if outside == "keep":
@@ -197,8 +201,8 @@ class _Writing:
                 values = np.rint((places[:, axis] + movement[:, axis] - self.header.offsets[axis])
                                  / self.header.scales[axis])
             if len(values) and np.abs(values).max() > _LARGEST:
-                raise InputError("A point lies outside the bounds that the header of its file states: repair the "
-                                 "header (lasinfo -repair).")
+                raise InputError(say("A point lies outside the bounds that the header of its file states: repair the "
+                                     "header (lasinfo -repair)."))
             records[name] = values.astype(np.int32)
         return laspy.PackedPointRecord(records, self.header.point_format)
 
@@ -233,8 +237,9 @@ def _write_evlrs(writer: laspy.LasWriter, records: list) -> None:
 def _report(moved: CorrectionSummary, outside: str, progress: Progress) -> None:
     if moved.outside:
         done = "moved with its nearest pose" if outside == "move" else "left where they were"
-        progress.warn(f"{moved.outside:,} of {moved.points:,} points were measured outside the trajectory's time: they "
-                      f"were {done} and are not to be trusted.")
+        progress.warn(say("{outside:,} of {points:,} points were measured outside the trajectory's time: they were "
+                          "{done} and are not to be trusted.", outside=moved.outside, points=moved.points, done=done))
     if moved.in_gaps:
-        progress.warn(f"{moved.in_gaps:,} of {moved.points:,} points were measured in gaps of the trajectory: they "
-                      "were moved by what lies between the gap's ends and are not to be trusted.")
+        progress.warn(say("{in_gaps:,} of {points:,} points were measured in gaps of the trajectory: they were moved "
+                          "by what lies between the gap's ends and are not to be trusted.", in_gaps=moved.in_gaps,
+                          points=moved.points))

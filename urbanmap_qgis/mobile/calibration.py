@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.guard import read_json, reads
+from ..wording import say
 from .trajectory import Trajectory, body_to_map
 
 _MAX_LEVER_ARM = 20.0
@@ -80,7 +81,7 @@ def read_calibration(path: str | os.PathLike) -> Calibration:
     name = Path(path).name
     content = read_json(path, "a calibration")
     if not isinstance(content, dict) or not any(key in content for key in ("scanners", "camera", "cameras")):
-        raise InputError(f"{name} is no calibration: it needs an entry “scanners” or “cameras”.")
+        raise InputError(say("{name} is no calibration: it needs an entry “scanners” or “cameras”.", name=name))
     scanners = tuple(_scanner(entry, name) for entry in _entries(content.get("scanners", []), name))
     return Calibration(scanners, *_cameras(content, name))
 
@@ -99,7 +100,7 @@ def _cameras(content: Mapping, name: str) -> tuple[tuple[MountedCamera, ...], tu
 
 def _entries(value: object, name: str) -> list[Mapping]:
     if not isinstance(value, list) or not all(isinstance(entry, dict) for entry in value):
-        raise InputError(f"{name}: scanners and cameras must be lists of objects.")
+        raise InputError(say("{name}: scanners and cameras must be lists of objects.", name=name))
     return value
 
 
@@ -121,11 +122,11 @@ def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
     identity = str(entry.get("id", ""))
     arm = entry.get("lever_arm_m")
     if not isinstance(arm, list) or len(arm) != 3 or not all(_is_number(value) for value in arm):
-        raise InputError(f"{name}: “lever_arm_m” of {identity or 'an entry'} must be three numbers, metres forward, "
-                         "right and down.")
+        raise InputError(say("{name}: “lever_arm_m” of {value} must be three numbers, metres forward, right and down.",
+                             name=name, value=identity or "an entry"))
     if np.abs(arm).max() > _MAX_LEVER_ARM:
-        raise InputError(f"{name}: the lever arm of {identity or 'an entry'} is {np.abs(arm).max():.0f} m long; it "
-                         "must be in metres.")
+        raise InputError(say("{name}: the lever arm of {value} is {max:.0f} m long; it must be in metres.", name=name,
+                             value=identity or "an entry", max=np.abs(arm).max()))
     angles = [_number(entry, key, name, 0.0) for key in ("roll", "pitch", "heading")]
     return identity, np.array(arm, float), np.array(angles)
 
@@ -133,7 +134,8 @@ def _mount(entry: Mapping, name: str) -> tuple[str, np.ndarray, np.ndarray]:
 def _number(entry: Mapping, key: str, name: str, default: float) -> float:
     value = entry.get(key, default)
     if not _is_number(value) and not (key not in entry and value == np.inf):
-        raise InputError(f"{name}: “{key}” of {entry.get('id', 'an entry')} is no number.")
+        raise InputError(say("{name}: “{key}” of {entry} is no number.", name=name, key=key,
+                             entry=entry.get("id", "an entry")))
     return float(value)
 
 
@@ -156,8 +158,9 @@ def scanner_of(calibration: Calibration, point_source_id: int) -> MountedScanner
     if len(calibration.scanners) == 1 and calibration.scanners[0].point_source_id is None:
         return calibration.scanners[0]
     known = ", ".join(str(scanner.point_source_id) for scanner in calibration.scanners) or "none"
-    raise InputError(f"The calibration has no scanner with point source id {point_source_id} (it has: {known}): add "
-                     "it, or choose the calibration of this survey.")
+    raise InputError(say("The calibration has no scanner with point source id {point_source_id} (it has: {known}): "
+                         "add it, or choose the calibration of this survey.", point_source_id=point_source_id,
+                         known=known))
 
 
 def scanner_positions(trajectory: Trajectory, scanner: Mount, time: np.ndarray) -> np.ndarray:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import InputError, InsufficientDataError
 from ..io.guard import read_text, reads
+from ..wording import say
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection
 from .trajectory import Trajectory
@@ -94,11 +95,11 @@ def control_from_columns(columns: Mapping[str, Sequence], name: str = "The contr
     known = {_ALIASES.get(key, key): original for key, original in lower.items()}
     missing = [column for column in COLUMNS if column not in known and column not in ("id", *_HEIGHTS)]
     if missing:
-        raise InputError(f"{name} has no column {', '.join(missing)}: control points need {','.join(COLUMNS)} (heights "
-                         "may be left out).")
+        raise InputError(say("{name} has no column {missing}: control points need {columns} (heights may be left "
+                             "out).", name=name, missing=", ".join(missing), columns=",".join(COLUMNS)))
     count = len(columns[known["x"]])
     if not count:
-        raise InputError(f"{name} holds no control point.")
+        raise InputError(say("{name} holds no control point.", name=name))
     table = {column: _numbers(columns[known[column]], column, name) if column in known else np.full(count, np.nan)
              for column in COLUMNS[1:]}
     ids = columns[known["id"]] if "id" in known else range(1, count + 1)
@@ -112,10 +113,12 @@ def _numbers(values: Sequence, column: str, name: str) -> np.ndarray:
     try:
         numbers = np.array([np.nan if gone else float(value) for gone, value in zip(empty, values)])
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name}: the column {column} holds something that is no number ({error}).") from error
+        raise InputError(say("{name}: the column {column} holds something that is no number ({error}).", name=name,
+                             column=column, error=error)) from error
     wrong = np.flatnonzero(~np.isfinite(numbers))
     if len(wrong) and column not in _HEIGHTS:
-        raise InputError(f"{name}: row {wrong[0] + 1} has no number in the column {column}.")
+        raise InputError(say("{name}: row {wrong} has no number in the column {column}.", name=name, wrong=wrong[0] + 1,
+                             column=column))
     return numbers
 
 
@@ -143,8 +146,8 @@ def residuals(control: ControlPoints, movement: PoseCorrection | None = None) ->
     away = np.hypot(*(control.surveyed - control.true)[:, :2].T)
     if (away > _FAR).any():
         worst = int(np.argmax(away))
-        raise InputError(f"Control point {control.id[worst]} lies {away[worst]:.0f} m from its place in the survey: "
-                         "check that both are in the same coordinate reference system.")
+        raise InputError(say("Control point {id} lies {away:.0f} m from its place in the survey: check that both are "
+                             "in the same coordinate reference system.", id=control.id[worst], away=away[worst]))
     surveyed = control.surveyed
     if movement is not None:
         places = np.where(np.isfinite(surveyed), surveyed, movement.centre)  # heights not known turn like the vehicle
@@ -160,7 +163,7 @@ def accuracy(errors: np.ndarray) -> Accuracy:
     InsufficientDataError : there are none.
     """
     if not len(errors):
-        raise InsufficientDataError("No control point lies in the survey's time: there is nothing to measure.")
+        raise InsufficientDataError(say("No control point lies in the survey's time: there is nothing to measure."))
     plan = np.hypot(errors[:, 0], errors[:, 1])
     space = np.linalg.norm(errors, axis=1)
     space = space[np.isfinite(space)]

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.pointcloud import PointCloud, iter_chunks
+from ..wording import say
 from .trajectory import Trajectory
 
 WEEK = 604_800.0
@@ -25,15 +26,16 @@ def time_range(cloud: PointCloud) -> tuple[float, float]:
     InputError : the points carry no gps_time.
     """
     if not cloud.has_dimension("gps_time"):
-        raise InputError(f"The points of {cloud.paths[0].name} carry no GPS time, which ties them to the trajectory: "
-                         "export the survey with it.")
+        raise InputError(say("The points of {paths} carry no GPS time, which ties them to the trajectory: export the "
+                             "survey with it.", paths=cloud.paths[0].name))
     first, last = np.inf, -np.inf
     for chunk in iter_chunks(cloud):
         time = np.asarray(chunk["gps_time"])
         if len(time):
             first, last = min(first, float(time.min())), max(last, float(time.max()))
     if not last > first and last == 0.0:
-        raise InputError(f"All GPS times in {cloud.paths[0].name} are zero: export the survey with the points' times.")
+        raise InputError(say("All GPS times in {paths} are zero: export the survey with the points' times.",
+                             paths=cloud.paths[0].name))
     return first, last
 
 
@@ -73,8 +75,9 @@ def shift_between(span: tuple[float, float], wanted: tuple[float, float], what: 
     shares = [_overlap((span[0] + shift, span[1] + shift), wanted) for shift in shifts]
     best = int(np.argmax(shares))
     if shares[best] < _ENOUGH:
-        raise InputError(f"{what} were measured from {span[0]:.1f} to {span[1]:.1f} s{kind}, but the trajectory runs "
-                         f"from {wanted[0]:.1f} to {wanted[1]:.1f} s: give those of one survey.")
+        raise InputError(say("{what} were measured from {span:.1f} to {span_2:.1f} s{kind}, but the trajectory runs "
+                             "from {wanted:.1f} to {wanted_2:.1f} s: give those of one survey.", what=what,
+                             span=span[0], span_2=span[1], kind=kind, wanted=wanted[0], wanted_2=wanted[1]))
     return float(shifts[best])
 
 

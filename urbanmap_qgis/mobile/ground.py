@@ -22,6 +22,7 @@ from ..terrain.cloth import JAVANMARDI, ClothSettings, LowestHeights, bottom_poi
 from ..terrain.outliers import isolation_limit, plausible
 from ..terrain.surface_files import metric_crs_wkt
 from ..terrain.tiles import ClothPart, TilePoints, Tiling, layer_of_tile, lowest_heights_of_tile, point_margin
+from ..wording import say
 from .passes import BlockPositions, SurveyPasses
 
 GROUND, UNASSIGNED = 2, 1
@@ -139,8 +140,8 @@ class _Survey:
             counts.update(dict(zip(*(values.tolist() for values in np.unique(tile, return_counts=True)))))
             self.buckets.add(tile, records)
         if not counts:
-            raise InsufficientDataError(f"{self.cloud.paths[0].name} holds no usable points: all are noise, withheld "
-                                        "or have no valid height.")
+            raise InsufficientDataError(say("{paths} holds no usable points: all are noise, withheld or have no "
+                                            "valid height.", paths=self.cloud.paths[0].name))
         self.keys, self.passes = sorted(counts), positions.passes()
         self._split(max(counts.values()))
 
@@ -190,8 +191,8 @@ class _Survey:
         grid = Grid.covering(x_min, y_min, x_max, y_max, cloth.resolution)
         grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
         if grid.rows * grid.columns > _MOST_NODES:
-            raise InputError("The survey is too large for one cloth: choose a coarser cloth resolution, or filter "
-                             "parts of it.")
+            raise InputError(say("The survey is too large for one cloth: choose a coarser cloth resolution, or "
+                                 "filter parts of it."))
         keys = sorted(extent)
         area = len(keys) * self.tiling.side ** 2
         neighbours = isolation_limit(int(table[:, 0].sum()), min(area, max((x_max - x_min) * (y_max - y_min), 1.0)))
@@ -275,9 +276,10 @@ def _check_share(ground: int, candidates: int, min_share: float) -> None:
     """Refuse a share of ground that cannot be right, while the output still lies beside its place."""
     if ground < min_share * candidates:
         raise InsufficientDataError(
-            f"Only {ground:,} of {candidates:,} points were found to be ground ({100 * ground / candidates:.2g} %, "
-            f"needed {100 * min_share:g} %), which cannot be right for a drive: look for many points below the road, a "
-            "wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.")
+            say("Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed "
+                "{min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong "
+                "height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.",
+                ground=ground, candidates=candidates, ground_2=100 * ground / candidates, min_share=100 * min_share))
 
 
 def _ground_of(chunk, passes: SurveyPasses, grounds: list[PassGround | None], threshold: float) -> np.ndarray:

@@ -13,6 +13,7 @@ import numpy as np
 from ..errors import InputError
 from ..io.atomic import written_beside
 from ..io.guard import first_not_finite, read_text, reads
+from ..wording import say
 from .trajectory import Trajectory, attitude_angles, interpolate, rotations, unwrapped
 
 COLUMNS = ("id", "time", "x", "y", "z", "roll", "pitch", "heading")
@@ -47,14 +48,16 @@ def read_image_poses(path: str | os.PathLike) -> ImagePoses:
     rows = list(csv.DictReader(io.StringIO(read_text(path, "image poses (CSV)"))))
     missing = [column for column in COLUMNS if not rows or column not in rows[0]]
     if missing:
-        raise InputError(f"{name} has no column {', '.join(missing)} or no row: image poses need {','.join(COLUMNS)}.")
+        raise InputError(say("{name} has no column {missing} or no row: image poses need {columns}.", name=name,
+                             missing=", ".join(missing), columns=",".join(COLUMNS)))
     try:
         table = np.array([[float(row[column]) for column in COLUMNS[1:]] for row in rows])
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} holds a value that is no number ({error}): correct it.") from error
+        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
+                             error=error)) from error
     bad = first_not_finite(table)
     if bad is not None:
-        raise InputError(f"{name} has no number in row {bad + 2}: correct or remove it.")
+        raise InputError(say("{name} has no number in row {bad}: correct or remove it.", name=name, bad=bad + 2))
     others = {key: tuple(row[key] for row in rows) for key in rows[0] if key and key not in COLUMNS}
     return ImagePoses(tuple(row["id"] for row in rows), table[:, 0], table[:, 1:4], unwrapped(table[:, 4:7]), others)
 

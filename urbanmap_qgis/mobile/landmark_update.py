@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..errors import InsufficientDataError
+from ..wording import say
 from .control import ControlPoints, residuals
 from .trajectory import Trajectory
 
@@ -24,7 +25,8 @@ def update_by_landmarks(trajectory: Trajectory, control: ControlPoints) -> Traje
     InsufficientDataError : no control point was given.
     """
     if not len(control):
-        raise InsufficientDataError("No control point lies in the survey's time: the trajectory cannot be updated.")
+        raise InsufficientDataError(say("No control point lies in the survey's time: the trajectory cannot be "
+                                        "updated."))
     vectors = -residuals(control)
     place = trajectory.place.copy()
     for axis in range(3):

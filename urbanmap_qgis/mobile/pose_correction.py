@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 from .trajectory import Trajectory, gaps, interpolate, rotations
 
 MAX_STEP = 0.02
@@ -82,9 +83,9 @@ def correction_between(reported: Trajectory, corrected: Trajectory) -> PoseCorre
     """
     start, end = max(reported.time[0], corrected.time[0]), min(reported.time[-1], corrected.time[-1])
     if not end > start:
-        raise InputError(f"The corrected trajectory runs from {corrected.time[0]:.1f} to {corrected.time[-1]:.1f} s, "
-                         f"the reported one from {reported.time[0]:.1f} to {reported.time[-1]:.1f} s: give two of one "
-                         "survey.")
+        raise InputError(say("The corrected trajectory runs from {time:.1f} to {time_2:.1f} s, the reported one from "
+                             "{time_3:.1f} to {time_4:.1f} s: give two of one survey.", time=corrected.time[0],
+                             time_2=corrected.time[-1], time_3=reported.time[0], time_4=reported.time[-1]))
     time = _times(reported.time, corrected.time, start, end)
     before, after = interpolate(reported, time), interpolate(corrected, time)
     rotation = _rotations_between(before.angles, after.angles)

@@ -11,6 +11,7 @@ from ..errors import InputError
 from ..io.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
+from ..wording import say
 from .gps_time import time_shift
 from .markings.survey_points import sampled_span
 from .registration.start.reference import Reference
@@ -59,13 +60,14 @@ def require_survey(cloud: PointCloud, trajectory: Trajectory) -> None:
     name, low, high = cloud.paths[0].name, cloud.minimum, cloud.maximum
     away = _box(low, high).distance(place[:, 0], place[:, 1]).min()
     if away > MEASURED:
-        raise InputError(f"{name} lies {_length(away)} from where the vehicle was at its times: "
-                         f"{_reason(_box(low, high), place)}.")
+        raise InputError(say("{name} lies {length} from where the vehicle was at its times: {reason}.", name=name,
+                             length=_length(away), reason=_reason(_box(low, high), place)))
     above, below = place[:, 2].min() - high[2], low[2] - place[:, 2].max()
     if above > _ABOVE or below > _BELOW:
-        raise InputError(f"All points of {name} lie more than {max(above, below):.0f} m "
-                         f"{'below' if above > below else 'above'} the trajectory: heights above the ellipsoid and "
-                         "above sea level cannot be mixed; convert one of them (a geoid model can be given for SBET).")
+        raise InputError(say("All points of {name} lie more than {above:.0f} m {value} the trajectory: heights above "
+                             "the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model "
+                             "can be given for SBET).", name=name, above=max(above, below),
+                             value=say("below") if above > below else say("above")))
 
 
 def _reason(box: Box, place: np.ndarray) -> str:
@@ -104,18 +106,19 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
         share = float(np.mean(away <= beside))
         if share == 0.0:
             reach = "lie" if what.endswith("s") else "lies"
-            raise InputError(f"{what} {reach} {_length(float(away.min()))} from the path of the survey: give those of "
-                             "the same place.")
+            raise InputError(say("{what} {reach} {length} from the path of the survey: give those of the same place.",
+                                 what=what, reach=reach, length=_length(float(away.min()))))
         if share < _MOST:
-            progress.warn(f"{what} cover{'' if what.endswith('s') else 's'} {100 * share:.0f} % of the path only: the "
-                          "rest cannot be registered.")
+            progress.warn(say("{what} cover{value} {share:.0f} % of the path only: the rest cannot be registered.",
+                              what=what, value="" if what.endswith("s") else "s", share=100 * share))
     if reference.ground is not None:
         height = z - reference.heights(x, y)
         middle = float(np.median(height[np.isfinite(height)])) if np.isfinite(height).any() else 0.0
         if not -_BELOW <= middle <= _OVER_GROUND:
-            raise InputError(f"The vehicle is {abs(middle):.0f} m {'below' if middle < 0 else 'above'} the ground "
-                             "elevation: heights above the ellipsoid and above sea level cannot be mixed, convert one "
-                             "of the two (a geoid model can be given for SBET).")
+            raise InputError(say("The vehicle is {middle:.0f} m {value} the ground elevation: heights above the "
+                                 "ellipsoid and above sea level cannot be mixed, convert one of the two (a geoid "
+                                 "model can be given for SBET).", middle=abs(middle),
+                                 value=say("below") if middle < 0 else say("above")))
 
 
 def survey_span(cloud: PointCloud, trajectory: Trajectory) -> tuple[float, float]:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 
 STOP_SPEED = 0.15
 """Below this speed a vehicle stands, m/s: what still moves is noise of its navigation."""
@@ -64,8 +65,9 @@ def interpolate(trajectory: Trajectory, time: np.ndarray, outside: str = "error"
     within = trajectory.within(time)
     if outside == "error" and not within.all():
         worst = time[~within][0]
-        raise InputError(f"The trajectory runs from {trajectory.time[0]:.3f} to {trajectory.time[-1]:.3f} s, but a "
-                         f"pose is needed at {worst:.3f} s: give the trajectory of the whole survey.")
+        raise InputError(say("The trajectory runs from {time:.3f} to {time_2:.3f} s, but a pose is needed at "
+                             "{worst:.3f} s: give the trajectory of the whole survey.", time=trajectory.time[0],
+                             time_2=trajectory.time[-1], worst=worst))
     place, angles = (_linear(values, before, share) for values in (trajectory.place, trajectory.angles))
     if outside == "nan":
         place[~within], angles[~within] = np.nan, np.nan

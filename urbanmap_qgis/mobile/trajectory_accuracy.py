@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 
 SIGMA_COLUMNS = ("sd_roll", "sd_pitch", "sd_heading")
 """Columns with the standard deviations of the angles, in the unit of the angles; upper or lower case."""
@@ -37,12 +38,13 @@ def sigma_of_columns(columns: Mapping[str, Sequence], counted: str, name: str) -
         return None
     missing = [column for column in SIGMA_COLUMNS if column not in known]
     if missing:
-        raise InputError(f"{name} has {', '.join(there)} but no {', '.join(missing)}: give the standard deviations of "
-                         "all three angles, or of none.")
+        raise InputError(say("{name} has {there} but no {missing}: give the standard deviations of all three angles, "
+                             "or of none.", name=name, there=", ".join(there), missing=", ".join(missing)))
     try:
         sigma = np.array([np.asarray(columns[known[column]], float) for column in SIGMA_COLUMNS]).T
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} holds a standard deviation that is no number ({error}): correct it.") from error
+        raise InputError(say("{name} holds a standard deviation that is no number ({error}): correct it.", name=name,
+                             error=error)) from error
     return _checked(np.degrees(sigma) if counted.startswith("radians") else sigma, name)
 
 
@@ -65,15 +67,17 @@ def sigma_of_rms_file(path: Path, time: np.ndarray) -> np.ndarray:
     """
     size = path.stat().st_size
     if size == 0 or size % _RMS.itemsize:
-        raise InputError(f"{path.name} is no RMS file of an SBET or is cut off: its length is no multiple of "
-                         f"{_RMS.itemsize} bytes; export it again, or put it elsewhere.")
+        raise InputError(say("{path} is no RMS file of an SBET or is cut off: its length is no multiple of "
+                             "{itemsize} bytes; export it again, or put it elsewhere.", path=path.name,
+                             itemsize=_RMS.itemsize))
     records = np.fromfile(path, _RMS)
     away = 1.0 + float(np.median(np.diff(records["time"]))) if len(records) > 1 else 1.0
     if not (np.diff(records["time"]) > 0).all() or records["time"][0] > time[0] + away or (
             records["time"][-1] < time[-1] - away):
-        raise InputError(f"{path.name} does not belong to the trajectory: its times run from {records['time'][0]:.1f} "
-                         f"to {records['time'][-1]:.1f} s, the trajectory's from {time[0]:.1f} to {time[-1]:.1f} s; "
-                         "give that of the same solution, or put it elsewhere.")
+        raise InputError(say("{path} does not belong to the trajectory: its times run from {time:.1f} to "
+                             "{time_2:.1f} s, the trajectory's from {time_3:.1f} to {time_4:.1f} s; give that of the "
+                             "same solution, or put it elsewhere.", path=path.name, time=records["time"][0],
+                             time_2=records["time"][-1], time_3=time[0], time_4=time[-1]))
     sigma = np.column_stack([np.interp(time, records["time"], records[angle]) for angle in ("roll", "pitch",
                                                                                             "heading")])
     return _checked(sigma / _MINUTES, path.name)
@@ -81,8 +85,8 @@ def sigma_of_rms_file(path: Path, time: np.ndarray) -> np.ndarray:
 
 def _checked(sigma: np.ndarray, name: str) -> np.ndarray:
     if not np.isfinite(sigma).all() or (sigma <= 0).any() or (sigma > 90.0).any():
-        raise InputError(f"{name} holds a standard deviation of an angle that is not above 0 and below 90 degrees: "
-                         "correct or remove it.")
+        raise InputError(say("{name} holds a standard deviation of an angle that is not above 0 and below 90 "
+                             "degrees: correct or remove it.", name=name))
     return np.maximum(sigma, _LEAST)
 
 

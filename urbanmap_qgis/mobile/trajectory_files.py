@@ -16,6 +16,7 @@ from ..errors import InputError
 from ..io.atomic import written_beside
 from ..io.guard import first_not_finite, read_text, reads
 from ..io.pointcloud import plan_crs
+from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, unwrapped
 from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, told
 from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
@@ -92,8 +93,9 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
     header = tuple(name.strip() for name in rows[0]) if rows else ()
     ragged = next((number for number, row in enumerate(rows, 1) if len(row) != len(header)), None)
     if ragged:
-        raise InputError(f"{path.name}: row {ragged} has {len(rows[ragged - 1])} values, the header names "
-                         f"{len(header)}: the file may be cut off; export it again.")
+        raise InputError(say("{path}: row {ragged} has {rows_count} values, the header names {header_count}: the "
+                             "file may be cut off; export it again.", path=path.name, ragged=ragged,
+                             rows_count=len(rows[ragged - 1]), header_count=len(header)))
     columns = dict(zip(header, zip(*rows[1:]))) if len(rows) > 1 else dict.fromkeys(header, ())
     made = trajectory_from_columns(columns, path.name, reading)
     return replace(made, format="csv", header=header, delimiter=delimiter, crs_wkt=crs_wkt)
@@ -113,16 +115,19 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     known = {_ALIASES.get(key.strip().lower(), key.strip().lower()): key for key in columns}
     missing = [column for column in COLUMNS if column not in known]
     if missing:
-        raise InputError(f"{name} has no column {', '.join(missing)}: a trajectory needs {','.join(COLUMNS)}.")
+        raise InputError(say("{name} has no column {missing}: a trajectory needs {columns}.", name=name,
+                             missing=", ".join(missing), columns=",".join(COLUMNS)))
     try:
         table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS]).T
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} holds a value that is no number ({error}): correct it.") from error
+        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
+                             error=error)) from error
     bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
     if len(bad):
-        raise InputError(f"{name} has no number in row {bad[0] + 2}: correct or remove it.")
+        raise InputError(say("{name} has no number in row {bad}: correct or remove it.", name=name, bad=bad[0] + 2))
     if len(table) < 2:
-        raise InputError(f"{name} has {len(table)} epochs: give a trajectory of at least two.")
+        raise InputError(say("{name} has {table_count} epochs: give a trajectory of at least two.", name=name,
+                             table_count=len(table)))
     order, notes = _order(table, name)
     used = {known[column] for column in COLUMNS}
     others = {key: [values[row] for row in order] for key, values in columns.items() if key not in used}
@@ -154,8 +159,8 @@ def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
         apart[:, 4:] = np.abs((apart[:, 4:] + 180.0) % 360.0 - 180.0)
         worst = int(np.argmax(apart[:, 1:4].max(axis=1)))
         if apart[:, 1:4].max() > 0.01 or apart[:, 4:].max() > 0.1:
-            raise InputError(f"{name} gives two different poses for the time {time[order[same[worst]]]:.4f} s: remove "
-                             "the wrong one.")
+            raise InputError(say("{name} gives two different poses for the time {time:.4f} s: remove the wrong one.",
+                                 name=name, time=time[order[same[worst]]]))
         notes.append(f"{name}: {len(same)} epochs are repeated; each was taken once.")
         order = np.delete(order, same + 1)
     return order, notes
@@ -165,7 +170,7 @@ def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[st
              reading: TrajectoryReading) -> TrajectoryFile:
     """The trajectory of a table in order, with notes on gaps, jumps and strange headings."""
     if len(table) < 2:
-        raise InputError(f"{name} has one epoch only: give a trajectory of at least two.")
+        raise InputError(say("{name} has one epoch only: give a trajectory of at least two.", name=name))
     angles = unwrapped(from_file_angles(table[:, 4:7], reading.angles))
     trajectory = Trajectory(table[:, 0].copy(), table[:, 1:4].copy(), angles)
     notes = [*notes, *judged_headings(trajectory, table[:, 4:7], reading.angles, name)]
@@ -180,28 +185,30 @@ def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[st
 def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> TrajectoryFile:
     """An Applanix SBET: latitude, longitude in radians, angles in radians from true north, ellipsoidal heights."""
     if not crs_wkt:
-        raise InputError(f"{path.name} is in latitude and longitude: the coordinate reference system of the survey "
-                         "must be known; store it in the point cloud or give it.")
+        raise InputError(say("{path} is in latitude and longitude: the coordinate reference system of the survey "
+                             "must be known; store it in the point cloud or give it.", path=path.name))
     size = path.stat().st_size
     if size == 0 or size % _SBET.itemsize:
-        raise InputError(f"{path.name} is no SBET file or is cut off: its length is no multiple of "
-                         f"{_SBET.itemsize} bytes.")
+        raise InputError(say("{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.",
+                             path=path.name, itemsize=_SBET.itemsize))
     records = np.fromfile(path, _SBET)
     if not (np.abs(records["latitude"]) < 1.6).all() or not (np.abs(records["longitude"]) < 6.3).all():
-        raise InputError(f"{path.name} is no SBET file: its latitudes are no angles in radians.")
+        raise InputError(say("{path} is no SBET file: its latitudes are no angles in radians.", path=path.name))
     bad = first_not_finite(records.view("<f8").reshape(len(records), -1))
     if bad is not None:
-        raise InputError(f"{path.name} has no number in record {bad + 1}: export it again, or remove the record.")
+        raise InputError(say("{path} has no number in record {bad}: export it again, or remove the record.",
+                             path=path.name, bad=bad + 1))
     if any(np.abs(records[name]).max() > _TURN for name in ("roll", "pitch", "heading")):
-        raise InputError(f"{path.name}: its angles are no radians, as those of an SBET are: export it again.")
+        raise InputError(say("{path}: its angles are no radians, as those of an SBET are: export it again.",
+                             path=path.name))
     x, y, convergence = _projected(records, crs_wkt)
     height, applied = _heights(records, reading, path.name)
     table = np.column_stack([records["time"], x, y, height, *np.degrees([records["roll"],
                              records["pitch"]]), np.degrees(records["heading"]) - convergence])
     bad = first_not_finite(table)
     if bad is not None:
-        raise InputError(f"{path.name} lies outside the coordinate reference system of the survey at record {bad + 1}: "
-                         "choose the right one.")
+        raise InputError(say("{path} lies outside the coordinate reference system of the survey at record {bad}: "
+                             "choose the right one.", path=path.name, bad=bad + 1))
     order, notes = _order(table, path.name)
     read = TrajectoryReading(geoid=reading.geoid)
     made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
@@ -247,7 +254,7 @@ def write_trajectory(path: str | os.PathLike, like: TrajectoryFile, trajectory: 
     elif like.format == "csv":
         data = _csv_text(like, trajectory).encode()
     else:
-        raise InputError("A trajectory that came as a layer is written as a layer.")
+        raise InputError(say("A trajectory that came as a layer is written as a layer."))
     with written_beside(path) as temporary:
         temporary.write_bytes(data)
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.geoid import Geoid
+from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, path_chainage, unwrapped
 
 ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
@@ -74,17 +75,19 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
     InputError : read in another way of counting they go with it.
     """
     if counted.startswith("radians") and np.abs(angles).max(initial=0.0) > _RADIAN_LIMIT:
-        raise InputError(f"{name}: angles of up to {np.abs(angles).max():.0f} are no radians: they are degrees; say "
-                         "so.")
+        raise InputError(say("{name}: angles of up to {max:.0f} are no radians: they are degrees; say so.", name=name,
+                             max=np.abs(angles).max()))
     away = {way: _away(trajectory, angles, way) for way in ANGLES}
     off = away[counted]
     if not np.isfinite(off) or off <= _AGREES:
         return []
     best = min(away, key=lambda way: away[way])
     if best != counted and away[best] <= _AGREES and off > _CLEARLY * away[best]:
-        raise InputError(f"{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read as "
-                         f"{ANGLE_NAMES[ANGLES.index(best)]} they go with it ({away[best]:.1f}°): say that the angles "
-                         f"are counted so, or convert them to {ANGLE_NAMES[0]}.")
+        raise InputError(say("{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read "
+                             "as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or "
+                             "convert them to {angle_names_2}.", name=name, off=off,
+                             angle_names=ANGLE_NAMES[ANGLES.index(best)], away=away[best],
+                             angle_names_2=ANGLE_NAMES[0]))
     if off > 180.0 - _AGREES:
         return [f"{name}: the vehicle drove backwards, or its headings are half a turn off: they point against the "
                 "direction of travel."]

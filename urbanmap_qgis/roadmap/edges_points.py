@@ -15,6 +15,7 @@ from ..mobile.gps_time import time_shift
 from ..mobile.markings.survey_points import STOPPED, breaks, sampled_span
 from ..mobile.trajectory import Trajectory, gaps, interpolate, path_chainage
 from ..progress import SILENT, Progress
+from ..wording import say
 from .edges_records import POINT
 
 TILE = 20.0
@@ -84,8 +85,8 @@ class EdgePoints:
                 self._add(np.column_stack([np.asarray(chunk[name])[rows] for name in "xyz"]), time[rows])
         if not self.kept_points:
             raise InsufficientDataError(
-                f"No point of {self.cloud.paths[0].name} was measured beside the path at the height of its road: give "
-                "points and trajectory of one drive, in one coordinate and height system.")
+                say("No point of {paths} was measured beside the path at the height of its road: give points and "
+                    "trajectory of one drive, in one coordinate and height system.", paths=self.cloud.paths[0].name))
 
     def _moving(self, time: np.ndarray) -> np.ndarray:
         """Mask (n,) of times at which the vehicle's place is known and it does not stand."""

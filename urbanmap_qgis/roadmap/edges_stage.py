@@ -13,6 +13,7 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import open_cloud
 from ..mobile.trajectory import Trajectory
 from ..progress import SILENT, Progress
+from ..wording import say
 from .edges_assembly import kerb_lines
 from .edges_borders import border_candidates, border_lines, measure_borders
 from .edges_courses import find_courses, lengthened, linked
@@ -98,8 +99,9 @@ def _candidates(survey: EdgePoints, settings: EdgeSettings, ground, progress: Pr
         density += _densities(tile, low, survey)
     if not density or np.median(density) < _SPARSE:
         found = float(np.median(density)) if density else 0.0
-        raise InsufficientDataError(f"There are {found:.1f} ground points a square metre beside the path: edges need "
-                                    f"{_SPARSE:.0f} or more; give the whole survey, not a thinned one.")
+        raise InsufficientDataError(say("There are {found:.1f} ground points a square metre beside the path: edges "
+                                        "need {sparse:.0f} or more; give the whole survey, not a thinned one.",
+                                        found=found, sparse=_SPARSE))
     return tuple(joined_candidates(parts) for parts in (steps, uprights, borders))
 
 

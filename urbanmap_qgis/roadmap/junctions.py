@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ..wording import say
 from .lane_assembly import centre_line
 from .map_records import Bound, DrivenPath, Finding, MapLane, VectorMap
 from .narrow_places import passes_narrow_place
@@ -123,12 +124,14 @@ def _add_virtual(built: VectorMap, one: int, other: int, path: np.ndarray) -> No
     if _append(built, one, other, sides, "drive"):
         return
     if _append(built, one, other, _about_curve(built, one, other), "drive, by width"):
-        built.findings.append(Finding("way drawn by width", "A drive leads from one lane to another here, but bounds "
-                                      "along it would cross; they are drawn at a lane's width about a smooth curve.",
+        built.findings.append(Finding("way drawn by width", say("A drive leads from one lane to another here, but "
+                                                                "bounds along it would cross; they are drawn at a "
+                                                                "lane's width about a smooth curve."),
                                       float(x), float(y)))
         return
-    built.findings.append(Finding("way not drawn", "A drive leads from one lane to another here, but bounds along it "
-                                  "would cross; no virtual lane was made.", float(x), float(y)))
+    built.findings.append(Finding("way not drawn", say("A drive leads from one lane to another "
+                                                       "here, but bounds along it would cross; "
+                                                       "no virtual lane was made."), float(x), float(y)))
 
 
 def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray], evidence: str) -> bool:
@@ -254,6 +257,7 @@ def _tell_uncovered(built: VectorMap, places: np.ndarray, covered: np.ndarray) -
     for start, end in edges:
         if (end - start) * STATION >= 10.0:
             x, y = places[(start + end) // 2, :2]
-            built.findings.append(Finding("driven without lane", f"A drive runs {(end - start) * STATION:.0f} m "
-                                          "outside all lanes here: lines are missing, or were not seen.", float(x),
+            built.findings.append(Finding("driven without lane", say("A drive runs {end:.0f} m outside all lanes "
+                                                                     "here: lines are missing, or were not seen.",
+                                                                     end=(end - start) * STATION), float(x),
                                           float(y)))

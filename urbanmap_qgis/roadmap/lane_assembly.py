@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from ..wording import say
 from .lane_strips import Strip, strip_middle
 from .map_records import Bound, Finding, MapLane, MapLine, VectorMap
 from .road_sections import BoundTrack, RoadSection
@@ -24,8 +25,9 @@ def add_section(built: VectorMap, section: RoadSection, strips: Sequence[Strip])
         if strip.sign == 0:
             x, y = strip_middle(section, strip)
             built.findings.append(Finding(
-                "no lane made", f"A strip of lane width ({strip.width:.1f} m wide, {strip.end - strip.start:.0f} m "
-                "long) shows neither drive nor arrow nor a lane line to a lane beside it; no lane was made.", x, y))
+                "no lane made", say("A strip of lane width ({width:.1f} m wide, {end:.0f} m long) shows neither "
+                                    "drive nor arrow nor a lane line to a lane beside it; no lane was made.",
+                                    width=strip.width, end=strip.end - strip.start), x, y))
             continue
         for track in (strip.right, strip.left):
             if (track, strip.start) not in bounds:
@@ -50,7 +52,8 @@ def _bound(built: VectorMap, track: BoundTrack, strip: Strip, number: int, nodes
     unseen = strip.end - strip.start - seen
     if unseen > 1.0:
         x, y = track.place((strip.start + strip.end) / 2.0)[:2]
-        built.findings.append(Finding("bound not seen", f"The bound is drawn through {unseen:.1f} m without a line.",
+        built.findings.append(Finding("bound not seen", say("The bound is drawn through {unseen:.1f} m without a "
+                                                            "line.", unseen=unseen),
                                       float(x), float(y)))
     return len(built.bounds) - 1
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..wording import say
 from .map_records import DrivenPath, Finding, MapArea, MapSettings
 from .road_sections import STEP, BoundTrack, RoadSection
 
@@ -349,10 +350,10 @@ def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
     contradicts = min(forward, backward) > 0.3 * max(forward, backward)
     if max(ways) >= CLEAR_DRIVE and min(ways) <= 0.1 * max(ways):
         return 1 if ways[0] > ways[1] else -1, DRIVEN, (
-            "Arrows or stop lines contradict the drives about the direction here; that of the drives was taken."
+            say("Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.")
             if contradicts else "")
     if contradicts:
-        return 0, "", "Drives, arrows or stop lines contradict each other about the direction here."
+        return 0, "", say("Drives, arrows or stop lines contradict each other about the direction here.")
     if max(forward, backward) >= min(LEAST_DRIVE, length / 2.0) and (max(ways) > 0 or length > LEAST_UNDRIVEN):
         return 1 if forward > backward else -1, DRIVEN if max(ways) > 0 else PAINTED, ""
     return 0, "", ""

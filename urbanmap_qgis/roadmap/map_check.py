@@ -11,6 +11,7 @@ import pyproj
 import shapely
 
 from ..io.osm import OsmFile, OsmRelation
+from ..wording import say
 
 TOO_CLOSE = 0.05
 """Points of one line so near are one point drawn twice, m."""
@@ -119,7 +120,8 @@ def check_map(content: OsmFile) -> list[MapFault]:
 
 def _identity(inspected: MapInspection) -> Iterator[MapFault]:
     for kind, number in inspected.content.repeated:
-        yield inspected.fault("repeated id", "error", f"More than one {kind} has the id {number}.", f"{kind} {number}")
+        yield inspected.fault("repeated id", "error", say("More than one {kind} has the id {number}.", kind=kind,
+                                                          number=number), f"{kind} {number}")
 
 
 def _references(inspected: MapInspection) -> Iterator[MapFault]:
@@ -128,16 +130,19 @@ def _references(inspected: MapInspection) -> Iterator[MapFault]:
     for number, way in content.ways.items():
         missing = [node for node in way.nodes if node not in content.nodes]
         if missing:
-            yield inspected.fault("missing reference", "error", f"The way refers to node {missing[0]}, which is not in "
-                                  "the file.", f"way {number}", way.nodes)
+            yield inspected.fault("missing reference", "error", say("The way refers to node {missing}, which is not "
+                                                                    "in the file.",
+                                                                    missing=missing[0]), f"way {number}", way.nodes)
         elif len(way.nodes) < 2:
-            yield inspected.fault("missing reference", "error", "The way has fewer than two nodes.", f"way {number}",
+            yield inspected.fault("missing reference", "error", say("The way has fewer than two "
+                                                                    "nodes."), f"way {number}",
                                   way.nodes)
     for number, relation in content.relations.items():
         for kind, member, _ in relation.members:
             if member not in held.get(kind, {}):
-                yield inspected.fault("missing reference", "error", f"The relation refers to {kind} {member}, which is "
-                                      "not in the file.", f"relation {number}")
+                yield inspected.fault("missing reference", "error", say("The relation refers to {kind} {member}, "
+                                                                        "which is not in the file.", kind=kind,
+                                                                        member=member), f"relation {number}")
 
 
 def _tags(inspected: MapInspection) -> Iterator[MapFault]:
@@ -146,18 +151,20 @@ def _tags(inspected: MapInspection) -> Iterator[MapFault]:
                if kind == "way"}
     for number, way in content.ways.items():
         if "type" not in way.tags and number in members:
-            yield inspected.fault("mandatory tag", "error", "The way has no tag type.", f"way {number}", way.nodes)
+            yield inspected.fault("mandatory tag", "error", say("The way has no tag type."), f"way {number}", way.nodes)
         elif way.tags.get("type") in ("line_thin", "line_thick") and "subtype" not in way.tags:
-            yield inspected.fault("mandatory tag", "warning", "The painted line has no tag subtype (solid, dashed).",
+            yield inspected.fault("mandatory tag", "warning", say("The painted line has no tag subtype (solid, "
+                                                                  "dashed)."),
                                   f"way {number}", way.nodes)
     for lane in inspected.lanes:
         for tag, severity in (("subtype", "error"), ("location", "warning")):
             if tag not in lane.relation.tags:
-                yield inspected.fault("mandatory tag", severity, f"The lanelet has no tag {tag}.", _name(lane),
+                yield inspected.fault("mandatory tag", severity, say("The lanelet has no tag {tag}.",
+                                                                     tag=tag), _name(lane),
                                       lane.left)
         if lane.relation.tags.get("subtype") in ROADS and "speed_limit" not in lane.relation.tags:
-            yield inspected.fault("speed limit", "info", "The lanelet has no speed limit: that of the traffic rules "
-                                  "will hold, or none.", _name(lane), lane.left)
+            yield inspected.fault("speed limit", "info", say("The lanelet has no speed limit: that of the traffic "
+                                                             "rules will hold, or none."), _name(lane), lane.left)
 
 
 def _name(lane: CheckedLane) -> str:
@@ -169,8 +176,9 @@ def _sides(inspected: MapInspection) -> Iterator[MapFault]:
     for number, relation in inspected.content.relations.items():
         if relation.tags.get("type") == "lanelet" and number not in readable:
             roles = Counter(role for kind, _, role in relation.members if kind == "way")
-            yield inspected.fault("bounds", "error", f"The lanelet has {roles['left']} left and {roles['right']} right "
-                                  "ways that can be read; it needs one of each.", f"lanelet {number}")
+            yield inspected.fault("bounds", "error", say("The lanelet has {left} left and {right} right ways that "
+                                                         "can be read; it needs one of each.", left=roles["left"],
+                                                         right=roles["right"]), f"lanelet {number}")
 
 
 def _points(inspected: MapInspection) -> Iterator[MapFault]:
@@ -183,7 +191,8 @@ def _points(inspected: MapInspection) -> Iterator[MapFault]:
         for k in np.flatnonzero(steps < TOO_CLOSE):
             same = nodes[k] == nodes[k + 1]
             yield inspected.fault("duplicated point" if same or steps[k] == 0 else "points too close", "warning",
-                                  f"Two points of the line follow each other within {steps[k]:.3f} m.", f"way {number}",
+                                  say("Two points of the line follow each other within {steps:.3f} m.",
+                                      steps=steps[k]), f"way {number}",
                                   nodes[k:k + 1])
 
 
@@ -194,16 +203,19 @@ def _shape(inspected: MapInspection) -> Iterator[MapFault]:
             continue
         shared = set(lane.left) & set(lane.right)
         if left.crosses(right) or (shared and lane.ways[0] == lane.ways[1]):
-            yield inspected.fault("geometry", "error", "The lanelet's bounds cross or are the same way.", _name(lane),
+            yield inspected.fault("geometry", "error", say("The lanelet's bounds cross or are the same "
+                                                           "way."), _name(lane),
                                   lane.left)
             continue
         if not (left.is_simple and right.is_simple):
-            yield inspected.fault("geometry", "error", "A bound of the lanelet crosses itself.", _name(lane), lane.left)
+            yield inspected.fault("geometry", "error", say("A bound of the lanelet crosses "
+                                                           "itself."), _name(lane), lane.left)
         if lane.relation.tags.get("subtype") not in ROADS:
             continue
         width = shapely.distance(shapely.line_interpolate_point(left, np.linspace(0.1, 0.9, 9), normalized=True), right)
         if width.min() < NARROW or width.max() > WIDE:
-            yield inspected.fault("width", "warning", f"The lanelet is {width.min():.2f} to {width.max():.2f} m wide.",
+            yield inspected.fault("width", "warning", say("The lanelet is {min:.2f} to {max:.2f} m wide.",
+                                                          min=width.min(), max=width.max()),
                                   _name(lane), lane.left)
 
 
@@ -220,9 +232,13 @@ def _borders(inspected: MapInspection) -> Iterator[MapFault]:
             shorter, longer = sorted((line, other_line), key=lambda one: one.length)
             inner = shapely.line_interpolate_point(shorter, np.linspace(0.15, 0.85, 7), normalized=True)
             if shapely.distance(inner, longer).max() < SAME_BORDER:
-                yield inspected.fault("border not shared", "warning", f"The bounds of lanelets "
-                                      f"{lane.relation.identifier} and {other_lane.relation.identifier} coincide but "
-                                      f"are two ways ({way}, {other_way}).", _name(lane), lane.left)
+                yield inspected.fault("border not shared", "warning", say("The bounds of lanelets {identifier} and "
+                                                                          "{identifier_2} coincide but are two ways "
+                                                                          "({way}, {other_way}).",
+                                                                          identifier=lane.relation.identifier,
+                                                                          identifier_2=other_lane.relation.identifier,
+                                                                          way=way,
+                                                                          other_way=other_way), _name(lane), lane.left)
 
 
 def _rules_referred(inspected: MapInspection) -> Iterator[MapFault]:
@@ -239,22 +255,22 @@ def _rules_referred(inspected: MapInspection) -> Iterator[MapFault]:
         crosswalks |= {member for kind, member, role in relation.members if kind == "relation" and role == "refers"}
         nodes = inspected.line(ways[0]) if ways else ()
         if "subtype" not in relation.tags:
-            yield inspected.fault("mandatory tag", "error", "The regulatory element has no tag subtype.",
+            yield inspected.fault("mandatory tag", "error", say("The regulatory element has no tag subtype."),
                                   f"regulatory element {number}", nodes)
         elif number not in used:
-            yield inspected.fault("not referred to", "error", "No lanelet refers to this regulatory element.",
+            yield inspected.fault("not referred to", "error", say("No lanelet refers to this regulatory element."),
                                   f"regulatory element {number}", nodes)
         if relation.tags.get("subtype") in AUTOWARE_REFERRED and not any(
                 role == "refers" for *_, role in relation.members):
-            yield inspected.fault("missing reference", "error", "The regulatory element refers to nothing (role "
-                                  "refers).", f"regulatory element {number}", nodes)
+            yield inspected.fault("missing reference", "error", say("The regulatory element refers to nothing (role "
+                                                                    "refers)."), f"regulatory element {number}", nodes)
     for number, way in content.ways.items():
         if way.tags.get("type") == "stop_line" and number not in stops:
-            yield inspected.fault("not referred to", "warning", "No regulatory element refers to this stop line.",
+            yield inspected.fault("not referred to", "warning", say("No regulatory element refers to this stop line."),
                                   f"way {number}", way.nodes)
     for lane in inspected.lanes:
         if lane.relation.tags.get("subtype") == "crosswalk" and lane.relation.identifier not in crosswalks:
-            yield inspected.fault("not referred to", "warning", "No regulatory element refers to this crosswalk.",
+            yield inspected.fault("not referred to", "warning", say("No regulatory element refers to this crosswalk."),
                                   _name(lane), lane.left)
 
 
@@ -268,11 +284,12 @@ def _routing(inspected: MapInspection) -> Iterator[MapFault]:
         follows = begins[lane.left[-1], lane.right[-1]]
         precedes = ends[lane.left[0], lane.right[0]]
         if not follows and not precedes:
-            yield inspected.fault("routing graph", "warning", "The lanelet has neither a next nor a previous one.",
+            yield inspected.fault("routing graph", "warning", say("The lanelet has neither a next nor a previous one."),
                                   _name(lane), lane.left)
         elif not follows or not precedes:
-            yield inspected.fault("routing graph", "info", "The lanelet is an end of the map: it has no "
-                                  f"{'next' if not follows else 'previous'} one.", _name(lane), lane.left)
+            told = say("The lanelet is an end of the map: no other follows it.") if not follows else say(
+                "The lanelet is an end of the map: none leads to it.")
+            yield inspected.fault("routing graph", "info", told, _name(lane), lane.left)
 
 
 def _autoware(inspected: MapInspection) -> Iterator[MapFault]:

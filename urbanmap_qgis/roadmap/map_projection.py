@@ -10,6 +10,7 @@ import pyproj
 
 from ..errors import InputError
 from ..io.atomic import written_beside
+from ..wording import say
 
 PROJECTORS = ("TransverseMercator", "MGRS")
 SCALE = 0.9996
@@ -53,11 +54,12 @@ def map_coordinates(xy: np.ndarray, crs_wkt: str, projector: str = "TransverseMe
         crs = pyproj.CRS.from_wkt(crs_wkt)
         back = pyproj.Transformer.from_crs(crs.to_2d(), "EPSG:4326", always_xy=True)
     except pyproj.exceptions.ProjError as error:
-        raise InputError("The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file needs: "
-                         "assign a projected CRS known to PROJ.") from error
+        raise InputError(say("The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file "
+                             "needs: assign a projected CRS known to PROJ.")) from error
     longitude, latitude = back.transform(xy[:, 0], xy[:, 1])
     if not (np.isfinite(longitude).all() and np.isfinite(latitude).all()):
-        raise InputError("Places of the map have no latitude and longitude in its CRS: check the CRS of the lines.")
+        raise InputError(say("Places of the map have no latitude and longitude in its CRS: check the CRS of the "
+                             "lines."))
     if projector == "MGRS":
         return _in_mgrs(np.asarray(latitude), np.asarray(longitude))
     origin = (round(float(np.mean(latitude)), 6), round(float(np.mean(longitude)), 6))
@@ -72,8 +74,8 @@ def _in_mgrs(latitude: np.ndarray, longitude: np.ndarray) -> MapCoordinates:
     utm = np.column_stack(plane(longitude, latitude))
     square = np.unique(np.floor(utm / 1e5).astype(int), axis=0)
     if len(square) > 1:
-        raise InputError("The map lies in more than one MGRS square, in which Autoware's local coordinates would "
-                         "repeat: take the projector TransverseMercator.")
+        raise InputError(say("The map lies in more than one MGRS square, in which Autoware's local coordinates would "
+                             "repeat: take the projector TransverseMercator."))
     east, north = square[0]
     band = _BANDS[min(int((np.mean(latitude) + 80.0) // 8.0), len(_BANDS) - 1)]
     grid = f"{zone}{band}{_COLUMNS[zone % 3][east - 1]}{_ROWS[zone % 2][north % 20]}"

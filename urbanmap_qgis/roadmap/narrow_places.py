@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from ..wording import say
 from .map_records import DrivenPath, Finding, MapSettings
 from .road_sections import STEP, RoadSection
 
@@ -40,9 +41,10 @@ def narrow_places(section: RoadSection, drives: Sequence[DrivenPath], settings: 
                     foot, along = section.axis.frame(np.array([np.mean(span)]))
                     across = float(np.mean([offset[k][(first + last) // 2] for k in (right, left)]))
                     x, y = foot[0] + across * np.array([-along[0, 1], along[0, 0]])
-                    findings.append(Finding(NARROW, "A drive runs between lines that leave less than a lane: "
-                                            f"{wide[first:last].min():.1f} m, for {span[1] - span[0]:.0f} m; no lane "
-                                            "was made.", float(x), float(y)))
+                    findings.append(Finding(NARROW, say("A drive runs between lines that leave less than a lane: "
+                                                        "{min:.1f} m, for {span:.0f} m; no lane was made.",
+                                                        min=wide[first:last].min(),
+                                                        span=span[1] - span[0]), float(x), float(y)))
     return findings
 
 

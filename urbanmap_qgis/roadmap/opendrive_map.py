@@ -13,6 +13,7 @@ import shapely
 
 from ..errors import InputError
 from ..io.atomic import written_beside
+from ..wording import say
 from .map_records import Bound, MapArea, VectorMap
 from .plan_view import CubicPiece, PlanElement, along_plan, fit_plan_view, fit_profile, plan_length
 from .road_layout import LaneRoad, RoadLayout, road_layout
@@ -78,8 +79,8 @@ def opendrive_tree(built: VectorMap, crs_wkt: str,
     for number in range(len(layout.junctions)):
         _add_junction(root, built, layout, number)
     return ET.ElementTree(root), [
-        f"Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the "
-        "connection is missing in the OpenDRIVE file." for one, other in layout.untold]
+        say("Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the "
+            "connection is missing in the OpenDRIVE file.", one=one, other=other) for one, other in layout.untold]
 
 
 def write_opendrive(path: str | os.PathLike, tree: ET.ElementTree) -> None:
@@ -106,8 +107,8 @@ def _add_header(root: ET.Element, crs_wkt: str, origin: np.ndarray, local: np.nd
             warnings.simplefilter("ignore", UserWarning)  # a PROJ string holds less: the format asks for it
             reference = pyproj.CRS.from_wkt(crs_wkt).to_2d().to_proj4()
     except pyproj.exceptions.ProjError as error:
-        raise InputError("The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a projected "
-                         "CRS known to PROJ.") from error
+        raise InputError(say("The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a "
+                             "projected CRS known to PROJ.")) from error
     low, high = local.min(axis=0), local.max(axis=0)
     header = _add(root, "header", revMajor=1, revMinor=7, name="lane map", version="1", north=high[1], south=low[1],
                   east=high[0], west=low[0])

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..progress import SILENT, Progress
+from ..wording import say
 from .bound_continuation import continued
 from .junctions import connect_by_drives
 from .lane_assembly import add_section
@@ -98,8 +99,8 @@ def _rule_of_the_road(worked, settings: MapSettings) -> bool | None:
 
 def _without_drives(lines: Sequence[MapLine]) -> Finding:
     x, y = lines[0].points[0, :2] if len(lines) else (np.nan, np.nan)
-    return Finding("no drive", "No trajectory was given: only arrows and stop lines tell directions, and nothing "
-                   "connects lanes through junctions.", float(x), float(y))
+    return Finding("no drive", say("No trajectory was given: only arrows and stop lines tell directions, and nothing "
+                                   "connects lanes through junctions."), float(x), float(y))
 
 
 def _refer(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[MapArea]) -> None:
@@ -119,7 +120,7 @@ def _refer(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[M
             built.lanes[number].stop_lines.append(len(built.stop_lines))
         if not referring:
             x, y = stop[:, :2].mean(axis=0)
-            built.findings.append(Finding("stop line without lane", "No lane of the map ends at this stop line.",
+            built.findings.append(Finding("stop line without lane", say("No lane of the map ends at this stop line."),
                                           float(x), float(y)))
         built.stop_lines.append(stop)
     for area in crosswalks:
@@ -142,8 +143,8 @@ def _tell_open_ends(built: VectorMap) -> None:
     """Findings where a lane leads nowhere or comes from nowhere."""
     entered = {follower for lane in built.lanes for follower in lane.successors}
     for number, lane in enumerate(built.lanes):
-        for missing, tip, text in ((not lane.successors, -1, "No drive shows where this lane leads to."),
-                                   (number not in entered, 0, "No drive shows where this lane comes from.")):
+        for missing, tip, text in ((not lane.successors, -1, say("No drive shows where this lane leads to.")),
+                                   (number not in entered, 0, say("No drive shows where this lane comes from."))):
             if missing:
                 x, y = lane.centre[tip, :2]
                 built.findings.append(Finding("open end", text, float(x), float(y)))

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from ..errors import InputError
+from ..wording import say
 
 FAULTS = {
     "steps": "the reported trajectories jump by 2 m within 20 m of path, as after a GNSS re-fix",
@@ -59,7 +60,8 @@ def checked_faults(names: Iterable[str]) -> tuple[str, ...]:
     given = list(names)
     for name in given:
         if name not in FAULTS:
-            raise InputError(f"There is no fault {name!r}: choose among {', '.join(FAULTS)}.")
+            raise InputError(say("There is no fault {name!r}: choose among {faults}.", name=name,
+                                 faults=", ".join(FAULTS)))
     return tuple(name for name in FAULTS if name in given)
 
 

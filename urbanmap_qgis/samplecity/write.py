@@ -16,6 +16,7 @@ import numpy as np
 
 from ..errors import OutputError
 from ..progress import SILENT, Progress
+from ..wording import say
 from .aerial.stage import write_aerial
 from .drive.lines import write_lines
 from .drive.mms import write_mms
@@ -102,7 +103,8 @@ def make_city(folder: Path, size: float = 200.0, scene: str = "canyon", seed: in
         _write_summary(work, summary, *city)
         _move(work, folder)
     except OSError as error:
-        raise OutputError(f"The folder {folder} cannot be written ({error.strerror}): choose another.") from error
+        raise OutputError(say("The folder {folder} cannot be written ({strerror}): choose another.", folder=folder,
+                              strerror=error.strerror)) from error
     finally:
         shutil.rmtree(work, ignore_errors=True)
     progress.step(1.0)

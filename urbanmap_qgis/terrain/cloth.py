@@ -25,6 +25,7 @@ from ..errors import InputError, InsufficientDataError
 from ..geometry.grid import Grid
 from ..geometry.sampling import Bilinear
 from ..progress import SILENT, Progress
+from ..wording import say
 from .delaunay import extreme_in_cells
 from .lowest_heights import NEIGHBOUR_STEP, PIT_DEPTH, LowestHeights, lowest_heights, node_of_points
 from .outliers import isolation_limit, plausible
@@ -62,9 +63,9 @@ class ClothSettings:
 
     def __post_init__(self) -> None:
         if not self.resolution > 0 or not self.threshold > 0 or self.iterations < 1:
-            raise InputError("Cloth resolution, threshold and iterations must be greater than 0.")
+            raise InputError(say("Cloth resolution, threshold and iterations must be greater than 0."))
         if self.rigidness not in _CURVATURE:
-            raise InputError("The cloth's rigidness must be 1, 2 or 3.")
+            raise InputError(say("The cloth's rigidness must be 1, 2 or 3."))
 
     @property
     def sag(self) -> float:
@@ -122,7 +123,7 @@ def _usable(x: np.ndarray, y: np.ndarray, z: np.ndarray) -> np.ndarray | slice:
     """What picks the plausible points: all of them, or a mask."""
     usable = plausible(x, y, z)
     if not usable.any():
-        raise InsufficientDataError("The cloud has no point with a usable height.")
+        raise InsufficientDataError(say("The cloud has no point with a usable height."))
     return slice(None) if usable.all() else usable
 
 
@@ -202,7 +203,7 @@ def first_cloth(levels: LowestHeights, settings: ClothSettings,
     """
     lowest, second, support = levels.lowest, levels.second, levels.support
     if not np.isfinite(lowest).any():
-        raise InsufficientDataError("The cloud has no points that could be ground.")
+        raise InsufficientDataError(say("The cloud has no points that could be ground."))
     filled = support[support > 0]
     firm = support >= max(_FIRM * float(np.median(filled)), 1.0) if len(filled) else support > 0
     # Pits must not tilt the trend. Under dense forest hardly any cell is firm: there all must serve.
@@ -218,7 +219,7 @@ def first_cloth(levels: LowestHeights, settings: ClothSettings,
         # What turns out to be a pit again has no further level: the cell counts as empty.
         second = np.where(pit, np.inf, second)
         if not np.isfinite(lowest).any():
-            raise InsufficientDataError("The cloud has no points that could be ground.")
+            raise InsufficientDataError(say("The cloud has no points that could be ground."))
     return trend + cloth, trend, lowest
 
 
@@ -292,7 +293,7 @@ def _equilibrium(obstacle: np.ndarray, settings: ClothSettings, pinned: np.ndarr
     """
     finite = np.isfinite(obstacle)
     if not finite.any():
-        raise InsufficientDataError("The cloud has no point with a usable height.")
+        raise InsufficientDataError(say("The cloud has no point with a usable height."))
     if start is None:
         if min(obstacle.shape) <= 4:
             start = np.full(obstacle.shape, obstacle[finite].min())

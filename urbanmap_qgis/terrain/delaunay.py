@@ -24,6 +24,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import Delaunay, QhullError
 
 from ..errors import InsufficientDataError
+from ..wording import say
 
 _BLOCK_POINTS = 12_000
 _LATTICE_BITS = 18
@@ -284,7 +285,7 @@ def triangulate(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """
     x, y = np.asarray(x, dtype=np.float64), np.asarray(y, dtype=np.float64)
     if len(x) < 3:
-        raise InsufficientDataError("A surface needs at least three points: check the input's extent.")
+        raise InsufficientDataError(say("A surface needs at least three points: check the input's extent."))
     blocks = Blocks.for_spacing(typical_spacing(x, y))
     parts, edge_parts = [np.empty((0, 3), dtype=np.int64)], [np.empty((0, 2), dtype=np.int64)]
     reach = blocks.radius
@@ -302,7 +303,7 @@ def triangulate(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     large = members[bridge(x[members], y[members], np.searchsorted(members, edges))]
     triangles = np.concatenate((small, large))
     if not len(triangles):
-        raise InsufficientDataError("All points lie on one line: a surface cannot be built from them.")
+        raise InsufficientDataError(say("All points lie on one line: a surface cannot be built from them."))
     return triangles
 
 

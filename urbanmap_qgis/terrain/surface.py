@@ -11,6 +11,7 @@ from ..errors import InputError, InsufficientDataError
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
+from ..wording import say
 from .cloth import JAVANMARDI, ClothSettings, classify_ground
 from .delaunay import highest_in_cells, triangulate
 from .outliers import isolated, isolation_limit, plausible
@@ -54,18 +55,18 @@ def ground_source(class_counts: np.ndarray, wanted: str = "automatic") -> Ground
     """
     total = int(class_counts.sum())
     if not total:
-        raise InsufficientDataError("The cloud holds no usable points: all are noise or have no valid height.")
+        raise InsufficientDataError(say("The cloud holds no usable points: all are noise or have no valid height."))
     ground = int(class_counts[list(GROUND_CLASSES)].sum())
     undecided = int(class_counts[list(_UNDECIDED)].sum())
     if wanted not in ("automatic", "classes", "cloth"):
-        raise InputError(f"The ground source must be automatic, classes or cloth, not {wanted}.")
+        raise InputError(say("The ground source must be automatic, classes or cloth, not {wanted}.", wanted=wanted))
     if wanted == "classes" and not ground:
-        raise InsufficientDataError("The cloud has no ground points (class 2): choose the cloth filter instead.")
+        raise InsufficientDataError(say("The cloud has no ground points (class 2): choose the cloth filter instead."))
     if wanted == "classes" or (wanted == "automatic" and ground >= _ENOUGH * total):
         return GroundSource("classes", f"{ground:,} of {total:,} points have a ground class")
     if undecided + ground < _ENOUGH * total:
-        raise InsufficientDataError("The cloud has no ground points, only points classified as something else "
-                                    "(such as buildings): give the whole cloud with its ground.")
+        raise InsufficientDataError(say("The cloud has no ground points, only points classified as something else "
+                                        "(such as buildings): give the whole cloud with its ground."))
     return GroundSource("cloth", f"{undecided:,} of {total:,} points are unclassified")
 
 
@@ -93,7 +94,7 @@ def ground_mask(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: np.
         mask[usable] = classify_ground(x[usable], y[usable], z[usable], settings, progress)
         mask &= classification != _BUILDING
     if not mask.any():
-        raise InsufficientDataError("No ground points were found: check that the cloud shows the ground.")
+        raise InsufficientDataError(say("No ground points were found: check that the cloud shows the ground."))
     return mask
 
 

@@ -23,6 +23,7 @@ from ..io.point_buckets import PointBuckets
 from ..io.pointcloud import PointCloud, iter_chunks, open_cloud, plan_crs, valid_points
 from ..io.raster import write_raster
 from ..progress import SILENT, Progress
+from ..wording import say
 from .cloth import JAVANMARDI, ClothSettings, LowestHeights, final_cloth, first_cloth
 from .delaunay import Blocks, bridge, cancel_twins
 from .outliers import isolation_limit, plausible
@@ -72,9 +73,9 @@ class SurfaceSettings:
 
     def __post_init__(self) -> None:
         if not self.resolution > 0:
-            raise InputError("The resolution must be greater than 0.")
+            raise InputError(say("The resolution must be greater than 0."))
         if not self.max_edge >= 0:
-            raise InputError("The longest edge must be 0 or greater.")
+            raise InputError(say("The longest edge must be 0 or greater."))
 
 
 @dataclass(frozen=True)
@@ -112,12 +113,14 @@ def metric_crs_wkt(cloud: PointCloud) -> str:
     """
     name = cloud.paths[0].name
     if not cloud.crs_wkt:
-        raise InputError(f"{name} states no coordinate reference system: assign one to the file first.")
+        raise InputError(say("{name} states no coordinate reference system: assign one to the file first.", name=name))
     crs = plan_crs(CRS.from_wkt(cloud.crs_wkt))
     if not crs.is_projected:
-        raise InputError(f"{name} is in {crs.name}, which is not projected: reproject it to metres first.")
+        raise InputError(say("{name} is in {crs}, which is not projected: reproject it to metres first.", name=name,
+                             crs=crs.name))
     if any(abs(axis.unit_conversion_factor - 1.0) > 1e-9 for axis in crs.axis_info):
-        raise InputError(f"{name} is in {crs.name}, which is not in metres: reproject it to metres first.")
+        raise InputError(say("{name} is in {crs}, which is not in metres: reproject it to metres first.", name=name,
+                             crs=crs.name))
     return crs.to_wkt()
 
 
@@ -148,15 +151,16 @@ def surfaces_from_files(paths: Sequence[str | os.PathLike], surface_path: str | 
         work.read(progress.part(0.0, 0.35))
         source = ground_source(work.class_counts, settings.ground) if ground_path else None
         if source:
-            progress.message(f"Ground by {'classes' if source.method == 'classes' else 'the cloth filter'}: "
-                             f"{source.reason}.")
+            progress.message(say("Ground by {value}: {reason}.",
+                                 value=say("classes") if source.method == "classes" else say("the cloth filter"),
+                                 reason=source.reason))
         work.reduce(source, progress.part(0.35, 0.6))
         mesh = stack.enter_context(mesh_writer(mesh_path)) if mesh_path else None
         surface = _Canvas(work, work.highest, progress.part(0.6, 0.8), settings.max_edge, mesh)
         ground = None
         if source:
             if not work.ground_points:
-                raise InsufficientDataError("No ground points were found: check that the cloud shows the ground.")
+                raise InsufficientDataError(say("No ground points were found: check that the cloud shows the ground."))
             ground = _Canvas(work, work.ground, progress.part(0.8, 0.9), framed=True).raster
             if settings.ground_in_gaps:
                 gap = np.isnan(surface.raster) & surface.covered
@@ -164,11 +168,13 @@ def surfaces_from_files(paths: Sequence[str | os.PathLike], surface_path: str | 
             ground[~surface.covered] = np.nan
         empty = float(np.count_nonzero(np.isnan(surface.raster))) / surface.raster.size
         if surface.left_out:
-            progress.message(f"{surface.left_out:,} of {surface.triangles:,} triangles were longer than "
-                             f"{settings.max_edge:g} m and left out.")
+            progress.message(say("{left_out:,} of {triangles:,} triangles were longer than {max_edge:g} m and left "
+                                 "out.", left_out=surface.left_out, triangles=surface.triangles,
+                                 max_edge=settings.max_edge))
         if surface.far_share > 0.05 and not settings.max_edge:
-            progress.warn(f"{100 * surface.far_share:.0f} % of the surface spans {surface.far:g} m or more without "
-                          "points (water, gaps): set a longest edge to leave such places out.")
+            progress.warn(say("{far_share:.0f} % of the surface spans {far:g} m or more without points (water, "
+                              "gaps): set a longest edge to leave such places out.", far_share=100 * surface.far_share,
+                              far=surface.far))
         write_raster(surface_path, surface.raster, work.grid, wkt, progress=progress.part(0.9, 0.95))
         if ground is not None:
             write_raster(ground_path, ground, work.grid, wkt, progress=progress.part(0.95, 1.0))
@@ -217,13 +223,14 @@ class _Work:
             keys.update(np.unique(tile).tolist())
             self.points.add(tile, records)
         if not keys:
-            raise InsufficientDataError(f"{self.cloud.paths[0].name} holds no usable points: all are noise, "
-                                        "withheld or have no valid height.")
+            raise InsufficientDataError(say("{paths} holds no usable points: all are noise, withheld or have no "
+                                            "valid height.", paths=self.cloud.paths[0].name))
         self.keys = sorted(keys)
         self.grid = Grid.covering(*low, *high, self.settings.resolution)
         if self.grid.rows * self.grid.columns > _MOST_CELLS:
-            raise InputError(f"The raster would have {self.grid.columns:,} x {self.grid.rows:,} cells: choose a "
-                             "coarser resolution, or check for points far outside the area.")
+            raise InputError(say("The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, "
+                                 "or check for points far outside the area.", columns=self.grid.columns,
+                                 rows=self.grid.rows))
         cell = self.settings.cloth.resolution
         cloth = Grid.covering(*low, *high, cell)
         self.cloth_grid = Grid(cloth.x_min, cloth.y_max, cell, cloth.rows + 1, cloth.columns + 1)
@@ -233,10 +240,10 @@ class _Work:
         with_cloth = source is not None and source.method == "cloth"
         grid = self.cloth_grid if with_cloth else None
         if grid and grid.rows * grid.columns > _MOST_NODES:
-            raise InputError("The area is too large for one cloth: choose a coarser cloth resolution.")
+            raise InputError(say("The area is too large for one cloth: choose a coarser cloth resolution."))
         levels = [np.full(grid.shape, fill) for fill in (np.inf, np.inf, 0)] if grid else []
         work = partial(reduce_tile, cell=self.settings.resolution, neighbours=self.neighbours, cloth_grid=grid)
-        progress.message("Finding the highest points of the cells.")
+        progress.message(say("Finding the highest points of the cells."))
         pieces = self._tiles(point_margin(self.settings.cloth))
         for step, (highest, ground, part) in enumerate(in_order(work, pieces, self.executor)):
             self.highest.add(self.keys[step], highest)
@@ -252,7 +259,7 @@ class _Work:
     def _drape(self, levels: LowestHeights, progress: Progress) -> None:
         """Ground points by the cloth."""
         cloth = self.settings.cloth
-        progress.message("Settling the cloth.")
+        progress.message(say("Settling the cloth."))
         first, trend, lowest = first_cloth(levels, cloth, progress.part(0.0, 0.2))
         layer = [np.full(lowest.shape, np.inf)]
         work = partial(layer_of_tile, cloth_grid=self.cloth_grid, lowest=lowest, cloth=first)
@@ -329,7 +336,7 @@ class _Canvas:
         self.work, self.vertices, self.max_edge, self.mesh = work, vertices, max_edge, mesh
         self.triangles = self.left_out = 0
         self.far = max(_FAR, 2 * work.blocks.radius)
-        progress.message("Triangulating the ground." if framed else "Triangulating the surface.")
+        progress.message(say("Triangulating the ground.") if framed else say("Triangulating the surface."))
         self.raster = self._blank()
         if mesh:
             for key in sorted(vertices.counts):
@@ -410,8 +417,8 @@ class _Canvas:
             x, y, z = (np.concatenate(pair) for pair in zip((x, y, z), frame))
         large = bridge(x, y, rim)
         if not self.triangles + len(large):
-            raise InsufficientDataError("The points lie in fewer than three places or on one line: a surface "
-                                        "cannot be built from them.")
+            raise InsufficientDataError(say("The points lie in fewer than three places or on one line: a surface "
+                                            "cannot be built from them."))
         kept = shorter(x, y, large, self.max_edge)
         rasterise(x, y, z, kept, self.work.grid, self.raster)
         if len(kept) < len(large):

@@ -14,6 +14,7 @@ from pathlib import Path
 from ..errors import OutputError
 from ..io.atomic import written_beside
 from ..io.staging import take_lock
+from ..wording import say
 from .tile_grid import GridTile
 
 RECORD = "tile.json"
@@ -76,8 +77,9 @@ def new_tile_folder(run_folder: Path, tile: GridTile):
     try:
         scratch.mkdir()
     except OSError as error:
-        raise OutputError(f"The folder of the run, {run_folder}, is not there any more or cannot be written "
-                          f"({error.strerror}): put it right and run again; tiles that are whole are kept.") from error
+        raise OutputError(say("The folder of the run, {run_folder}, is not there any more or cannot be written "
+                              "({strerror}): put it right and run again; tiles that are whole are kept.",
+                              run_folder=run_folder, strerror=error.strerror)) from error
     try:
         yield scratch
     finally:
@@ -123,8 +125,9 @@ def require_room(run_folder: Path, room: int = ROOM) -> None:
         finally:
             probe.unlink(missing_ok=True)
     except OSError as error:
-        raise OutputError(f"There is no room in the folder of the run, {run_folder} ({error.strerror}): make some and "
-                          "run again; tiles that are whole are kept.") from error
+        raise OutputError(say("There is no room in the folder of the run, {run_folder} ({strerror}): make some and "
+                              "run again; tiles that are whole are kept.", run_folder=run_folder,
+                              strerror=error.strerror)) from error
 
 
 def kept_record(run_folder: Path, tile: GridTile, expected: str) -> TileRecord | None:
@@ -153,11 +156,13 @@ def only_run(run_folder: Path):
         (run_folder / TILES).mkdir(parents=True, exist_ok=True)
         lock = (run_folder / "lock").open("a+")
     except OSError as error:
-        raise OutputError(f"The folder {run_folder} cannot be written ({error.strerror}): choose another.") from error
+        raise OutputError(say("The folder {run_folder} cannot be written ({strerror}): choose another.",
+                              run_folder=run_folder, strerror=error.strerror)) from error
     with lock:
         try:
             take_lock(lock)
         except OSError:
-            raise OutputError(f"Another run works in {run_folder}: wait for its end, or choose another folder."
+            raise OutputError(say("Another run works in {run_folder}: wait for its end, or choose another folder.",
+                                  run_folder=run_folder)
                               ) from None
         yield

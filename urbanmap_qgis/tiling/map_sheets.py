@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..errors import InputError
+from ..wording import say
 from .tile_grid import Bounds, GridTile, TileGrid
 
 SHEET_PARTS = {5000: 1, 2500: 2, 1000: 5, 500: 10}
@@ -35,8 +36,8 @@ def plane_system(crs_wkt: str) -> int:
     from pyproj import CRS
 
     if not crs_wkt:
-        raise InputError("The data states no coordinate reference system, which map sheets need: give it "
-                         "(POINTS_CRS), or choose squares.")
+        raise InputError(say("The data states no coordinate reference system, which map sheets need: give it "
+                             "(POINTS_CRS), or choose squares."))
     crs = CRS.from_wkt(crs_wkt)
     plan = crs.sub_crs_list[0] if crs.is_compound else crs
     given = {item.name: item.value for item in plan.coordinate_operation.params} if plan.coordinate_operation else {}
@@ -46,8 +47,8 @@ def plane_system(crs_wkt: str) -> int:
         if (abs(place[0] - north - minutes / 60) < 1e-6 and abs(place[1] - east - east_minutes / 60) < 1e-6
                 and abs(scale - 0.9999) < 1e-9):
             return number
-    raise InputError(f"Map sheets need a plane rectangular system of Japan, and {plan.name} is none: choose squares or "
-                     "meshes, or reproject the data.")
+    raise InputError(say("Map sheets need a plane rectangular system of Japan, and {plan} is none: choose squares or "
+                         "meshes, or reproject the data.", plan=plan.name))
 
 
 @dataclass(frozen=True)
@@ -112,6 +113,6 @@ class SheetGrid(TileGrid):
         """As of `TileGrid`; raises `InputError` too where the box leaves the area that sheets cover."""
         x_min, y_min, x_max, y_max = bounds
         if not (x_min >= -_EAST and x_max < _EAST and y_min >= -_NORTH and y_max < _NORTH):
-            raise InputError("The data leaves the area of the map sheets, 160 km east and west and 300 km north and "
-                             "south of the origin: choose squares or meshes.")
+            raise InputError(say("The data leaves the area of the map sheets, 160 km east and west and 300 km north "
+                                 "and south of the origin: choose squares or meshes."))
         return super().covering(bounds)

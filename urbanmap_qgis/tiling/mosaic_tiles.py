@@ -17,6 +17,7 @@ from ..errors import InputError, OutputError
 from ..io.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from ..wording import say
 from .tile_grid import Bounds, GridTile
 
 _BLOCK = 512
@@ -68,7 +69,7 @@ def mosaic_tiles(parts: Sequence[tuple[Path, GridTile]], path: str | os.PathLike
                     _write_core(part, tile, target)
                     progress.step((done + 1) / len(parts))
         except RasterioError as error:
-            raise OutputError(f"{Path(path).name} cannot be written ({error}).") from error
+            raise OutputError(say("{path} cannot be written ({error}).", path=Path(path).name, error=error)) from error
 
 
 def _cells(place: Affine, x: float, y: float) -> tuple[float, float]:
@@ -84,8 +85,8 @@ def _extent(paths: Sequence[Path], place: Affine) -> tuple[int, int, int, int]:
             column, row = _cells(place, source.transform.c, source.transform.f)
             same = abs(source.transform.a - place.a) < 1e-9 * abs(place.a)
             if not same or max(abs(column - round(column)), abs(row - round(row))) > 1e-3:
-                raise InputError(f"{path.name} of the tile {path.parent.name} has other cells than the first tile: the "
-                                 "rasters cannot be put together.")
+                raise InputError(say("{path} of the tile {parent} has other cells than the first tile: the rasters "
+                                     "cannot be put together.", path=path.name, parent=path.parent.name))
             boxes.append((round(column), round(row), round(column) + source.width, round(row) + source.height))
     return (min(box[0] for box in boxes), min(box[1] for box in boxes), max(box[2] for box in boxes),
             max(box[3] for box in boxes))

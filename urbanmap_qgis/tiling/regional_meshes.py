@@ -11,6 +11,7 @@ import shapely
 
 from ..errors import InputError
 from ..geometry.mesh_code import COLUMNS, ROWS, WEST, regional_mesh_code
+from ..wording import say
 from .tile_grid import MAX_TILES, Bounds, GridTile, TileGrid
 
 MESH_PARTS = {"mesh1km": 1, "mesh500m": 2, "mesh250m": 4}
@@ -86,8 +87,8 @@ class MeshGrid(TileGrid):
     def of(cls, kind: str, crs_wkt: str, buffer: float) -> MeshGrid:
         """Meshes of a kind of `MESH_PARTS`. Raises `InputError` where the data has no CRS."""
         if not crs_wkt:
-            raise InputError("The data states no coordinate reference system, which meshes need: give it "
-                             "(POINTS_CRS), or choose squares.")
+            raise InputError(say("The data states no coordinate reference system, which meshes need: give it "
+                                 "(POINTS_CRS), or choose squares."))
         return cls(1000.0 / MESH_PARTS[kind], buffer, crs_wkt, MESH_PARTS[kind])
 
     @property
@@ -118,16 +119,16 @@ class MeshGrid(TileGrid):
         InputError : the box is not finite, is not in the meshes' range, or takes more than a million meshes.
         """
         if not all(map(math.isfinite, bounds)):
-            raise InputError("The extent of the data is not a number: check its coordinates.")
+            raise InputError(say("The extent of the data is not a number: check its coordinates."))
         box = shapely.box(*bounds)
         outline = shapely.get_coordinates(shapely.segmentize(box, max(box.length / 64, 1e-6)))
         column, row = self.numbers(*outline.T)
         left, right, bottom, top = column.min(), column.max(), row.min(), row.max()
         if left < 0 or right >= 80 * COLUMNS * self.parts or bottom < 0 or top >= 66 * ROWS * self.parts:
-            raise InputError("The data is not in the range of Japan's meshes, 0 to 66 degrees north and 100 to 180 "
-                             "east: choose squares.")
+            raise InputError(say("The data is not in the range of Japan's meshes, 0 to 66 degrees north and 100 to "
+                                 "180 east: choose squares."))
         if (right - left + 1) * (top - bottom + 1) > MAX_TILES:
-            raise InputError("The data would take more than a million meshes: choose larger ones, or check the "
-                             "coordinates.")
+            raise InputError(say("The data would take more than a million meshes: choose larger ones, or check the "
+                                 "coordinates."))
         tiles = [self.tile(number, line) for line in range(bottom, top + 1) for number in range(left, right + 1)]
         return [tile for tile in tiles if box.intersects(tile.square)]

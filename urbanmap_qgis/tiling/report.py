@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ..io.report import BAD, GOOD, LOOK, Report
+from ..wording import say
 from .journal import DONE, EMPTY, FAILED, TileRecord
 from .tile_grid import GridTile, TileGrid
 
@@ -27,13 +28,15 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     count = {status: sum(record.status == status for record in records) for status in (DONE, EMPTY, FAILED)}
     report = Report(title)
     if estimate:
-        report.verdict(LOOK, f"This is an estimate from {len(records)} of {len(tiles)} tiles.")
+        report.verdict(LOOK, say("This is an estimate from {records_count} of {tiles_count} tiles.",
+                                 records_count=len(records), tiles_count=len(tiles)))
         report.facts(estimate)
     elif count[FAILED]:
-        report.verdict(BAD, f"{count[FAILED]} of {len(tiles)} tiles failed; the others are whole. Run again with the "
-                       "same folder when the reasons below are put right: only the failed tiles are then done.")
+        report.verdict(BAD, say("{count} of {tiles_count} tiles failed; the others are whole. Run again with the "
+                                "same folder when the reasons below are put right: only the failed tiles are then "
+                                "done.", count=count[FAILED], tiles_count=len(tiles)))
     else:
-        report.verdict(GOOD, f"All {len(tiles)} tiles are done.")
+        report.verdict(GOOD, say("All {tiles_count} tiles are done.", tiles_count=len(tiles)))
     _add_failures(report, records)
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])
@@ -61,7 +64,7 @@ def _add_failures(report: Report, records: Sequence[TileRecord]) -> None:
     report.table(("Tile", "Reason", "Time (s)"),
                  [(record.name, record.reason, record.seconds) for record in failed[:_LISTED]])
     if len(failed) > _LISTED:
-        report.paragraph(f"{len(failed) - _LISTED} more are in the layer of tiles.")
+        report.paragraph(say("{failed_count} more are in the layer of tiles.", failed_count=len(failed) - _LISTED))
 
 
 _COLOURS = {DONE: "#5fa777", EMPTY: "#d5d9dc", FAILED: "#c8443a", "": "#ffffff"}

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
+from ..wording import say
 from .tile_grid import MAX_TILES, Bounds, GridTile, TileGrid
 
 REACH = 300.0
@@ -55,8 +56,8 @@ class StretchTile(GridTile):
 
 def _times(chunk) -> np.ndarray:
     if "gps_time" not in chunk.point_format.dimension_names:
-        raise InputError("The points have no GPS time, by which a survey is cut into stretches: give a point cloud "
-                         "with times.")
+        raise InputError(say("The points have no GPS time, by which a survey is cut into stretches: give a point "
+                             "cloud with times."))
     return np.asarray(chunk.gps_time, float)
 
 
@@ -130,7 +131,7 @@ class StretchGrid(TileGrid):
     def covering(self, bounds: Bounds) -> list[GridTile]:
         """Stretches from which a box may have been measured, along the drive."""
         if self._count > MAX_TILES:
-            raise InputError("The drive would take more than a million stretches: give longer ones.")
+            raise InputError(say("The drive would take more than a million stretches: give longer ones."))
         box = shapely.box(*bounds)
         return [tile for tile in (self.tile(number, 0) for number in range(self._count))
                 if box.intersects(shapely.box(*tile.core))]

@@ -9,6 +9,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
+from ..wording import say
 
 MAX_TILES = 1_000_000
 """More tiles than this are a mistake in the tile's size or the coordinates."""
@@ -86,8 +87,8 @@ class TileGrid:
 
     def __post_init__(self):
         if not (self.size >= 1 and float(self.size).is_integer()) or not self.buffer >= 0:
-            raise InputError("The side of a tile must be a whole number of metres, and its buffer not negative: change "
-                             "them.")
+            raise InputError(say("The side of a tile must be a whole number of metres, and its buffer not negative: "
+                                 "change them."))
 
     @property
     def sides(self) -> tuple[float, float]:
@@ -131,10 +132,10 @@ class TileGrid:
         InputError : the box is not finite, or takes more than a million tiles.
         """
         if not all(map(math.isfinite, bounds)):
-            raise InputError("The extent of the data is not a number: check its coordinates.")
+            raise InputError(say("The extent of the data is not a number: check its coordinates."))
         left, bottom, right, top = (math.floor(value / side) for value, side in zip(bounds, 2 * self.sides))
         count = (right - left + 1) * (top - bottom + 1)
         if count > MAX_TILES:
-            raise InputError(f"The data would take {count:,} tiles of {self.size:g} m: give larger tiles, or check the "
-                             "coordinates.")
+            raise InputError(say("The data would take {count:,} tiles of {size:g} m: give larger tiles, or check the "
+                                 "coordinates.", count=count, size=self.size))
         return [self.tile(column, row) for row in range(bottom, top + 1) for column in range(left, right + 1)]

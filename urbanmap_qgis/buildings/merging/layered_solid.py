@@ -16,6 +16,7 @@ from scipy.sparse.csgraph import connected_components
 
 from ...errors import InputError
 from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, Face, Solid
+from ...wording import say
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 
 GRID = 0.01
@@ -51,11 +52,11 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
     """
     heights = np.array([(prism.bottom, prism.top) for prism in prisms], float).reshape(-1, 2)
     if not np.isfinite(heights).all():
-        raise InputError("A part of the model has no height: give finite heights.")
+        raise InputError(say("A part of the model has no height: give finite heights."))
     levels = np.rint(heights * _UNITS).astype(np.int64)
     plans = np.array([prism.plan for prism in prisms], object)
     if not len(plans):
-        raise InputError("The model has no parts.")
+        raise InputError(say("The model has no parts."))
     origin = whole_metre_origin(shapely.total_bounds(plans))
     local = shapely.transform(shapely.force_2d(plans), lambda c: c - origin)
     lines = shapely.union_all(shapely.boundary(local), grid_size=GRID)
@@ -72,7 +73,7 @@ def layered_solids(prisms: Sequence[Prism], lift: float = 0.0) -> tuple[Solid, .
                 roof_of[f].setdefault(top, prisms[p].roof_id)
     kept = [f for f in range(len(faces)) if filled[f]]
     if not kept:
-        raise InputError("The model has no part with a volume.")
+        raise InputError(say("The model has no part with a volume."))
     edges = half_edges(faces[kept], (0.0, 0.0), GRID)
     edges.origin = origin
     intervals = [merged_intervals(filled[f]) for f in kept]

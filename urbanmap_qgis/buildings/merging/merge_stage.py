@@ -22,6 +22,7 @@ from ...execution import in_order
 from ...geometry.solid import Solid
 from ...geometry.solid_faces import solids_of
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..solids.sloped_solid import SlopedCell, sloped_solids
 from ..solids.validity import check_solid
 from .layered_solid import Prism, layered_solids, solid_volume
@@ -125,18 +126,19 @@ def merge_models(ids: Sequence[int], models: Sequence[shapely.Geometry | None], 
     InsufficientDataError : there is no wall, or no wall lies near any model.
     """
     if len(set(ids)) < len(ids):
-        raise InputError("Two buildings have the same building_id: give each building its own.")
+        raise InputError(say("Two buildings have the same building_id: give each building its own."))
     if not walls:
-        raise InsufficientDataError("There are no measured walls: run “Walls from a mobile survey” first and check "
-                                    "that it found any.")
+        raise InsufficientDataError(say("There are no measured walls: run “Walls from a mobile survey” first and "
+                                        "check that it found any."))
     flat = [number for number, model in zip(ids, models) if model is not None and not model.has_z]
     if flat:
-        raise InputError(f"Building {flat[0]} has no heights: give building models (MultiPolygonZ), not outlines.")
+        raise InputError(say("Building {flat} has no heights: give building models (MultiPolygonZ), not outlines.",
+                             flat=flat[0]))
     index = WallIndex(walls)
     boxes = [shapely.box(*model.bounds) for model in models if model is not None and not model.is_empty]
     if boxes and not len(index.tree.query(boxes, predicate="dwithin", distance=settings.max_offset)[0]):
-        raise InsufficientDataError("No measured wall lies near any model: check that both are of the same place, and "
-                                    "that the survey has been put on the map.")
+        raise InsufficientDataError(say("No measured wall lies near any model: check that both are of the same "
+                                        "place, and that the survey has been put on the map."))
     plans = []
     work = partial(_matched, index=index, settings=settings)
     for number, plan in enumerate(in_order(work, zip(ids, models), executor, progress.check)):
@@ -294,7 +296,7 @@ def _under_slopes(plan: _Plan) -> tuple[Solid, ...]:
     """Solids under sloped roofs, whose planes go on to the moved walls."""
     moved = plan.edges.moved(plan.lines)
     if moved is None:
-        raise InputError("the plan would fold over itself")
+        raise InputError(say("the plan would fold over itself"))
     parts = plan.parts
     return sloped_solids([SlopedCell(piece, cell.roof_id, plane, parts.origin)
                           for polygon, cell, plane in zip(moved, parts.cells, parts.planes)
@@ -310,7 +312,7 @@ def _prisms(plan: _Plan, settings: MergeSettings) -> list[Prism]:
                if match.status == MOVED and match.offset < -settings.overhang}
     roofs = plan.edges.moved({number: line for number, line in plan.lines.items() if number not in hanging})
     if below is None or roofs is None:
-        raise InputError("the plan would fold over itself")
+        raise InputError(say("the plan would fold over itself"))
     slabs = _slabs(plan, hanging, settings)
     prisms: list[Prism] = []
     for number, cell in enumerate(plan.parts.cells):

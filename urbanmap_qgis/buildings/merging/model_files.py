@@ -10,6 +10,7 @@ import shapely
 
 from ...errors import InsufficientDataError
 from ...io.cityjson import read_cityjson
+from ...wording import say
 from .model_parts import face_polygons
 
 
@@ -30,7 +31,8 @@ def models_from_cityjson(path: str | os.PathLike) -> tuple[np.ndarray, np.ndarra
     objects = [item for item in objects
                if item.solids or not any(part.startswith(item.id) for part in parts if part != item.id)]
     if not objects:
-        raise InsufficientDataError(f"{os.fspath(path)} holds no building: give a CityJSON file with buildings.")
+        raise InsufficientDataError(say("{fspath} holds no building: give a CityJSON file with buildings.",
+                                        fspath=os.fspath(path)))
     faces = np.full(len(objects), None, object)
     for row, item in enumerate(objects):
         polygons = [polygon for solid in item.solids for polygon in face_polygons(solid.vertices, solid.faces)]

@@ -10,6 +10,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...wording import say
 from .plan_edges import Line, OuterEdge
 
 MOVED, KEPT, NOT_SEEN, TOO_FAR, NEIGHBOUR, FOLDED = (
@@ -61,8 +62,8 @@ class MergeSettings:
 
     def __post_init__(self) -> None:
         if not (self.height > 0 and self.max_offset > 0 and 0 < self.max_rotation <= 20 and 0 < self.min_share <= 1):
-            raise InputError("Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be "
-                             "greater than 0.")
+            raise InputError(say("Height, maximum offset and rotation (up to 20 degrees) and the share of a wall "
+                                 "must be greater than 0."))
 
 
 @dataclass(frozen=True, eq=False)

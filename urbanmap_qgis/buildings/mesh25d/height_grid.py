@@ -13,6 +13,7 @@ from scipy.sparse.csgraph import connected_components
 
 from ...errors import InsufficientDataError
 from ...geometry.grid import Grid
+from ...wording import say
 
 _MIN_CELL, _MAX_CELL = 0.2, 1.0
 _LAYER = 0.3
@@ -57,14 +58,14 @@ def height_grid(points: np.ndarray, plan: shapely.Geometry, step: float, min_are
     InsufficientDataError : fewer than 20 points.
     """
     if len(points) < MIN_POINTS:
-        raise InsufficientDataError(f"only {len(points)} points lie in it")
+        raise InsufficientDataError(say("only {points_count} points lie in it", points_count=len(points)))
     cell = cell_size(points, plan.area)
     x_min, y_min, x_max, y_max = plan.bounds
     grid = Grid.covering(x_min - 2 * cell, y_min - 2 * cell, x_max + 2 * cell, y_max + 2 * cell, cell)
     z = _top_heights(points, grid)
     measured = np.isfinite(z)
     if not measured.any():
-        raise InsufficientDataError("none of its points lies on its outline")
+        raise InsufficientDataError(say("none of its points lies on its outline"))
     inside = _inside(plan, grid)
     for _ in range(_MAX_ITERATIONS):
         filled = _filled(z)

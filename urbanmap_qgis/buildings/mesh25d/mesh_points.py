@@ -12,6 +12,7 @@ from ...errors import InsufficientDataError
 from ...io.point_buckets import PointBuckets
 from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..outlines.footprint import Footprints
 from ..point_assignment import PlanIndex
 
@@ -49,7 +50,8 @@ def building_points(cloud: PointCloud, footprints: Footprints,
             buckets.add(rows, records[members])
             found |= len(rows) > 0
         if not found:
-            raise InsufficientDataError("No point lies in any outline: check that both are of the same place and CRS.")
+            raise InsufficientDataError(say("No point lies in any outline: check that both are of the same place and "
+                                            "CRS."))
         for row in range(len(footprints)):
             records = buckets.read(row)
             yield row, *_chosen(records, footprints.polygons[row], numbered)

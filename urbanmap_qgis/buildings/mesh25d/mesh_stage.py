@@ -18,6 +18,7 @@ from ...geometry.solid import Solid
 from ...io.ply import mesh_writer
 from ...io.pointcloud import PointCloud
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..outlines.footprint import Footprints
 from ..solids.validity import check_solid
 from .height_grid import HeightGrid, height_grid
@@ -61,7 +62,7 @@ class MeshSettings:
 
     def __post_init__(self) -> None:
         if not (self.max_error > 0 and self.step > 0 and self.min_area >= 0):
-            raise InputError("The maximum error and the height step must be greater than 0.")
+            raise InputError(say("The maximum error and the height step must be greater than 0."))
 
 
 @dataclass(frozen=True, eq=False)

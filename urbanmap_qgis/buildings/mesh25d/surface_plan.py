@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ...errors import InsufficientDataError
+from ...wording import say
 from ..solids.half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 from .height_grid import HeightGrid
 
@@ -48,7 +49,7 @@ def surface_plan(heights: HeightGrid, tolerance: float) -> SurfacePlan:
     faces = shapely.get_parts(shapely.polygonize([lines]))
     faces = faces[shapely.contains(outline, shapely.point_on_surface(faces))]
     if not len(faces):
-        raise InsufficientDataError("its outline has no area")
+        raise InsufficientDataError(say("its outline has no area"))
     label = _small_merged(faces, _labels(faces, heights, origin))
     edges = half_edges(faces, (0.0, 0.0), GRID)
     edges.origin = origin

@@ -17,6 +17,7 @@ from scipy.sparse.csgraph import connected_components
 from ...errors import InputError
 from ...geometry.grid import Grid
 from ...progress import SILENT, Progress
+from ...wording import say
 from .displacement_adjust import adjust_to_walls, wall_snap_candidates
 from .displacement_boundary import COARSE_PIECE, edges_of, pieces_of, row_sums
 from .displacement_pairs import neighbours, overlap_tables, walls_between
@@ -92,9 +93,10 @@ def estimate_displacements(polygons: np.ndarray, evidence: np.ndarray, grid: Gri
     polygons = np.asarray(polygons, dtype=object)
     evidence = np.asarray(evidence)
     if evidence.shape != grid.shape:
-        raise InputError("The building evidence does not lie on its grid: give both the same rows and columns.")
+        raise InputError(say("The building evidence does not lie on its grid: give both the same rows and columns."))
     if not max_shift >= COARSE_STEP:
-        raise InputError(f"The longest shift of an outline must be at least {COARSE_STEP} m.")
+        raise InputError(say("The longest shift of an outline must be at least {coarse_step} m.",
+                             coarse_step=COARSE_STEP))
     n = len(polygons)
     shifts, sigma = np.zeros((n, 2)), np.full(n, float(max_shift))
     before, after, seen = np.zeros(n), np.zeros(n), np.zeros(n, bool)

@@ -13,6 +13,7 @@ from scipy.ndimage import minimum_filter, uniform_filter
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...wording import say
 
 BUILDING_CLASS = 6
 GROUND_CLASSES = (2, 9, 11)  # ground, water, road surface (ASPRS)
@@ -32,7 +33,7 @@ GUESS = 0.5  # weight of the shape where a cloud has classes but this cell holds
 def evidence_cell(density: float) -> float:
     """Cell side (m) that suits a cloud of `density` points per m2: 0.5 m, up to 1 m for sparse clouds."""
     if not density > 0:
-        raise InputError("The point density is not a positive number: check that the points cover the outlines.")
+        raise InputError(say("The point density is not a positive number: check that the points cover the outlines."))
     return float(np.clip(math.sqrt(POINTS_PER_CELL / density), FINEST_CELL, COARSEST_CELL))
 
 
@@ -98,7 +99,7 @@ class EvidenceAccumulator:
         """
         ground = np.asarray(ground, np.float32)
         if ground.shape != self.grid.shape:
-            raise InputError("The ground heights do not lie on the grid of the evidence: give both the same grid.")
+            raise InputError(say("The ground heights do not lie on the grid of the evidence: give both the same grid."))
         seen = self.count > 0
         shape = self._from_shape(ground, seen)
         if self.building.any():

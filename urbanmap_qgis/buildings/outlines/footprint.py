@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...wording import say
 
 GRID_SIZE = 0.001
 """Outlines are wall_snap_candidates to this grid (m), so that all later steps see the same coordinates."""
@@ -54,14 +55,14 @@ def clean_footprints(geometries: np.ndarray, ids: np.ndarray | None = None) -> F
     """
     geometries = np.asarray(geometries, dtype=object)
     if not len(geometries):
-        raise InputError("The layer of building outlines is empty: give a layer with polygons.")
+        raise InputError(say("The layer of building outlines is empty: give a layer with polygons."))
     numbers = np.arange(1, len(geometries) + 1) if ids is None else _checked_ids(ids)
     polygons = np.empty(len(geometries), dtype=object)
     notes = np.empty(len(geometries), dtype=object)
     for row, geometry in enumerate(geometries):
         polygons[row], notes[row] = _clean(geometry)
     if shapely.is_missing(polygons).all():
-        raise InputError("No building outline has a usable polygon: check the outlines' geometries.")
+        raise InputError(say("No building outline has a usable polygon: check the outlines' geometries."))
     return Footprints(numbers, polygons, notes)
 
 
@@ -72,16 +73,16 @@ def _checked_ids(ids: np.ndarray) -> np.ndarray:
     except (TypeError, ValueError, OverflowError):
         given = np.full(1, np.nan)
     if not (np.isfinite(given) & (given == np.floor(given))).all():
-        raise InputError("Some building_id of the outlines is empty or no whole number: number the "
-                         "outlines or remove the field.")
+        raise InputError(say("Some building_id of the outlines is empty or no whole number: number the outlines or "
+                             "remove the field."))
     if (given < 1).any() or (given >= 2**32).any():
-        raise InputError("Some building_id of the outlines is below 1 or too large: number the outlines "
-                         "from 1 or remove the field.")
+        raise InputError(say("Some building_id of the outlines is below 1 or too large: number the outlines from 1 "
+                             "or remove the field."))
     numbers = given.astype(np.int64)
     unique, counts = np.unique(numbers, return_counts=True)
     if (counts > 1).any():
-        raise InputError(f"The outlines hold the building_id {unique[counts > 1][0]} more than once: make it "
-                         "unique or remove the field.")
+        raise InputError(say("The outlines hold the building_id {unique} more than once: make it unique or remove "
+                             "the field.", unique=unique[counts > 1][0]))
     return numbers
 
 

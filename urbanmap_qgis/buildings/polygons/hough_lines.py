@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InputError
+from ...wording import say
 
 ANGLE_STEP = 1.0
 """Degrees between the directions of the accumulator; the line found is then fitted to its points."""
@@ -108,9 +109,9 @@ def hough_lines(boundary_xy: np.ndarray, min_points: int = 5, distance: float = 
     """
     xy = np.asarray(boundary_xy, float)
     if min_points < 3:
-        raise InputError("A detected line needs at least three boundary points.")
+        raise InputError(say("A detected line needs at least three boundary points."))
     if not distance > 0:
-        raise InputError("The distance of boundary points to their line must be above zero metres.")
+        raise InputError(say("The distance of boundary points to their line must be above zero metres."))
     if len(xy) < min_points:
         return []
     centre = xy.mean(axis=0)

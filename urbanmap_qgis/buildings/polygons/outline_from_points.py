@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from ...errors import InputError, InsufficientDataError
 from ...geometry.alpha_shape import alpha_shape, default_alpha
+from ...wording import say
 from .radius_outliers import default_radius, remove_radius_outliers
 from .regularisation import RegularisationParameters, regularise_ring
 
@@ -96,13 +97,13 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float, parameters
     """
     parameters = parameters or OutlineParameters()
     if not density > 0:
-        raise InputError("The point density must be above zero points per square metre.")
+        raise InputError(say("The point density must be above zero points per square metre."))
     xy = np.column_stack([x, y]).astype(float)
     xy = xy[remove_radius_outliers(xy, default_radius(density))]
     rings = [xy[ring] for ring in alpha_shape(xy, parameters.alpha or default_alpha(density))]
     rings = [ring for ring in rings if shapely.Polygon(ring).area >= parameters.min_part_area]
     if not rings:
-        raise InsufficientDataError("The building's points are too few to draw an outline from them.")
+        raise InsufficientDataError(say("The building's points are too few to draw an outline from them."))
     spacing = 1.0 / math.sqrt(density)
     regularisation = parameters.regularisation or RegularisationParameters(tolerance=max(0.5, 1.2 * spacing))
     shrink = _Shrink(xy, density)
@@ -119,7 +120,7 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float, parameters
         outline = _with_party_walls(outline, neighbours, parameters)
     outline = _areas(outline, parameters.min_part_area)
     if outline.is_empty:
-        raise InsufficientDataError("The building's points lie on its neighbours: check the building outlines.")
+        raise InsufficientDataError(say("The building's points lie on its neighbours: check the building outlines."))
     curved = [found.status == "curved" for found, _ in drawn]
     status = "curved" if curved[0] else "partly curved" if any(curved) else "regular"
     squares = sum(found.rms ** 2 * n for found, n in drawn) / sum(n for _, n in drawn)

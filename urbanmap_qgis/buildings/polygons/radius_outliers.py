@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ...errors import InputError
+from ...wording import say
 
 EXPECTED_NEIGHBOURS = 16
 """Neighbours that the default radius holds on average inside a roof."""
@@ -18,7 +19,7 @@ MIN_NEIGHBOURS = 3
 def default_radius(density: float) -> float:
     """Radius in metres in which `EXPECTED_NEIGHBOURS` points lie, `density` in points per m2."""
     if not density > 0:
-        raise InputError("The point density must be above zero points per square metre.")
+        raise InputError(say("The point density must be above zero points per square metre."))
     return math.sqrt(EXPECTED_NEIGHBOURS / (math.pi * density))
 
 
@@ -33,7 +34,7 @@ def remove_radius_outliers(xy: np.ndarray, radius: float, min_neighbours: int = 
     """
     xy = np.asarray(xy, float)
     if not radius > 0:
-        raise InputError("The outlier radius must be above zero metres.")
+        raise InputError(say("The outlier radius must be above zero metres."))
     if len(xy) == 0:
         return np.zeros(0, bool)
     count = cKDTree(xy).query_ball_point(xy, radius, return_length=True)

@@ -10,6 +10,7 @@ import shapely
 from shapely.geometry.polygon import orient
 
 from ...errors import InputError
+from ...wording import say
 from .hough_lines import fit_line
 
 PARALLEL = np.sin(np.radians(3.0))
@@ -124,7 +125,7 @@ def regularise_ring(boundary_xy: np.ndarray, parameters: RegularisationParameter
     parameters = parameters or RegularisationParameters()
     xy = np.asarray(boundary_xy, float)
     if len(xy) < 4:
-        raise InputError("An outline needs at least four boundary points to be regularised.")
+        raise InputError(say("An outline needs at least four boundary points to be regularised."))
     centre = xy.mean(axis=0)
     local = xy - centre
     start = int(np.argmax(np.hypot(local[:, 0], local[:, 1])))  # a corner: simplification keeps its first point

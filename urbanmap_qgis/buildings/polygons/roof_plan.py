@@ -12,6 +12,7 @@ from skimage import measure
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...wording import say
 from .partition_lines import (
     MAX_WALL_LINES,
     LabelBoundaries,
@@ -117,11 +118,12 @@ def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.nda
     parameters = parameters or PartitionParameters()
     labels = np.asarray(labels)
     if labels.shape != labels_grid.shape:
-        raise InputError("The roof raster has not the rows and columns of its grid.")
+        raise InputError(say("The roof raster has not the rows and columns of its grid."))
     if not 0 <= parameters.max_lines <= MAX_LINES - MAX_WALL_LINES:
-        raise InputError(f"At most {MAX_LINES - MAX_WALL_LINES} dividing lines are possible: lower their number.")
+        raise InputError(say("At most {max_lines} dividing lines are possible: lower their number.",
+                             max_lines=MAX_LINES - MAX_WALL_LINES))
     if outline.is_empty or outline.area <= 0:
-        raise InputError("The building outline has no area: repair or remove it.")
+        raise InputError(say("The building outline has no area: repair or remove it."))
     rows, columns, grid = labels_grid.window(*outline.bounds)
     labels = labels[rows, columns]
     known = None

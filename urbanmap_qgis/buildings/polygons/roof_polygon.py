@@ -11,6 +11,7 @@ from shapely.geometry import Polygon
 
 from ...errors import InputError
 from ...geometry.alpha_shape import alpha_shape, default_alpha
+from ...wording import say
 from .hough_lines import BoundaryLine, hough_lines
 from .radius_outliers import MIN_NEIGHBOURS, default_radius, remove_radius_outliers
 
@@ -68,7 +69,7 @@ def roof_polygon(lines: list[BoundaryLine], boundary_xy: np.ndarray) -> Polygon:
     become corners. Needs three edges. The polygon can be invalid, as the paper's: check `is_valid`.
     """
     if len(lines) < 3:
-        raise InputError("A roof polygon needs at least three edges: lower the least number of edge points.")
+        raise InputError(say("A roof polygon needs at least three edges: lower the least number of edge points."))
     boundary = np.asarray(boundary_xy, float)
     corners = []
     waiting = list(range(1, len(lines)))
@@ -117,7 +118,7 @@ def paper_roof_polygons(x: np.ndarray, y: np.ndarray, roof_of_point: np.ndarray,
     """
     parameters = parameters or PaperParameters()
     if not density > 0:
-        raise InputError("The point density must be above zero points per square metre.")
+        raise InputError(say("The point density must be above zero points per square metre."))
     xy = np.column_stack([x, y]).astype(float)
     roof_of_point = np.asarray(roof_of_point)
     return [_one_roof(int(number), xy[roof_of_point == number], density, parameters)

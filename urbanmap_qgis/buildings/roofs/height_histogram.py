@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InputError
+from ...wording import say
 
 BIN_WIDTH = 0.5
 """Width of a histogram bin, m (J 5.3.2)."""
@@ -78,15 +79,15 @@ def height_histogram(z: np.ndarray, bin_width: float = BIN_WIDTH,
     """
     z = np.sort(np.asarray(z, dtype=float).ravel())
     if not (bin_width > 0 and bin_shift > 0):
-        raise InputError("The bin width and the bin shift of the height histogram must be more than 0.")
+        raise InputError(say("The bin width and the bin shift of the height histogram must be more than 0."))
     if len(z) == 0:
         return np.empty(0), np.empty(0, dtype=np.int64)
     if not (np.isfinite(z[0]) and np.isfinite(z[-1])):
-        raise InputError("Some point heights are not numbers: remove these points first.")
+        raise InputError(say("Some point heights are not numbers: remove these points first."))
     first = np.floor((z[0] - bin_width) / bin_shift) - 1
     last = np.floor(z[-1] / bin_shift) + 1
     if last - first > MAX_BINS:
-        raise InputError("The heights of a building's points span too many bins: remove outliers first.")
+        raise InputError(say("The heights of a building's points span too many bins: remove outliers first."))
     start = np.arange(first, last + 1) * bin_shift
     # A hair of tolerance, as multiples of 0.1 are not exact in binary: 0.3 must be in the bin that starts at 0.3.
     hair = 1e-9 * bin_shift

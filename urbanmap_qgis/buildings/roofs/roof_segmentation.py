@@ -12,6 +12,7 @@ from scipy import ndimage
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...wording import say
 from .roof_levels import MAX_PARAPET_WIDTH, RoofLevels, RoofParameters, roof_levels
 from .roof_surface import RoofSurface, roof_surface, sorted_within
 
@@ -145,13 +146,13 @@ def segment_roofs(x: np.ndarray, y: np.ndarray, z: np.ndarray, outline: shapely.
 def _check(x: np.ndarray, y: np.ndarray, z: np.ndarray, ground: float, density: float,
            multi_return: np.ndarray | None) -> None:
     if not (x.shape == y.shape == z.shape and x.ndim == 1):
-        raise InputError("The x, y and z of a building's points differ in number.")
+        raise InputError(say("The x, y and z of a building's points differ in number."))
     if multi_return is not None and len(multi_return) != len(x):
-        raise InputError("The return numbers and the coordinates of a building's points differ in number.")
+        raise InputError(say("The return numbers and the coordinates of a building's points differ in number."))
     if not (np.isfinite(x).all() and np.isfinite(y).all() and np.isfinite(z).all()):
-        raise InputError("Some coordinates of a building's points are not numbers: remove them.")
+        raise InputError(say("Some coordinates of a building's points are not numbers: remove them."))
     if not (np.isfinite(density) and density > 0 and np.isfinite(ground)):
-        raise InputError("A building's ground height and point density must be numbers, density above 0.")
+        raise InputError(say("A building's ground height and point density must be numbers, density above 0."))
 
 
 def roofs_of_points(plan: RoofLevels, surface: RoofSurface, z: np.ndarray,

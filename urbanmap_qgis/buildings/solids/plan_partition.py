@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError, InsufficientDataError
+from ...wording import say
 from .half_edges import HalfEdges, half_edges, trace_rings, whole_metre_origin
 
 _GAP = -1
@@ -89,7 +90,7 @@ def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[s
     lines = shapely.boundary(geometries if limit == "footprint" else roofs)
     faces = shapely.get_parts(shapely.polygonize([shapely.union_all(lines, grid_size=grid_size)]))
     if len(faces) == 0:
-        raise InsufficientDataError("No roof lies on the plan of the building: check outline and roofs.")
+        raise InsufficientDataError(say("No roof lies on the plan of the building: check outline and roofs."))
     claims, labels = _labels(faces, roofs, outline, limit)
     edges = half_edges(faces, (0.0, 0.0), grid_size)
     areas = shapely.area(faces)
@@ -100,7 +101,7 @@ def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[s
     sliver_area = _merge_slivers(regions, faces, min_area, min_width)
 
     if not regions.label:
-        raise InsufficientDataError("No roof lies on the plan of the building: check outline and roofs.")
+        raise InsufficientDataError(say("No roof lies on the plan of the building: check outline and roofs."))
     cells = _cells(regions, edges, origin, order, roof_heights, roof_ids)
     outside = labels == _NOT_PLAN
     return PlanPartition(cells, float(areas[(claims > 1) & ~outside].sum()), gap_area, sliver_area,
@@ -110,15 +111,15 @@ def partition_plan(footprint: shapely.Geometry | None, roof_polygons: Sequence[s
 def _check_input(footprint, roof_polygons, roof_heights, roof_ids, limit) -> None:
     """Refuse what cannot be partitioned."""
     if limit not in ("footprint", "roofs"):
-        raise InputError(f"The plan's limit is '{limit}': give 'footprint' or 'roofs'.")
+        raise InputError(say("The plan's limit is '{limit}': give 'footprint' or 'roofs'.", limit=limit))
     if limit == "footprint" and footprint is None:
-        raise InputError("The plan's limit is the footprint, but there is none: give one, or limit to the roofs.")
+        raise InputError(say("The plan's limit is the footprint, but there is none: give one, or limit to the roofs."))
     if not len(roof_polygons) == len(roof_heights) == len(roof_ids):
-        raise InputError("Roof polygons, heights and ids differ in number: give one height and id for each roof.")
+        raise InputError(say("Roof polygons, heights and ids differ in number: give one height and id for each roof."))
     if len(roof_polygons) == 0:
-        raise InsufficientDataError("The building has no roof: give at least one.")
+        raise InsufficientDataError(say("The building has no roof: give at least one."))
     if not np.all(np.isfinite(np.asarray(roof_heights, dtype=float))):
-        raise InputError("A roof has no height: give a finite height for each roof.")
+        raise InputError(say("A roof has no height: give a finite height for each roof."))
 
 
 def _top_to_bottom(roof_polygons, roof_heights, roof_ids) -> list[int]:

@@ -9,6 +9,7 @@ import shapely
 
 from ...errors import InputError
 from ...geometry.solid import INNER_WALL, OUTER_WALL, ROOF, Solid
+from ...wording import say
 from .face_collector import UNITS, FaceCollector
 from .half_edges import HalfEdges, connected_cells, half_edges, whole_metre_origin
 from .manifold import PlanRepair, repair_plan
@@ -35,14 +36,14 @@ def building_solids(cells: Sequence[Cell], base_height: float, *, least_height: 
     InputError : the base height is not finite, or cells overlap.
     """
     if not np.isfinite(base_height):
-        raise InputError("The building has no base height: give the ground's height in metres.")
+        raise InputError(say("The building has no base height: give the ground's height in metres."))
     if not cells:
         return ()
     polygons = np.array([cell.polygon for cell in cells], dtype=object)
     try:
         edges = half_edges(polygons, whole_metre_origin(shapely.total_bounds(polygons)), 1 / UNITS)
     except ValueError as error:
-        raise InputError("Cells of one building overlap: cut its plan with partition_plan first.") from error
+        raise InputError(say("Cells of one building overlap: cut its plan with partition_plan first.")) from error
     base = round(base_height * UNITS)
     heights, raised = _levels([cell.height for cell in cells], base, least_height, least_step)
     solids = []

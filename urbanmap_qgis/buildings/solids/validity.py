@@ -19,6 +19,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from ...errors import InputError
+from ...wording import say
 from .self_intersection import crossing_pairs
 
 NAMES = {
@@ -80,7 +81,7 @@ def check_solid(solid: FacedBody, planarity: float = 0.001, snap: float = 0.001,
     """
     mesh = _Mesh.of(solid, snap)
     if mesh is None:
-        return (Problem(301, NAMES[301], (0.0, 0.0, 0.0), "The solid has no faces."),)
+        return (Problem(301, NAMES[301], (0.0, 0.0, 0.0), say("The solid has no faces.")),)
     for level in (_ring_problems, _polygon_problems, _shell_problems, _solid_problems):
         problems = level(mesh, planarity, normals)
         if problems:
@@ -112,14 +113,14 @@ class _Mesh:
         if len(vertex) == 0:
             return None
         if vertex.min() < 0 or vertex.max() >= len(points):
-            raise InputError("A face of the solid names a vertex that does not exist: the model is damaged.")
+            raise InputError(say("A face of the solid names a vertex that does not exist: the model is damaged."))
         if not np.isfinite(points).all():
-            raise InputError("A vertex of the solid is not a finite number: the model is damaged.")
+            raise InputError(say("A vertex of the solid is not a finite number: the model is damaged."))
         shift = points.min(axis=0)
         points = points - shift
         lengths = np.array([len(ring) for ring in rings], dtype=np.int64)
         if (lengths == 0).any() or any(len(face) == 0 for face in solid.faces):
-            raise InputError("A face of the solid has an empty ring: the model is damaged.")
+            raise InputError(say("A face of the solid has an empty ring: the model is damaged."))
         return cls(points, shift, _joined(points, snap)[vertex], lengths,
                    np.array([len(face) for face in solid.faces], dtype=np.int64))
 
@@ -131,7 +132,7 @@ class _Mesh:
     def in_face(self, code: int, ring: int, text: str) -> Problem:
         """A problem of the face that a ring belongs to."""
         face = self.face_of_ring[ring]
-        return self.problem(code, self.ring_start[ring], f"Face {face} {text}.")
+        return self.problem(code, self.ring_start[ring], say("Face {face} {text}.", face=face, text=text))
 
     def planes(self) -> None:
         """Area vector of each ring and, from the outer ring, unit normal and a point of each face's plane."""
@@ -183,7 +184,7 @@ def _ring_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Prob
     problems = []
     step_nowhere = mesh.vertex == mesh.vertex[mesh.next]
     for corner in np.flatnonzero(step_nowhere):
-        problems.append(mesh.problem(102, corner, f"Face {mesh.face_of[corner]} repeats a point."))
+        problems.append(mesh.problem(102, corner, say("Face {face_of} repeats a point.", face_of=mesh.face_of[corner])))
     order = np.lexsort((mesh.vertex, mesh.ring_of))
     vertex, ring = mesh.vertex[order], mesh.ring_of[order]
     again = np.append(False, (vertex[1:] == vertex[:-1]) & (ring[1:] == ring[:-1]))
@@ -192,7 +193,8 @@ def _ring_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Prob
         problems.append(mesh.in_face(101, few, "has a ring of fewer than 3 points"))
     if not problems:
         for corner in order[again]:
-            problems.append(mesh.problem(104, corner, f"A ring of face {mesh.face_of[corner]} visits a point twice."))
+            problems.append(mesh.problem(104, corner, say("A ring of face {face_of} visits a point twice.",
+                                                          face_of=mesh.face_of[corner])))
     return problems
 
 
@@ -216,7 +218,8 @@ def _polygon_problems(mesh: _Mesh, planarity: float, normals: float) -> list[Pro
     bent = np.unique(mesh.face_of[corners])
     for face in bent:
         corner = corners[mesh.face_of[corners] == face][0]
-        problems.append(mesh.problem(203, corner, f"Face {face} has a point {abs(off[corner]):.4f} m off its plane."))
+        problems.append(mesh.problem(203, corner, say("Face {face} has a point {off:.4f} m off its plane.", face=face,
+                                                      off=abs(off[corner]))))
     uneven = np.setdiff1d(mesh.face_of[np.abs(off) > _FLAT], bent)
     if not problems:
         problems.extend(_folds(mesh, uneven, normals))
@@ -273,12 +276,13 @@ def _flat_triangles(polygon: shapely.Polygon) -> np.ndarray:
 def _shell_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Problem]:
     """301 to 307."""
     if mesh.face_count < 4:
-        return [mesh.problem(301, 0, f"The shell has {mesh.face_count} faces: the least is 4.")]
+        return [mesh.problem(301, 0, say("The shell has {face_count} faces: the least is 4.",
+                                         face_count=mesh.face_count))]
     start, end = mesh.vertex, mesh.vertex[mesh.next]
     low, high = np.minimum(start, end), np.maximum(start, end)
     _, first, edge, uses = np.unique(low * len(mesh.points) + high, return_index=True, return_inverse=True,
                                      return_counts=True)
-    problems = [mesh.problem(302, first[e], "An edge belongs to one face only: the shell has a hole.")
+    problems = [mesh.problem(302, first[e], say("An edge belongs to one face only: the shell has a hole."))
                 for e in np.flatnonzero(uses == 1)]
     problems += [mesh.problem(303, first[e], f"{uses[e]} faces meet in one edge.") for e in np.flatnonzero(uses > 2)]
     if problems:
@@ -288,13 +292,14 @@ def _shell_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Pro
     if problems:
         return problems
     for corner in one[start[one] == start[two]]:
-        problems.append(mesh.problem(307, corner, f"Face {mesh.face_of[corner]} and its neighbour turn "
-                                                  "opposite ways at their edge."))
+        problems.append(mesh.problem(307, corner, say("Face {face_of} and its neighbour turn opposite ways at their "
+                                                      "edge.", face_of=mesh.face_of[corner])))
     vertices = np.column_stack([start[one], end[one]])
     owners = np.column_stack([mesh.face_of[one], mesh.face_of[two]])
     for e, face in crossing_pairs(mesh.points, vertices, owners, mesh.vertex, mesh.face_of, mesh.polygons,
                                   mesh.normal, mesh.centre, mesh.axis):
-        problems.append(mesh.problem(306, one[e], f"An edge of face {owners[e, 0]} runs into face {face}."))
+        problems.append(mesh.problem(306, one[e], say("An edge of face {owners} runs into face {face}.",
+                                                      owners=owners[e, 0], face=face)))
     return problems
 
 
@@ -310,7 +315,7 @@ def _umbrellas(mesh: _Mesh, one: np.ndarray, two: np.ndarray) -> list[Problem]:
     _, fan = _components_of(links, 2 * n)
     _, corner = np.unique(fan[:n], return_index=True)
     fans = np.bincount(mesh.vertex[corner], minlength=len(mesh.points))
-    return [mesh.problem(303, np.flatnonzero(mesh.vertex == v)[0], "Faces touch each other only in this point.")
+    return [mesh.problem(303, np.flatnonzero(mesh.vertex == v)[0], say("Faces touch each other only in this point."))
             for v in np.flatnonzero(fans > 1)]
 
 
@@ -361,4 +366,4 @@ def _solid_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Pro
     """405: the shell as a whole faces inwards."""
     point = mesh.points[mesh.vertex[mesh.ring_start]]
     volume = (mesh.area_vector * point).sum() / 3
-    return [] if volume > 0 else [mesh.problem(405, 0, "The faces look inwards.")]
+    return [] if volume > 0 else [mesh.problem(405, 0, say("The faces look inwards."))]

@@ -9,6 +9,7 @@ from pyproj import CRS, Transformer
 from pyproj.exceptions import CRSError
 
 from ...errors import InputError
+from ...wording import say
 
 SPEED_OF_LIGHT = 299792458.0  # m/s
 SEMI_MAJOR, FLATTENING = 6378137.0, 1 / 298.257223563
@@ -54,11 +55,12 @@ class MapFrame:
         try:
             crs = CRS.from_user_input(crs_wkt)
         except CRSError as error:
-            raise InputError("The CRS of the map is not known: give the data a projected CRS in metres.") from error
+            raise InputError(say("The CRS of the map is not known: give the data a projected CRS in "
+                                 "metres.")) from error
         if crs.is_compound:
             crs = crs.sub_crs_list[0]
         if not crs.is_projected or abs(crs.axis_info[0].unit_conversion_factor - 1.0) > 1e-9:
-            raise InputError(f"{crs.name} is not a projected CRS in metres: reproject the data.")
+            raise InputError(say("{crs} is not a projected CRS in metres: reproject the data.", crs=crs.name))
         self.geoid_separation = float(geoid_separation)
         self._to_degrees = Transformer.from_crs(crs, "EPSG:4326", always_xy=True)
 
@@ -73,7 +75,7 @@ class MapFrame:
         longitude, latitude = self._geographic(place[:, 0], place[:, 1])
         further_lon, further_lat = self._geographic(place[:, 0], place[:, 1] + _STEP)
         if not (np.isfinite(longitude).all() and np.isfinite(further_lat).all()):
-            raise InputError("The trajectory lies outside the area of its CRS: check the CRS.")
+            raise InputError(say("The trajectory lies outside the area of its CRS: check the CRS."))
         lower, meridian = _curvature(latitude)
         convergence = np.arctan2((further_lon - longitude) * lower * np.cos(latitude),
                                  (further_lat - latitude) * meridian)

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.guard import reads
+from ...wording import say
 from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, NavigationRecords, read_navigation_files
 from .earth_fixed import SPEED_OF_LIGHT
 from .sp3 import PreciseOrbits, interpolate_orbits, is_sp3, read_sp3
@@ -129,7 +130,7 @@ def read_navigation(paths: Sequence[str | os.PathLike]) -> Navigation:
     InputError : no file, or one that is neither.
     """
     if not paths:
-        raise InputError("No navigation file is given: give the satellites' navigation files of the day.")
+        raise InputError(say("No navigation file is given: give the satellites' navigation files of the day."))
     precise = [path for path in paths if is_sp3(path)]
     records: NavigationRecords = read_navigation_files([path for path in paths if path not in precise])
     return Navigation(records.kepler, records.glonass, tuple(read_sp3(path) for path in precise), records.ionosphere,

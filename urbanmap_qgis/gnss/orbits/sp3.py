@@ -14,6 +14,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.guard import first_not_finite, reads
+from ...wording import say
 from ..rinex.gnss_time import calendar_seconds, known_scale, to_gps
 from ..rinex.text_lines import read_bytes
 
@@ -61,12 +62,13 @@ def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
     data, _ = read_bytes(path)
     lines = data.decode("latin-1").splitlines()
     if not lines or lines[0][:1] != "#" or lines[0][1:2] not in "acd":
-        raise InputError(f"{name} is not an SP3 file of version c or d: check the file.")
+        raise InputError(say("{name} is not an SP3 file of version c or d: check the file.", name=name))
     scale = next((line[9:12] for line in lines if line.startswith("%c")), "GPS")
     if scale == "ccc":
         scale = "GPS"
     if not known_scale(scale):
-        raise InputError(f"{name} counts time in \"{scale}\", which is not known: use orbits in GPS time.")
+        raise InputError(say("{name} counts time in \"{scale}\", which is not known: use orbits in GPS time.",
+                             name=name, scale=scale))
     times, rows = [], []
     for line in lines:
         try:
@@ -83,9 +85,9 @@ def read_sp3(path: str | os.PathLike) -> PreciseOrbits:
     bad = first_not_finite([[0.0 if value != value else value for value in row[2:]] for row in rows])
     if bad is not None or not np.isfinite(times).all():
         where = "an epoch" if bad is None else f"the {bad + 1}. position, of {rows[bad][1]},"
-        raise InputError(f"{name}: {where} is not finite; download the file again.")
+        raise InputError(say("{name}: {where} is not finite; download the file again.", name=name, where=where))
     if not rows:
-        raise InputError(f"{name} holds no satellite position: the file is not whole.")
+        raise InputError(say("{name} holds no satellite position: the file is not whole.", name=name))
     return _gridded(name, np.asarray(to_gps(np.array(times), scale)), rows)
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..signals.tables import Signals
 from .tracing import WallObstacles, WallReflections, legs_in_line_of_sight, mirror_reflections, rotated_directions
 from .wall_faces import WallPieces
@@ -42,7 +43,7 @@ class TraceSettings:
 
     def __post_init__(self) -> None:
         if not self.max_range > 0 or self.margin < 0 or self.edge_angle < 0 or self.diffraction < 0:
-            raise InputError("The maximum range must be greater than 0, margins and angles not less than 0.")
+            raise InputError(say("The maximum range must be greater than 0, margins and angles not less than 0."))
 
 
 @dataclass(frozen=True)
@@ -87,16 +88,16 @@ def trace(walls: WallPieces, signals: Signals, settings: TraceSettings, progress
     InsufficientDataError : there is no signal, or all antennas lie within buildings.
     """
     if not len(signals):
-        raise InsufficientDataError("There is no observation to trace: check that observations, ephemerides and "
-                                    "trajectory belong to the same time and place.")
+        raise InsufficientDataError(say("There is no observation to trace: check that observations, ephemerides and "
+                                        "trajectory belong to the same time and place."))
     obstacles = obstacles or WallObstacles.of(walls)
     indoors = obstacles.inside(signals.epochs.place)
     if indoors.all():
-        raise InsufficientDataError("All places of the antenna lie within buildings: check the coordinate systems and "
-                                    "heights of the trajectory and of the buildings.")
+        raise InsufficientDataError(say("All places of the antenna lie within buildings: check the coordinate "
+                                        "systems and heights of the trajectory and of the buildings."))
     if indoors.any():
-        progress.warn(f"At {indoors.sum()} of {len(indoors)} epochs the antenna lies within a building: their "
-                      "signals are left out.")
+        progress.warn(say("At {sum} of {indoors_count} epochs the antenna lies within a building: their signals are "
+                          "left out.", sum=indoors.sum(), indoors_count=len(indoors)))
     progress.step(0.05)
     blocking_piece, obstacle_distance = obstacles.first_hit(signals.place, signals.direction, progress=progress)
     outdoors = ~indoors[signals.epoch]

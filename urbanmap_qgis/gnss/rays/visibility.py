@@ -11,6 +11,7 @@ from ...errors import InputError, InsufficientDataError
 from ...geometry.grid import Grid
 from ...mobile.trajectory import Trajectory, body_to_map
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..orbits.earth_fixed import MapFrame, directions
 from ..orbits.ephemeris import Navigation, sky_at
 from ..rinex.gnss_time import calendar_seconds, calendar_text, spans_text, to_gps
@@ -161,12 +162,12 @@ def visibility_over(obstacles: WallObstacles, navigation: Navigation, grid: Grid
     x, y = grid.centres()
     place = np.column_stack([x[column], y[row], antenna[row, column]])
     if not len(place):
-        raise InsufficientDataError("No cell of the area has a ground height: give a ground that covers it.")
+        raise InsufficientDataError(say("No cell of the area has a ground height: give a ground that covers it."))
     seen = visible_satellites(obstacles, navigation, place, np.array(gps_time), crs_wkt, settings.systems,
                               settings.elevation_mask, progress)
     outside = np.isfinite(seen.satellites)
     if not outside.any():
-        raise InsufficientDataError("The whole area lies inside buildings: choose a larger area or finer cells.")
+        raise InsufficientDataError(say("The whole area lies inside buildings: choose a larger area or finer cells."))
     kept = Visibility(seen.satellites[outside], {name: values[outside] for name, values in seen.by_system.items()},
                       seen.above[outside], seen.pdop[outside], seen.names)
     return np.column_stack([row, column])[outside], place[outside], kept
@@ -181,7 +182,7 @@ def level_ground(walls: WallPieces) -> float:
     """
     low = walls.low[np.isfinite(walls.low)]
     if not len(low):
-        raise InputError("The buildings do not tell the height of the ground: give a ground raster.")
+        raise InputError(say("The buildings do not tell the height of the ground: give a ground raster."))
     return float(np.median(low))
 
 
@@ -197,9 +198,10 @@ def satellites_above(navigation: Navigation, frame: MapFrame, place: np.ndarray,
     names, vectors = sky_at(navigation, time, here.earth_fixed[0], systems)
     if not len(names):
         chosen = ", ".join(SYSTEM_NAMES[name] for name in systems if name in SYSTEM_NAMES) or "none"
-        raise InsufficientDataError(f"No satellite of the chosen systems ({chosen}) can be placed at "
-                                    f"{calendar_text(time)} GPS time; the navigation files are good for "
-                                    f"{spans_text(navigation.spans())}: give those of the day.")
+        raise InsufficientDataError(say("No satellite of the chosen systems ({chosen}) can be placed at "
+                                        "{calendar_text} GPS time; the navigation files are good for {spans_text}: "
+                                        "give those of the day.", chosen=chosen, calendar_text=calendar_text(time),
+                                        spans_text=spans_text(navigation.spans())))
     direction = directions(np.broadcast_to(here.axes, (len(names), 3, 3)), vectors)
     up = np.degrees(np.arcsin(direction[:, 2].copy())) >= elevation_mask
     return names[up], direction[up]
@@ -239,8 +241,8 @@ def area_grid(bounds: tuple[float, float, float, float], resolution: float) -> G
     """
     cells = (bounds[2] - bounds[0]) * (bounds[3] - bounds[1]) / resolution ** 2
     if cells > _LARGEST_GRID:
-        raise InputError(f"The area has {cells / 1e6:.1f} million cells of {resolution:g} m: choose a coarser "
-                         "resolution or a smaller area.")
+        raise InputError(say("The area has {cells:.1f} million cells of {resolution:g} m: choose a coarser "
+                             "resolution or a smaller area.", cells=cells / 1000000.0, resolution=resolution))
     return Grid.covering(*bounds, resolution)
 
 
@@ -254,7 +256,7 @@ def gps_time_of(text: str) -> float:
     try:
         moment = datetime.fromisoformat(text.strip().replace("Z", "+00:00"))
     except ValueError:
-        raise InputError(f"\"{text}\" is no time: write it as 2024-04-18 02:30:00, in UTC.") from None
+        raise InputError(say("\"{text}\" is no time: write it as 2024-04-18 02:30:00, in UTC.", text=text)) from None
     if moment.tzinfo is not None:
         moment = moment.astimezone(timezone.utc)
     seconds = calendar_seconds(moment.year, moment.month, moment.day, moment.hour, moment.minute,

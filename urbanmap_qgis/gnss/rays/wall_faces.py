@@ -17,6 +17,7 @@ import shapely
 
 from ...errors import InputError
 from ...io.cityjson import read_cityjson
+from ...wording import say
 
 _UPRIGHT = 0.02
 """Vertical part of the unit normal of a face that still counts as a wall."""
@@ -120,10 +121,10 @@ def building_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarr
         pieces.append(found)
         owner.append(np.full(len(found), rows[number]))
     if without:
-        raise InputError(f"{without} of {len(shapes)} buildings have no heights: give solids, outlines with z, or "
-                         "the field with the height of their tops.")
+        raise InputError(say("{without} of {shapes_count} buildings have no heights: give solids, outlines with z, "
+                             "or the field with the height of their tops.", without=without, shapes_count=len(shapes)))
     if not pieces or not sum(map(len, pieces)):
-        raise InputError("The buildings have no walls: give solids or outlines with heights.")
+        raise InputError(say("The buildings have no walls: give solids or outlines with heights."))
     return _assembled(np.concatenate(pieces), np.concatenate(owner))
 
 
@@ -142,7 +143,7 @@ def cityjson_shapes(path: str | os.PathLike) -> tuple[list[str], list[shapely.Mu
                 shapely.Polygon(solid.vertices[list(face[0])], [solid.vertices[list(ring)] for ring in face[1:]])
                 for solid in item.solids for face in solid.faces]))
     if not shapes:
-        raise InputError(f"{path} holds no solids: give building models of LoD 1 or higher.")
+        raise InputError(say("{path} holds no solids: give building models of LoD 1 or higher.", path=path))
     return [str(name) for name in names], shapes
 
 

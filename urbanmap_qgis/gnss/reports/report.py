@@ -10,6 +10,7 @@ import numpy as np
 
 from ...io.report import BAD, GOOD, LOOK, Report
 from ...io.svg import bars
+from ...wording import say
 from ..rays.ray_lines import RayStatistics, ray_statistics
 from ..rays.reflections import LOS, NLOS, REFLECTED, SignalPaths
 from ..signals.tables import SYSTEM_NAMES, Signals
@@ -30,8 +31,10 @@ def write_reflection_report(path: str | os.PathLike, signals: Signals, paths: Si
     """
     report = Report("GNSS reflections")
     sure = float(np.mean(paths.sure)) if len(paths.sure) else 0.0
-    report.verdict(GOOD if sure > 0.8 else LOOK, f"{int(np.sum(paths.kind == REFLECTED))} of {len(paths.kind)} signals "
-                   f"are reflected by one wall; of {100 * sure:.0f} % of all signals the class is sure.")
+    report.verdict(GOOD if sure > 0.8 else LOOK, say("{count} of {kind_count} signals are reflected by one wall; of "
+                                                     "{sure:.0f} % of all signals the class is sure.",
+                                                     count=int(np.sum(paths.kind == REFLECTED)),
+                                                     kind_count=len(paths.kind), sure=100 * sure))
     _signals(report, signals, paths, corrected, figures)
     _distrust(report, signals, paths, corrected)
     report.write(path)
@@ -51,9 +54,10 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
     adjusted = walls.status == ADJUSTED
     if adjusted.any():
         report.verdict(GOOD if adjusted.all() else LOOK,
-                       f"{int(adjusted.sum())} of {len(adjusted)} walls are adjusted, with a median standard "
-                       f"deviation of {_median(walls.sigma[adjusted]):.2f} m. The others stay where they were: nothing "
-                       "is known of them.")
+                       say("{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of "
+                           "{median:.2f} m. The others stay where they were: nothing is known of them.",
+                           sum=int(adjusted.sum()), adjusted_count=len(adjusted),
+                           median=_median(walls.sigma[adjusted])))
     else:
         report.verdict(BAD, "No wall was moved: the observations do not decide. The table below tells why; more "
                        "drives along the walls help.")
@@ -103,7 +107,7 @@ def _wall_table(report: Report, made: Adjustment, names: np.ndarray) -> None:
     report.table(["building", "edge", "status", "offset, m", "sigma, m", "moved, m", "observations", "satellites",
                   "passes", "share of inliers", "reason"], rows)
     if len(order) > _ROWS:
-        report.paragraph(f"{len(order) - _ROWS} more are in the layer of walls.")
+        report.paragraph(say("{order_count} more are in the layer of walls.", order_count=len(order) - _ROWS))
 
 
 def _errors(report: Report, made: Adjustment) -> None:
@@ -142,7 +146,8 @@ def _signals(report: Report, signals: Signals, paths: SignalPaths, corrected: np
         if rows.any():
             low, high = (-10.0, 10.0) if kind == LOS else (-20.0, 80.0)
             counts, edges = np.histogram(np.clip(corrected[rows], low, high), bins=50, range=(low, high))
-            report.figure(bars(counts, edges, "residual, m"), f"Residuals of signals {_NAMES[kind]} ({rows.sum():,}).")
+            report.figure(bars(counts, edges, "residual, m"), say("Residuals of signals {names} ({sum:,}).",
+                                                                  names=_NAMES[kind], sum=rows.sum()))
     rows = np.flatnonzero(known & (paths.kind == REFLECTED))
     if len(rows):
         report.figure(scatter(paths.excess()[rows], corrected[rows], paths.sure[rows]),
@@ -162,8 +167,9 @@ def _distrust(report: Report, signals: Signals, paths: SignalPaths, corrected: n
     for note in signals.notes:
         report.paragraph(note)
     if np.isfinite(signals.geoid_sigma):
-        report.warning(f"The geoid separation was estimated from the satellites ({signals.geoid_separation:.1f} m, "
-                       f"sigma {signals.geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.")
+        report.warning(say("The geoid separation was estimated from the satellites ({geoid_separation:.1f} m, sigma "
+                           "{geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.",
+                           geoid_separation=signals.geoid_separation, geoid_sigma=signals.geoid_sigma))
     report.paragraph("Reflections by ground, vehicles, bridges and trees, two reflections in a row and diffraction at "
                      "edges are not traced; walls are taken for flat and upright.")
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.guard import reads
+from ...wording import say
 from .gnss_time import BEIDOU_OFFSET, calendar_seconds, leap_seconds, nearest_week, to_gps
 from .text_lines import RinexFile, read_rinex
 
@@ -149,9 +150,9 @@ def _joined(kind: type, parts: list):
 def _read_one(path: str | os.PathLike) -> NavigationRecords:
     file = read_rinex(path)
     if file.kind == "O":
-        raise InputError(f"{file.name} holds observations: give a navigation file here.")
+        raise InputError(say("{file} holds observations: give a navigation file here.", file=file.name))
     if file.kind not in (_KINDS_2 if file.version < 3 else "N"):
-        raise InputError(f"{file.name} is a RINEX file but no navigation file: give one of type N.")
+        raise InputError(say("{file} is a RINEX file but no navigation file: give one of type N.", file=file.name))
     records = defaultdict(list)
     broken = 0
     for name, stamp, rows in _records(file):
@@ -171,7 +172,8 @@ def _read_one(path: str | os.PathLike) -> NavigationRecords:
     notes = (*file.notes, *((f"{file.name}: {broken} records of satellites are not whole and are left out.",)
                             if broken else ()))
     if not records:
-        raise InputError(f"{file.name} holds no record of a satellite that can be used: give another navigation file.")
+        raise InputError(say("{file} holds no record of a satellite that can be used: give another navigation file.",
+                             file=file.name))
     kepler, glonass = _kepler(records["K"]), _glonass(records["R"])
     middle = float(np.median(np.concatenate([kepler.toe, glonass.toe])))
     return NavigationRecords(kepler, glonass, tuple(_ionosphere(file, middle)), notes)

@@ -16,6 +16,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...io.guard import reads
 from ...progress import SILENT, Progress
+from ...wording import say
 from .gnss_time import calendar_seconds, known_scale, to_gps
 from .text_lines import RinexFile, read_rinex
 
@@ -86,7 +87,8 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
     """
     file = read_rinex(path)
     if file.kind != "O":
-        raise InputError(f"{file.name} is a RINEX file but holds no observations: give it as another parameter.")
+        raise InputError(say("{file} is a RINEX file but holds no observations: give it as another parameter.",
+                             file=file.name))
     walk = _Walk(file)
     rows = walk.rows()
     progress.step(0.3)
@@ -98,7 +100,8 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
         notes.append(f"{file.name}: {unread} numbers cannot be read and are left out.")
     found = _in_order(file.name, to_gps(np.array(walk.times), scale), rows, values, bands, notes)
     if not len(found.code):
-        raise InsufficientDataError(f"{file.name} holds no code observation of the chosen systems: check the file.")
+        raise InsufficientDataError(say("{file} holds no code observation of the chosen systems: check the file.",
+                                        file=file.name))
     return found
 
 
@@ -106,7 +109,8 @@ def _time_scale(file: RinexFile) -> str:
     told = [content[48:51] for content in file.contents("TIME OF FIRST OBS")]
     scale = told[0] if told and told[0].strip() else _SYSTEM_SCALE.get(file.system, "GPS")
     if not known_scale(scale):
-        raise InputError(f"{file.name} counts time in \"{scale}\", which is not known: convert it to GPS time.")
+        raise InputError(say("{file} counts time in \"{scale}\", which is not known: convert it to GPS time.",
+                             file=file.name, scale=scale))
     return scale
 
 
@@ -146,7 +150,8 @@ class _Walk:
         else:
             self._walk_2()
         if not self.times:
-            raise InsufficientDataError(f"{self.file.name} holds no epoch with observations: check the file.")
+            raise InsufficientDataError(say("{file} holds no epoch with observations: check the file.",
+                                            file=self.file.name))
         line = np.concatenate(self._first)
         counts = np.array(self._counts)
         names = (_names_3(self.file, line) if self.file.version >= 3
@@ -292,7 +297,8 @@ def _types_of(header: tuple[tuple[str, str], ...], file: RinexFile) -> dict[str,
                 types["2"] = []
             types.setdefault("2", []).extend(content[6:60].split())
     if header is file.header and not types:
-        raise InputError(f"{file.name} does not tell its types of observations: its header is not whole.")
+        raise InputError(say("{file} does not tell its types of observations: its header is not whole.",
+                             file=file.name))
     return types
 
 
@@ -307,7 +313,8 @@ def _scale_factors(file: RinexFile) -> _Factors:
                 if not int(content[8:10].strip() or 0):
                     factors[system, ""] = factor
         except ValueError as error:
-            raise InputError(f"{file.name} has a scale factor that cannot be read: check its header.") from error
+            raise InputError(say("{file} has a scale factor that cannot be read: check its header.",
+                                 file=file.name)) from error
         factors.update(((system, kind), factor) for kind in content[10:60].split())
     return factors
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...io.guard import reads
+from ...wording import say
 
 _LARGEST = 2**30
 _PIECE = 1 << 16
@@ -69,16 +70,18 @@ def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
     try:
         data = path.read_bytes()
     except OSError as error:
-        raise InputError(f"{path.name} cannot be read ({error.strerror}): check the file.") from error
+        raise InputError(say("{path} cannot be read ({strerror}): check the file.", path=path.name,
+                             strerror=error.strerror)) from error
     notes: tuple[str, ...] = ()
     if data[:2] == _MAGIC_GZIP:
         data, whole = _unpacked(data, path.name)
         if not whole:
             notes = (f"{path.name} breaks off: it is used up to there.",)
     if data[:2] == _MAGIC_COMPRESS or data[:4] == _MAGIC_ZIP:
-        raise InputError(f"{path.name} is packed in a way that is not read here: unpack it, or pack it with gzip.")
+        raise InputError(say("{path} is packed in a way that is not read here: unpack it, or pack it with gzip.",
+                             path=path.name))
     if not data.strip():
-        raise InputError(f"{path.name} is empty: choose another file.")
+        raise InputError(say("{path} is empty: choose another file.", path=path.name))
     return data, notes
 
 
@@ -92,13 +95,13 @@ def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
                 parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
                 total += len(parts[-1])
                 if total >= _LARGEST:
-                    raise InputError(f"{name} holds more than {_LARGEST >> 20} MB when unpacked: give the files of one "
-                                     "drive at a time.")
+                    raise InputError(say("{name} holds more than {largest} MB when unpacked: give the files of one "
+                                         "drive at a time.", name=name, largest=_LARGEST >> 20))
                 if stream.eof:
                     break
         except zlib.error as error:
             if not any(parts):
-                raise InputError(f"{name} is not a sound gzip file: fetch it again.") from error
+                raise InputError(say("{name} is not a sound gzip file: fetch it again.", name=name)) from error
             return b"".join(parts), False
         if not stream.eof:
             return b"".join(parts), False
@@ -118,15 +121,18 @@ def read_rinex(path: str | os.PathLike) -> RinexFile:
     data, notes = read_bytes(path)
     first = data[:80].decode("latin-1")
     if "COMPACT RINEX" in first:
-        raise InputError(f"{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.")
+        raise InputError(say("{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.",
+                             name=name))
     if "RINEX VERSION / TYPE" not in first[60:]:
-        raise InputError(f"{name} is not a RINEX file: its first line does not say \"RINEX VERSION / TYPE\".")
+        raise InputError(say("{name} is not a RINEX file: its first line does not say \"RINEX VERSION / TYPE\".",
+                             name=name))
     try:
         version = float(first[:9])
     except ValueError as error:
-        raise InputError(f"{name} tells no RINEX version in its first line: check the file.") from error
+        raise InputError(say("{name} tells no RINEX version in its first line: check the file.", name=name)) from error
     if not 2.0 <= version < 4.0:
-        raise InputError(f"{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.")
+        raise InputError(say("{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.", name=name,
+                             version=version))
     header, body = _split_header(data.replace(b"\r\n", b"\n"), name)
     return RinexFile(name, version, first[20], first[40], header, *_lines(body), not body.endswith(b"\n"), notes)
 
@@ -134,7 +140,7 @@ def read_rinex(path: str | os.PathLike) -> RinexFile:
 def _split_header(data: bytes, name: str) -> tuple[tuple[tuple[str, str], ...], bytes]:
     end = data.find(b"END OF HEADER")
     if end < 0:
-        raise InputError(f"{name} has no \"END OF HEADER\": the file is not whole.")
+        raise InputError(say("{name} has no \"END OF HEADER\": the file is not whole.", name=name))
     stop = data.find(b"\n", end)
     stop = len(data) if stop < 0 else stop + 1
     lines = data[:stop].decode("latin-1").split("\n")

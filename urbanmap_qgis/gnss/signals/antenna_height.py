@@ -10,6 +10,7 @@ import numpy as np
 from scipy import sparse
 
 from ...errors import InsufficientDataError
+from ...wording import say
 from .tables import Signals
 
 _TUKEY = 4.7
@@ -93,8 +94,8 @@ def estimate_height(signals: Signals, line_of_sight: np.ndarray | None = None) -
     lift = signals.direction[rows, 2]
     spread = lift - _centre(lift, np.ones(len(rows)), group, count)[group]
     if len(rows) < 100 or np.sqrt(np.mean(spread ** 2)) < 0.05:
-        raise InsufficientDataError("Too few satellites at different elevations tell the height of the antenna: "
-                                    "give the geoid separation.")
+        raise InsufficientDataError(say("Too few satellites at different elevations tell the height of the antenna: "
+                                        "give the geoid separation."))
     system = np.unique(signals.system[rows], return_inverse=True)[1].ravel()
     part, parts = _numbered(signals.epochs.source[signals.epoch[rows]] * 8 + system)
     unknowns = sparse.hstack([sparse.csr_matrix(lift[:, None]), _incidence(part, parts)], format="csr")

@@ -16,6 +16,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...mobile.trajectory import Trajectory, body_to_map, gaps
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..orbits.earth_fixed import SPEED_OF_LIGHT, EarthPlaces, MapFrame, directions, elevation_azimuth
 from ..orbits.ephemeris import (
     NO_EPHEMERIS,
@@ -69,7 +70,7 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
     """
     settings = settings or SignalSettings()
     if not observation_paths:
-        raise InputError("No observation file is given: give the receiver's RINEX observation files.")
+        raise InputError(say("No observation file is given: give the receiver's RINEX observation files."))
     files = [read_observations(path, settings.systems, progress.part(0.3 * i / len(observation_paths), 0.3 * (
         i + 1) / len(observation_paths))) for i, path in enumerate(observation_paths)]
     navigation = read_navigation(navigation_paths)
@@ -115,16 +116,17 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
             return float(shift)
     told = (f"{first:.0f} to {last:.0f} s of week" if last < 2 * WEEK else
             span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
-    raise InputError(f"Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
-                     f"{span_text(start, end)} GPS time ({start - week:.0f} to {end - week:.0f} s of week).")
+    raise InputError(say("Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
+                         "{span_text} GPS time ({start:.0f} to {end:.0f} s of week).", what=what, told=told,
+                         span_text=span_text(start, end), start=start - week, end=end - week))
 
 
 def _check_same_days(files: Sequence[Observations], navigation: Navigation) -> None:
     for file in files:
         if not navigation.covers(file.time[0], file.time[-1]):
             observed, good = span_text(file.time[0], file.time[-1]), spans_text(navigation.spans())
-            raise InputError(f"{file.name} was observed {observed} GPS time, but the navigation files are good for "
-                             f"{good}: give those of the same day.")
+            raise InputError(say("{file} was observed {observed} GPS time, but the navigation files are good for "
+                                 "{good}: give those of the same day.", file=file.name, observed=observed, good=good))
 
 
 @dataclass(frozen=True)
@@ -212,8 +214,8 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
     columns_of_all = {name: np.concatenate([table[name] for table in columns]) for name in columns[0]}
     if not len(columns_of_all["epoch"]):
         reasons = ", ".join(f"{count} {reason}" for reason, count in left_out.items())
-        raise InsufficientDataError(f"No observation can be used ({reasons or 'the files hold none'}): check that "
-                                    "observations, navigation and trajectory belong together.")
+        raise InsufficientDataError(say("No observation can be used ({value}): check that observations, navigation "
+                                        "and trajectory belong together.", value=reasons or "the files hold none"))
     epochs = Epochs(np.concatenate([part.time for part in parts]), np.concatenate([part.gps_time for part in parts]),
                     np.concatenate([part.place for part in parts]),
                     np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
@@ -280,19 +282,19 @@ def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, d
 def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: Sequence[_Measured]) -> tuple[str, ...]:
     notes = [note for file in files for note in file.notes] + list(navigation.notes)
     if model is None:
-        notes.append("The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not "
-                     "taken off; give a navigation file of GPS.")
+        notes.append(say("The navigation files tell no coefficients of the ionosphere: its delay, some metres, is "
+                         "not taken off; give a navigation file of GPS."))
     if navigation.precise and not len(navigation.kepler):
-        notes.append("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the "
-                     "navigation files too.")
+        notes.append(say("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give "
+                         "the navigation files too."))
     placed = {str(name) for part in parts for name in np.unique(part.satellite.astype("U1"))}
     for status, why in ((NO_EPHEMERIS, "have no ephemeris near in time"), (UNHEALTHY, "are unhealthy")):
         names = sorted({name for part in parts for name in part.unplaced[status] if name[0] in placed})
         if names:
-            notes.append(f"Satellites that {why} are left out: {', '.join(names)}.")
+            notes.append(say("Satellites that {why} are left out: {names}.", why=why, names=", ".join(names)))
     for system in sorted({name[0] for part in parts for name in part.unplaced[NO_EPHEMERIS]} - placed):
-        notes.append(f"No satellite of {SYSTEM_NAMES[system]} can be placed: its signals are left out; give its "
-                     "navigation file.")
+        notes.append(say("No satellite of {system_names} can be placed: its signals are left out; give its "
+                         "navigation file.", system_names=SYSTEM_NAMES[system]))
     return tuple(notes)
 
 
@@ -314,18 +316,20 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
     note = _check_fit(signals, retimed)
     if given is None:
         if abs(offset) > LARGEST_SEPARATION:
-            raise InputError(f"By the satellites the antenna is {offset:.0f} m above the heights of the trajectory, "
-                             "more than any geoid separation: trajectory and observations do not belong together.")
+            raise InputError(say("By the satellites the antenna is {offset:.0f} m above the heights of the "
+                                 "trajectory, more than any geoid separation: trajectory and observations do not "
+                                 "belong together.", offset=offset))
         signals = at_height(offset)
         further, sigma = estimate_height(signals, strong_signals(signals))
-        told = (f"The geoid separation was not given; the satellites say {offset + further:.1f} m (sigma {sigma:.1f} "
-                "m), which is used: the official value is better.")
+        told = (say("The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), "
+                    "which is used: the official value is better.", offset=offset + further, sigma=sigma))
         return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, told))
     if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
-        raise InputError(f"By the satellites the antenna is {abs(offset):.0f} m {'higher' if offset > 0 else 'lower'} "
-                         f"than the trajectory with a geoid separation of {given:g} m says: heights above sea level "
-                         f"and above the ellipsoid seem to be mixed up; a separation of about {given + offset:.0f} m "
-                         "would fit.")
+        raise InputError(say("By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a "
+                             "geoid separation of {given:g} m says: heights above sea level and above the ellipsoid "
+                             "seem to be mixed up; a separation of about {given_2:.0f} m would fit.",
+                             offset=abs(offset), value=say("higher") if offset > 0 else say("lower"), given=given,
+                             given_2=given + offset))
     return replace(signals, notes=(*signals.notes, *note))
 
 
@@ -350,11 +354,14 @@ def _check_fit(signals: Signals, retimed: Callable[[float, float], Signals]) -> 
     leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
     for seconds, fault in ((leap, "too early, as UTC is"), (-leap, "too late")):
         if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
-            raise InputError(f"The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.")
+            raise InputError(say("The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.", leap=leap,
+                                 fault=fault))
     if scatter > LARGEST_SCATTER:
-        raise InputError(f"The code ranges do not fit the trajectory (the strongest signals contradict each other by "
-                         f"{scatter:.0f} m): its CRS, its times or the observation file are of another drive.")
+        raise InputError(say("The code ranges do not fit the trajectory (the strongest signals contradict each other "
+                             "by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.",
+                             scatter=scatter))
     if scatter < WIDE_SCATTER:
         return ()
-    return (f"The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, more "
-            "than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.",)
+    return (say("The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, "
+                "more than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.",
+                scatter=scatter),)

@@ -11,6 +11,7 @@ import numpy as np
 from ...errors import InputError
 from ...mobile.trajectory import Trajectory, unwrapped
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..rinex.observation_file import read_observations
 from .observations import load_observations, trajectory_shift
 from .tables import Signals, SignalSettings, join_signals
@@ -66,8 +67,8 @@ def joined_trajectory(trajectories: Sequence[Trajectory], names: Sequence[str] =
     for before, after in zip(order[:-1], order[1:]):
         if trajectories[after].time[0] <= trajectories[before].time[-1]:
             who = " and ".join(names[number] for number in (before, after)) if names else "Two trajectories"
-            raise InputError(f"{who} overlap in time: give times that count on over the weeks (full GPS seconds), or "
-                             "each place of the vehicle once.")
+            raise InputError(say("{who} overlap in time: give times that count on over the weeks (full GPS seconds), "
+                                 "or each place of the vehicle once.", who=who))
     parts = [trajectories[number] for number in order]
     return Trajectory(np.concatenate([part.time for part in parts]), np.concatenate([part.place for part in parts]),
                       unwrapped(np.concatenate([part.angles for part in parts])))
@@ -112,11 +113,11 @@ def _grouped(paths: Sequence[str | os.PathLike], spans: Sequence[Span], trajecto
             if _overlap(trajectory, shift, span) > 0:
                 fitting.append(number)
         if not fitting:
-            raise InputError(f"{Path(path).name} is of the time of none of the trajectories: give the trajectory of "
-                             "that drive, or leave the file out.")
+            raise InputError(say("{path} is of the time of none of the trajectories: give the trajectory of that "
+                                 "drive, or leave the file out.", path=Path(path).name))
         if len(fitting) > 1:
             who = " and ".join(names[number] for number in fitting[:2])
-            raise InputError(f"{Path(path).name} may belong to {who}, which have the same times of the week: give "
-                             "trajectories in full GPS seconds.")
+            raise InputError(say("{path} may belong to {who}, which have the same times of the week: give "
+                                 "trajectories in full GPS seconds.", path=Path(path).name, who=who))
         groups.setdefault(fitting[0], []).append(path)
     return groups

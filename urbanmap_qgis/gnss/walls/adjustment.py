@@ -17,6 +17,7 @@ import shapely
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..rays.reflections import LOS, REFLECTED, SignalPaths, TraceSettings, possible_walls, trace
 from ..rays.tracing import WallObstacles, mirror_reflections
 from ..rays.wall_faces import WallPieces, WallTable, building_walls, wall_table
@@ -63,10 +64,10 @@ class AdjustmentSettings:
 
     def __post_init__(self) -> None:
         if min(self.prior_sigma, self.block, self.max_sigma, self.max_offset) <= 0 or self.max_iterations < 1:
-            raise InputError("Prior, block length, maximum sigma, maximum offset and iterations must be greater than "
-                             "0.")
+            raise InputError(say("Prior, block length, maximum sigma, maximum offset and iterations must be greater "
+                                 "than 0."))
         if min(self.min_observations, self.min_satellites, self.min_passes) < 1:
-            raise InputError("The minimum numbers of observations, satellites and passes must be at least 1.")
+            raise InputError(say("The minimum numbers of observations, satellites and passes must be at least 1."))
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import numpy as np
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..rays.reflections import LOS, SignalPaths, TraceSettings, trace
 from ..rays.wall_faces import WallPieces
 from ..signals.tables import Signals
@@ -40,9 +41,9 @@ def line_of_sight_clocks(signals: Signals, paths: SignalPaths, progress: Progres
         is_los &= ~(attenuation(signals, is_los) > WEAKENED)
     clocks = pass_clocks(signals, is_los, progress=progress)
     if not any(np.isfinite(clock.corrected).any() for clock in clocks):
-        raise InsufficientDataError("At no epoch are three satellites in line of sight, so that the receiver's clock "
-                                    "is not known: give observations of more satellites, or check heights and "
-                                    "coordinate systems.")
+        raise InsufficientDataError(say("At no epoch are three satellites in line of sight, so that the receiver's "
+                                        "clock is not known: give observations of more satellites, or check heights "
+                                        "and coordinate systems."))
     return clocks
 
 

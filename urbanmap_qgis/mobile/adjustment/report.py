@@ -8,6 +8,7 @@ import numpy as np
 
 from ...io.report import GOOD, LOOK, Report
 from ...io.svg_profile import COLOURS, Series, profile
+from ...wording import say
 from .network import KINDS, plan_residuals
 from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey
 
@@ -37,12 +38,12 @@ def _verdict(report: Report, survey: AdjustedSurvey) -> None:
                        "or reference markings, or use the result only for comparing drives.")
     else:
         sigma = np.concatenate([drive.plan_sigma() for drive in survey.drives])
-        report.verdict(GOOD, f"The drives are placed with a standard deviation of {100 * np.median(sigma):.1f} cm in "
-                       f"plan (median; largest {100 * sigma.max():.0f} cm).")
+        report.verdict(GOOD, say("The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; "
+                                 "largest {max:.0f} cm).", sigma=100 * np.median(sigma), max=100 * sigma.max()))
     for drive in survey.drives:
         if (drive.status == STATUS_NAMES.index("not tied")).all():
-            report.warning(f"{drive.name} shares no markings with other drives, control or reference: it stays as "
-                           "reported.")
+            report.warning(say("{drive} shares no markings with other drives, control or reference: it stays as "
+                               "reported.", drive=drive.name))
 
 
 def _drive_row(drive: AdjustedDrive) -> tuple:

@@ -11,6 +11,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...io.pointcloud import PointCloud, iter_chunks, open_cloud
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..control import ControlPoints
@@ -140,12 +141,12 @@ def assign_clouds(paths: Sequence[str | os.PathLike], trajectories: Sequence[Tra
         away = [_distance(cloud, trajectory) for trajectory in trajectories]
         nearest = int(np.argmin(away))
         if not away[nearest] < _BELONGS:
-            raise InputError(f"{cloud.paths[0].name} belongs to none of the trajectories: none covers its GPS times "
-                             "near its points. Give the trajectory of each drive.")
+            raise InputError(say("{paths} belongs to none of the trajectories: none covers its GPS times near its "
+                                 "points. Give the trajectory of each drive.", paths=cloud.paths[0].name))
         found[nearest].append(path)
     for name, files in zip(names, found):
         if not files:
-            raise InputError(f"No point cloud was measured along {name}: give the points of each drive.")
+            raise InputError(say("No point cloud was measured along {name}: give the points of each drive.", name=name))
     return found
 
 
@@ -188,7 +189,7 @@ def adjust_surveys(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: 
         part = progress.part(0.5 * number / count, 0.5 * (number + 1) / count)
         drives.append(Drive(name, trajectory, survey_markings(open_cloud(paths), trajectory,
                                                               run.registration.extraction, calibration, part)))
-    progress.message("Looking for markings that drives share.")
+    progress.message(say("Looking for markings that drives share."))
     found = [tie_drives(drives, run.registration, progress.part(0.5, 0.8))]
     if run.planes:
         found.append(_plane_observations(clouds, drives, found[0], run, progress.part(0.8, 0.9)))
@@ -198,15 +199,15 @@ def adjust_surveys(clouds: Sequence[Sequence[str | os.PathLike]], trajectories: 
         found.append(control_observations(drives, control, run))
     observations = NetworkObservations.joined(found)
     if not len(observations):
-        raise InsufficientDataError("The drives share no markings and planes, and no control point or reference "
-                                    "marking fits them: nothing can be adjusted.")
+        raise InsufficientDataError(say("The drives share no markings and planes, and no control point or reference "
+                                        "marking fits them: nothing can be adjusted."))
     return _adjusted(drives, observations, run, progress)
 
 
 def _plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: Sequence[Drive],
                         ties: NetworkObservations, run: AdjustmentRun, progress: Progress) -> NetworkObservations:
     """Ties by planes; drives that share markings are brought together by these first."""
-    progress.message("Looking for planes that drives share.")
+    progress.message(say("Looking for planes that drives share."))
     reported = [drive.trajectory for drive in drives]
     planes = planes_of(clouds, reported, progress)
     adjusted = reported
@@ -230,8 +231,8 @@ def control_observations(drives: Sequence[Drive], control: ControlPoints, run: A
     nearest = away.min(axis=0)
     if (nearest > _CONTROL_REACH).any():
         name = control.id[int(np.argmax(nearest))]
-        raise InputError(f"Control point {name} was measured by none of the drives: no trajectory passes within "
-                         f"{_CONTROL_REACH:.0f} m of it at its time.")
+        raise InputError(say("Control point {name} was measured by none of the drives: no trajectory passes within "
+                             "{control_reach:.0f} m of it at its time.", name=name, control_reach=_CONTROL_REACH))
     n = len(control)
     parameter, arm = np.zeros(n), np.zeros((n, 2))
     for k, drive in enumerate(drives):
@@ -263,9 +264,10 @@ def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: A
                          for number, (drive, parameter) in enumerate(zip(drives, parameters))))
     stepped = [drive.name for drive, made in zip(drives, nodes) if made.fast.any()]
     if stepped:
-        progress.warn(f"Ties change by more than drift within 20 m (a step of a trajectory): {', '.join(stepped)} may "
-                      "step there, and control or reference says which does.")
-    progress.message(f"Adjusting {len(drives)} drives with {len(observations)} observations.")
+        progress.warn(say("Ties change by more than drift within 20 m (a step of a trajectory): {stepped} may step "
+                          "there, and control or reference says which does.", stepped=", ".join(stepped)))
+    progress.message(say("Adjusting {drives_count} drives with {observations_count} observations.",
+                         drives_count=len(drives), observations_count=len(observations)))
     network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
     kept = network.weight >= _KEPT
     placed = _networks(len(drives), observations, kept)
@@ -330,12 +332,13 @@ def _drive_result(drive: Drive, parameter: np.ndarray, nodes: DriveNodes, time: 
 def _tell(survey: AdjustedSurvey, placed: Sequence[bool | None], progress: Progress) -> None:
     """Say what was reached, and warn of what is not placed."""
     for name, count, lost, plan, _, up, _ in survey.residual_rows():
-        progress.message(f"{count} observations ({name}), {lost} without weight; RMS residual {100 * plan:.1f} cm in "
-                         f"plan, {100 * up:.1f} cm in height.")
+        progress.message(say("{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in "
+                             "plan, {up:.1f} cm in height.", count=count, name=name, lost=lost, plan=100 * plan,
+                             up=100 * up))
     relative = [drive.name for drive, item in zip(survey.drives, placed) if item is False]
     loose = [drive.name for drive, item in zip(survey.drives, placed) if item is None]
     if relative:
-        progress.warn(f"No control point or reference marking fixes {', '.join(relative)}: these drives agree with "
-                      "each other, but their place is only relative.")
+        progress.warn(say("No control point or reference marking fixes {relative}: these drives agree with each "
+                          "other, but their place is only relative.", relative=", ".join(relative)))
     if loose:
-        progress.warn(f"Nothing ties {', '.join(loose)} to anything: it stays as reported.")
+        progress.warn(say("Nothing ties {loose} to anything: it stays as reported.", loose=", ".join(loose)))

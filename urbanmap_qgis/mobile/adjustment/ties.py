@@ -15,6 +15,7 @@ from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..markings.records import MarkingPoints
 from ..passes import BlockPositions
 from ..registration.correction.gauss_markov import path_parameters_of
@@ -93,7 +94,7 @@ def reference_observations(drives: Sequence[Drive], reference: Reference, run: R
         part = progress.part(number / len(drives), (number + 1) / len(drives))
         made = _registered(drive.markings, drive.trajectory, reference, run, part)
         if made is None:
-            progress.warn(f"No marking of {drive.name} could be registered to the reference markings.")
+            progress.warn(say("No marking of {drive} could be registered to the reference markings.", drive=drive.name))
             continue
         patches = _chosen(made)
         found.append(_observations(made, patches, number, drive, NONE, np.zeros(len(patches)),

@@ -14,6 +14,7 @@ from ...errors import InputError, InsufficientDataError
 from ...io.atomic import written_beside
 from ...io.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration, scanner_of
 from ..passes import BlockPositions
@@ -66,7 +67,7 @@ def calibrate_scanners(clouds: Sequence[Sequence[str | os.PathLike]], trajectori
     """
     settings = settings or BoresightSettings()
     if not calibration.scanners:
-        raise InputError("The calibration holds no scanner: there is nothing to calibrate.")
+        raise InputError(say("The calibration holds no scanner: there is nothing to calibrate."))
     passes = [_passes(trajectory) for trajectory in trajectories]
     search = PatchSearch(trajectories[0].place[0])
     first_pass = 0
@@ -75,15 +76,17 @@ def calibrate_scanners(clouds: Sequence[Sequence[str | os.PathLike]], trajectori
         _collect(search, paths, trajectory, part, first_pass, calibration, step)
         first_pass += part.count
     patches = search.patches()
-    progress.message(f"{len(patches):,} planes in {first_pass} passes.")
+    progress.message(say("{patches_count:,} planes in {first_pass} passes.", patches_count=len(patches),
+                         first_pass=first_pass))
     poses, node_pass = _poses(patches, trajectories, passes, calibration, settings)
     found = adjust_boresights(patches, poses, node_pass, len(calibration.scanners), settings)
     if found.pairs < _FEWEST_PAIRS:
-        raise InsufficientDataError(f"Only {found.pairs} planes were seen by two scanners or in two passes: drive a "
-                                    "street with walls in both directions.")
+        raise InsufficientDataError(say("Only {pairs} planes were seen by two scanners or in two passes: drive a "
+                                        "street with walls in both directions.", pairs=found.pairs))
     if found.apart > settings.max_apart:
-        raise InputError(f"The passes lie {found.apart:.1f} m apart: correct the trajectories first (“Adjust several "
-                         "drives”) and place the points with them (“Apply corrected trajectory”).")
+        raise InputError(say("The passes lie {apart:.1f} m apart: correct the trajectories first (“Adjust several "
+                             "drives”) and place the points with them (“Apply corrected trajectory”).",
+                             apart=found.apart))
     _tell(found, progress)
     return CalibratedScanners(_corrected(calibration, found), found, first_pass)
 
@@ -156,11 +159,12 @@ def _corrected(calibration: Calibration, found: Boresights) -> Calibration:
 
 
 def _tell(found: Boresights, progress: Progress) -> None:
-    progress.message(f"{found.pairs:,} pairs of planes; they lie {1000 * found.rms_before:.1f} mm apart before and "
-                     f"{1000 * found.rms_after:.1f} mm after (RMS).")
+    progress.message(say("{pairs:,} pairs of planes; they lie {rms_before:.1f} mm apart before and {rms_after:.1f} "
+                         "mm after (RMS).", pairs=found.pairs, rms_before=1000 * found.rms_before,
+                         rms_after=1000 * found.rms_after))
     if not found.determined.any():
-        progress.warn("Nothing is determined: the calibration stays as it is. Drive a street with walls in both "
-                      "directions, and correct the trajectories first.")
+        progress.warn(say("Nothing is determined: the calibration stays as it is. Drive a street with walls in both "
+                          "directions, and correct the trajectories first."))
 
 
 def write_calibration(path: str | os.PathLike, source: str | os.PathLike, made: CalibratedScanners) -> None:

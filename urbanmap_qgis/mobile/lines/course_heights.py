@@ -18,6 +18,7 @@ from scipy.optimize import minimize
 
 from ...errors import InsufficientDataError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..trajectory import Trajectory, path_chainage
 
 SPACING = 2.0
@@ -87,16 +88,17 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     below = np.asarray(ground(place[:, 0], place[:, 1]), float)
     there = np.isfinite(below)
     if np.count_nonzero(there) < _MIN_SAMPLES:
-        raise InsufficientDataError("The ground does not reach the trajectory's course: give a ground of the same "
-                                    "place and coordinate reference system.")
+        raise InsufficientDataError(say("The ground does not reach the trajectory's course: give a ground of the "
+                                        "same place and coordinate reference system."))
     time, above = trajectory.time[row[there]], (place[:, 2] - below)[there]
     found = sensor_height is None
     # What stands on the ground comes nearer to the vehicle: the upper quarter is the road's.
     start = float(np.percentile(above, 75)) if found else float(sensor_height)
     believed = np.abs(start - above) <= MAX_ERROR
     if np.count_nonzero(believed) < _MIN_SAMPLES:
-        raise InsufficientDataError(f"The trajectory lies {np.median(above):.1f} m above the ground (median), not "
-                                    f"{start:.1f} m: check the origin's height and both height systems.")
+        raise InsufficientDataError(say("The trajectory lies {above:.1f} m above the ground (median), not "
+                                        "{start:.1f} m: check the origin's height and both height systems.",
+                                        above=np.median(above), start=start))
     kept = np.flatnonzero(believed)[_on_the_ground(start - above[believed])]
     height = float(np.median(above[kept])) if found else start
     error = height - above
@@ -129,8 +131,8 @@ def sampled_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.nda
     error = np.asarray(ground(place[:, 0], place[:, 1]), float) + sensor_height - place[:, 2]
     there = np.isfinite(error)
     if np.count_nonzero(there) < 2:
-        raise InsufficientDataError("The ground does not reach the trajectory's course: give a ground of the same "
-                                    "place and coordinate reference system.")
+        raise InsufficientDataError(say("The ground does not reach the trajectory's course: give a ground of the "
+                                        "same place and coordinate reference system."))
     time, error = trajectory.time[row[there]], error[there]
     sigma = 1.4826 * float(np.median(np.abs(np.diff(error)))) / np.sqrt(2.0)
     return CourseHeights(np.interp(trajectory.time, time, error), np.full(len(trajectory), sigma), sensor_height, False,

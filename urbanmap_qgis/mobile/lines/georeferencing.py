@@ -19,6 +19,7 @@ from pyproj import CRS
 from ...errors import InputError, InsufficientDataError
 from ...io.atomic import written_beside
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..calibration import Calibration, MountedScanner, scanner_of
 from ..gps_time import shift_between
 from ..trajectory import Trajectory, body_to_map, gaps
@@ -104,7 +105,7 @@ def georeference_scans(paths: Sequence[str | os.PathLike], trajectory: Trajector
     """
     settings = settings or ScanSettings()
     if Path(output).suffix.lower() not in (".las", ".laz"):
-        raise InputError(f"{Path(output).name} must end in .laz or .las.")
+        raise InputError(say("{output} must end in .laz or .las.", output=Path(output).name))
     work = _Georeferencer(trajectory, calibration, settings, progress)
     with (written_beside(output) as temporary,
           laspy.open(temporary, mode="w", header=_header(trajectory, crs_wkt),
@@ -170,8 +171,9 @@ class _Georeferencer:
         if number >= 0:
             return scanner_of(self.calibration, number)
         if len(self.calibration.scanners) != 1:
-            raise InputError(f"The range scans do not say which scanner measured them, and the calibration has "
-                             f"{len(self.calibration.scanners)}: add a column scanner.")
+            raise InputError(say("The range scans do not say which scanner measured them, and the calibration has "
+                                 "{scanners_count}: add a column scanner.",
+                                 scanners_count=len(self.calibration.scanners)))
         return self.calibration.scanners[0]
 
     def _times(self, time: np.ndarray) -> np.ndarray:
@@ -200,21 +202,23 @@ class _Georeferencer:
         angle = np.abs(scans.angle[np.isfinite(scans.angle)])
         if (not self.counts["read"] and not self.settings.radians and len(angle) >= _MIN_ROWS_FOR_RADIANS
                 and angle.max() <= 2 * np.pi):
-            self.progress.warn(f"All angles are within {angle.max():.2f} degrees: if they are radians, say so.")
+            self.progress.warn(say("All angles are within {max:.2f} degrees: if they are radians, say so.",
+                                   max=angle.max()))
         self.counts["read"] += len(scans)
 
     def placed(self) -> GeoreferencedScans:
         """The counts; InputError or InsufficientDataError where nothing was placed."""
         written = sum(self.by_scanner.values())
         if not self.counts["read"]:
-            raise InsufficientDataError("The files hold no returns: choose other range scans.")
+            raise InsufficientDataError(say("The files hold no returns: choose other range scans."))
         if self.shift is None and self.counts["outside"]:
-            raise InputError(f"The range scans were measured from {self.span[0]:.1f} to {self.span[1]:.1f} s, but the "
-                             f"trajectory runs from {self.trajectory.time[0]:.1f} to {self.trajectory.time[-1]:.1f} s: "
-                             "give those of one survey.")
+            raise InputError(say("The range scans were measured from {span:.1f} to {span_2:.1f} s, but the "
+                                 "trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.",
+                                 span=self.span[0], span_2=self.span[1], time=self.trajectory.time[0],
+                                 time_2=self.trajectory.time[-1]))
         if not written:
-            raise InsufficientDataError("No return could be placed: all are without a range or outside the limits of "
-                                        "range and time.")
+            raise InsufficientDataError(say("No return could be placed: all are without a range or outside the "
+                                            "limits of range and time."))
         return GeoreferencedScans(written=written, by_scanner=dict(sorted(self.by_scanner.items())),
                                   shift=self.shift or 0.0, **self.counts)
 

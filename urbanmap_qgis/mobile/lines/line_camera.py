@@ -16,6 +16,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..calibration import MountedCamera
 from ..trajectory import Trajectory, interpolate, rotations
 from .plane_sweep import Sweep, sweep_times
@@ -176,9 +177,9 @@ def sweep_of(strip: StripImage, trajectory: Trajectory) -> Sweep:
     """
     times = strip.times[trajectory.within(strip.times)]
     if len(times) < 2:
-        raise InputError(f"The strip image was taken from {strip.times[0]:.1f} to {strip.times[-1]:.1f} s, the "
-                         f"trajectory runs from {trajectory.time[0]:.1f} to {trajectory.time[-1]:.1f} s: give those of "
-                         "one survey.")
+        raise InputError(say("The strip image was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs "
+                             "from {time:.1f} to {time_2:.1f} s: give those of one survey.", times=strip.times[0],
+                             times_2=strip.times[-1], time=trajectory.time[0], time_2=trajectory.time[-1]))
 
     def planes(time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         place, axes = camera_poses(strip.camera, trajectory, time)

@@ -23,6 +23,7 @@ from ...errors import InputError
 from ...io.guard import first_not_finite, reads
 from ...io.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
+from ...wording import say
 
 NAMES = {
     "time": ("time", "gps_time", "gpstime", "t"),
@@ -83,14 +84,15 @@ def read_scans(paths: Sequence[str | os.PathLike], radians: bool = False,
     """
     files = [Path(path) for path in paths]
     if not files:
-        raise InputError("No range scans were given: choose one or several files.")
+        raise InputError(say("No range scans were given: choose one or several files."))
     readers = [_reader(path) for path in files]
     for number, (path, reader) in enumerate(zip(files, readers)):
         for chunk in reader(path, progress.part(number / len(files), (number + 1) / len(files))):
             bad = first_not_finite(np.column_stack([chunk.time, chunk.angle]))
             if bad is not None:
-                raise InputError(f"{path.name} has a return without a time or an angle that is a number (return "
-                                 f"{bad + 1} of those read at a time): correct it or export the scans again.")
+                raise InputError(say("{path} has a return without a time or an angle that is a number (return {bad} "
+                                     "of those read at a time): correct it or export the scans again.", path=path.name,
+                                     bad=bad + 1))
             yield _in_degrees(chunk) if radians else chunk
 
 
@@ -101,7 +103,7 @@ def _in_degrees(scans: RangeScans) -> RangeScans:
 def _reader(path: Path) -> Callable[[Path, Progress], Iterator[RangeScans]]:
     """What reads a file, by its name."""
     if not path.is_file():
-        raise InputError(f"The range scans {path} do not exist: check the file's name.")
+        raise InputError(say("The range scans {path} do not exist: check the file's name.", path=path))
     name = path.name.lower()
     if name.endswith((".csv", ".txt", ".csv.gz", ".txt.gz")):
         return _read_text
@@ -111,11 +113,12 @@ def _reader(path: Path) -> Callable[[Path, Progress], Iterator[RangeScans]]:
         try:
             importlib.import_module("pyarrow.parquet")
         except ImportError as error:
-            raise InputError(f"{path.name} is a Parquet file, and the package pyarrow that reads these cannot be "
-                             f"loaded ({error}): install it (pip install pyarrow) or export the scans as "
-                             "CSV.") from error
+            raise InputError(say("{path} is a Parquet file, and the package pyarrow that reads these cannot be "
+                                 "loaded ({error}): install it (pip install pyarrow) or export the scans as CSV.",
+                                 path=path.name, error=error)) from error
         return _read_parquet
-    raise InputError(f"{path.name} is of no known kind: range scans come as {', '.join(SUFFIXES)}.")
+    raise InputError(say("{path} is of no known kind: range scans come as {suffixes}.", path=path.name,
+                         suffixes=", ".join(SUFFIXES)))
 
 
 def _columns(names: Sequence[str], file: str, needed: Sequence[str] = NEEDED) -> dict[str, int]:
@@ -128,8 +131,8 @@ def _columns(names: Sequence[str], file: str, needed: Sequence[str] = NEEDED) ->
             found[column] = there[0]
     missing = [column for column in needed if column not in found]
     if missing:
-        raise InputError(f"{file} has no column {', '.join(missing)}: range scans need time, angle and range, and may "
-                         "have intensity and scanner.")
+        raise InputError(say("{file} has no column {missing}: range scans need time, angle and range, and may have "
+                             "intensity and scanner.", file=file, missing=", ".join(missing)))
     return found
 
 
@@ -162,7 +165,8 @@ def _read_text(path: Path, progress: Progress) -> Iterator[RangeScans]:
                 lines += block.count(b"\n")
                 yield _scans(dict(zip(known, table.T)), len(table))
         except _DAMAGED as error:
-            raise InputError(f"{path.name} cannot be read ({error}): it may be cut off; copy it again.") from error
+            raise InputError(say("{path} cannot be read ({error}): it may be cut off; copy it again.", path=path.name,
+                                 error=error)) from error
 
 
 def _whole_lines(stream) -> Iterator[bytes]:
@@ -187,8 +191,9 @@ def _parsed(block: bytes, delimiter: str, columns: list[int], file: str, lines: 
     except ValueError as error:
         row = re.search(r"row (\d+)", str(error))
         where = f" in line {lines + int(row[1]) + 1}" if row else ""
-        raise InputError(f"{file} holds something that is no number{where} ({str(error).split(';')[0].rstrip('.')}): "
-                         "correct it or export the scans again.") from error
+        raise InputError(say("{file} holds something that is no number{where} ({split}): correct it or export the "
+                             "scans again.", file=file, where=where,
+                             split=str(error).split(";")[0].rstrip("."))) from error
 
 
 def _read_parquet(path: Path, progress: Progress) -> Iterator[RangeScans]:
@@ -206,7 +211,8 @@ def _read_parquet(path: Path, progress: Progress) -> Iterator[RangeScans]:
             table = {name: batch.column(own).to_numpy(zero_copy_only=False) for name, own in known.items()}
             yield _scans(table, len(batch))
     except (pyarrow.ArrowException, OSError) as error:
-        raise InputError(f"{path.name} cannot be read as Parquet ({error}): check the file.") from error
+        raise InputError(say("{path} cannot be read as Parquet ({error}): check the file.", path=path.name,
+                             error=error)) from error
 
 
 def _read_cloud(path: Path, progress: Progress) -> Iterator[RangeScans]:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ...errors import InputError, InsufficientDataError
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..trajectory import Trajectory, interpolate
 from .course_heights import CourseHeights, course_heights, sampled_heights
 from .drift_adjustment import (
@@ -74,9 +75,9 @@ class RectifySettings:
 
     def __post_init__(self) -> None:
         if self.method not in METHODS:
-            raise InputError(f"The method must be one of {', '.join(METHODS)}.")
+            raise InputError(say("The method must be one of {methods}.", methods=", ".join(METHODS)))
         if (self.tie_sigma is not None and not self.tie_sigma > 0) or not self.heading_sigma > 0:
-            raise InputError("The standard deviations of tie points and heading must be greater than 0.")
+            raise InputError(say("The standard deviations of tie points and heading must be greater than 0."))
 
 
 @dataclass(frozen=True)
@@ -170,8 +171,8 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     """
     settings = settings or RectifySettings()
     if settings.method == "paper" and ground is not None and settings.sensor_height is None:
-        raise InputError("The paper's method needs the height of the trajectory's origin above the ground: give it, or "
-                         "leave out the ground.")
+        raise InputError(say("The paper's method needs the height of the trajectory's origin above the ground: give "
+                             "it, or leave out the ground."))
     ties = pairs_within(ties, trajectory, progress)
     names, number = ties.numbers()
     place = interpolate(trajectory, ties.time).place[:, :2]
@@ -186,16 +187,17 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     made = _corrected(trajectory, ties, number, place, keep, model, settings)
     _warn_of_extent(trajectory, model, progress)
     if settings.tie_sigma is None and len(np.unique(number[keep])) < _MIN_SETS_FOR_SIGMA:
-        progress.warn(f"{len(np.unique(number[keep]))} sets do not tell how good the tie points are: give their sigma, "
-                      "or add sets.")
+        progress.warn(say("{unique_count} sets do not tell how good the tie points are: give their sigma, or add "
+                          "sets.", unique_count=len(np.unique(number[keep]))))
     progress.step(0.7)
     heights = None
     if ground is not None:
         heights = (sampled_heights(made, ground, settings.sensor_height) if paper
                    else course_heights(made, ground, settings.sensor_height, progress))
         if heights.left_out > 0.5 * heights.samples:
-            progress.warn(f"{heights.left_out} of {heights.samples} samples of the ground along the course stand out "
-                          "and are left out: check that it is the ground that was driven on.")
+            progress.warn(say("{left_out} of {samples} samples of the ground along the course stand out and are left "
+                              "out: check that it is the ground that was driven on.", left_out=heights.left_out,
+                              samples=heights.samples))
         made = Trajectory(made.time, made.place + np.outer(heights.error, [0.0, 0.0, 1.0]), made.angles)
     variance = model.total_variances(trajectory.time) + _difference(trajectory, made, model) ** 2
     sigma, factor = np.sqrt(variance), _sigma_factor(ties, number, place, keep, model)
@@ -217,19 +219,20 @@ def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np
         name = names[number[own[0]]]
         left, fit = _without_outliers(ties, place, own, limit)
         if len(left) < len(own) and fit <= limit:
-            progress.warn(f"Set {name}: {len(own) - len(left)} of {len(own)} pairs contradict the others and are left "
-                          "out.")
+            progress.warn(say("Set {name}: {own_count} of {own_count_2} pairs contradict the others and are left out.",
+                              name=name, own_count=len(own) - len(left), own_count_2=len(own)))
             keep[np.setdiff1d(own, left)] = False
         reason = f"its pairs do not fit each other by {fit:.2f} m" if fit > limit else ""
         rotation = _set_rotation(ties, place, left, settings)
         if not reason and abs(rotation) > _MAX_ROTATION + 3 * np.radians(settings.heading_sigma):
             reason = f"it would rotate the vehicle by {np.degrees(rotation):.0f} degrees; its points may be swapped"
         if reason:
-            progress.warn(f"Set {name} contradicts itself and is left out: {reason}.")
+            progress.warn(say("Set {name} contradicts itself and is left out: {reason}.", name=name, reason=reason))
             keep[own], status[number[own[0]]] = False, CONTRADICTING
     if not keep.any():
-        raise InsufficientDataError(f"All {len(names)} sets of tie points contradict themselves: check which place "
-                                    "belongs to which, and the coordinate reference system.")
+        raise InsufficientDataError(say("All {names_count} sets of tie points contradict themselves: check which "
+                                        "place belongs to which, and the coordinate reference system.",
+                                        names_count=len(names)))
     return keep, status
 
 
@@ -242,20 +245,22 @@ def _first_two(ties: TiePoints, names: list[str], number: np.ndarray, place: np.
     for k, name in enumerate(names):
         own = np.flatnonzero(number == k)
         if len(own) < 2:
-            progress.warn(f"Set {name} has one pair and is left out: the paper's method needs two.")
+            progress.warn(say("Set {name} has one pair and is left out: the paper's method needs two.", name=name))
             status[k] = ONE_PAIR
             continue
         if len(own) > 2:
-            progress.warn(f"Set {name} has {len(own)} pairs: the paper's method takes the first two.")
+            progress.warn(say("Set {name} has {own_count} pairs: the paper's method takes the first two.", name=name,
+                              own_count=len(own)))
         own = own[:2]
         keep[own] = True
         fit = float(misfit(place[own], ties.measured[own], ties.reference[own]).max())
         if fit > limit:
-            progress.warn(f"Set {name} contradicts itself by {fit:.2f} m; the paper's method uses it all the same.")
+            progress.warn(say("Set {name} contradicts itself by {fit:.2f} m; the paper's method uses it all the same.",
+                              name=name, fit=fit))
             status[k] = SUSPECT
     if not keep.any():
-        raise InsufficientDataError("No set has two pairs: the paper's method needs sets of two; add pairs, or take "
-                                    "another method.")
+        raise InsufficientDataError(say("No set has two pairs: the paper's method needs sets of two; add pairs, or "
+                                        "take another method."))
     return keep, status
 
 
@@ -318,13 +323,13 @@ def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: n
         away, sigmas_off = misfit_of_excluded(_pairs(ties, number, place, keep & suspect)[0], without)
         progress.check()
         if sigmas_off > _BLUNDER and away > _MIN_SUSPECT and not settings.keep_blunders:
-            progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it and is left out: check that "
-                          "survey and reference show the same place.")
+            progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it and is left out: check "
+                              "that survey and reference show the same place.", name=name, away=away))
             status[sets[worst]], keep[suspect] = BLUNDER, False
             pairs, sets, model = others, left, without
         elif sigmas_off > _SUSPECT and away > _MIN_SUSPECT:
-            progress.warn(f"Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
-                          "reference show the same place.")
+            progress.warn(say("Set {name} lies {away:.2f} m from where the other sets put it: check that survey and "
+                              "reference show the same place.", name=name, away=away))
             status[sets[worst]] = SUSPECT
     return model
 
@@ -338,8 +343,9 @@ def _warn_of_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status
     shift = np.array([(ties.reference - ties.measured)[own].mean(axis=0) for own in rows])
     change, step = np.hypot(*np.diff(shift, axis=0).T), np.diff(time)
     for k in np.flatnonzero((change > _JUMP) & (change > _MAX_DRIFT_RATE * step)):
-        progress.warn(f"Sets {names[used[k]]} and {names[used[k + 1]]} contradict each other: within {step[k]:.1f} s "
-                      f"the drift would change by {change[k]:.1f} m; check both.")
+        progress.warn(say("Sets {names} and {names_2} contradict each other: within {step:.1f} s the drift would "
+                          "change by {change:.1f} m; check both.", names=names[used[k]], names_2=names[used[k + 1]],
+                          step=step[k], change=change[k]))
         status[[used[k], used[k + 1]]] = SUSPECT
 
 
@@ -407,8 +413,9 @@ def _sigma_factor(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: 
 def _warn_of_extent(trajectory: Trajectory, model: RandomWalkDrift, progress: Progress) -> None:
     """Warn where much of the course has no set on both sides."""
     if model.last - model.first < _SHORT_SHARE * trajectory.duration:
-        progress.warn(f"The tie points lie within {model.last - model.first:.0f} of {trajectory.duration:.0f} s: "
-                      "the rest of the course is only moved along with them, and its sigma grows; add sets there.")
+        progress.warn(say("The tie points lie within {last:.0f} of {duration:.0f} s: the rest of the course is only "
+                          "moved along with them, and its sigma grows; add sets there.", last=model.last - model.first,
+                          duration=trajectory.duration))
 
 
 def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[str], number: np.ndarray,

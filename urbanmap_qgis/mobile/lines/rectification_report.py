@@ -10,6 +10,7 @@ import numpy as np
 
 from ...io.report import BAD, GOOD, LOOK, Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
+from ...wording import say
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights
 from .rectification import BLUNDER, CONTRADICTING, EXTRAPOLATED, ONE_PAIR, POSITION_ONLY, SUSPECT, USED, Rectified
@@ -52,7 +53,8 @@ def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified,
     report.section("Sets of tie points")
     report.table(("Set", "Time, s", "Pairs", "Before, m", "After, m", "East, m", "North, m", "Heading, °",
                   "Misfit within, m", "Off without itself, m", "Status"),
-                 [(item.name, item.time, f"{item.pairs} of {item.given}", item.before, item.after, item.shift[0],
+                 [(item.name, item.time, say("{pairs} of {given}", pairs=item.pairs,
+                                             given=item.given), item.before, item.after, item.shift[0],
                    item.shift[1], item.heading, item.misfit, item.predicted,
                    MEANING[item.status]) for item in made.sets])
     report.paragraph("Before and after: mean distance of the set's pairs from the reference. Off without itself: how "
@@ -116,7 +118,7 @@ def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
         report.figure(profile(time, [Series(f"{name} correction", curve), Series("sets", at_sets[:, axis], COLOURS[1],
                                                                                 True)], "s", "m",
                               (curve - made.plan_sigma, curve + made.plan_sigma), extrapolated),
-                      f"Correction to the {name.lower()} with its sigma.")
+                      say("Correction to the {name} with its sigma.", name=name.lower()))
     change_of_heading = made.trajectory.angles[:, 2] - before.angles[:, 2]
     report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "s", "°",
                           (change_of_heading - made.heading_sigma, change_of_heading + made.heading_sigma),
@@ -134,8 +136,8 @@ def _extrapolated(made: Rectified, time: np.ndarray) -> list[ShadedInterval]:
 
 def _heights(report: Report, before: Trajectory, heights: CourseHeights) -> None:
     if heights.found:
-        report.warning(f"The height of the origin above the ground was not given: the mean height stays as reported "
-                       f"({heights.sensor_height:.2f} m above the ground).")
+        report.warning(say("The height of the origin above the ground was not given: the mean height stays as "
+                           "reported ({sensor_height:.2f} m above the ground).", sensor_height=heights.sensor_height))
     report.facts({
         "Height of the origin above the ground, m": heights.sensor_height,
         "Samples along the course": heights.samples,

@@ -19,6 +19,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...errors import InputError
+from ...wording import say
 from ..trajectory import Trajectory
 
 CLOSED, CLOSED_ROTATION = 1e-5, 1e-8
@@ -47,7 +48,7 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
     """
     epochs = np.asarray(epochs)
     if len(epochs) < 1 or np.any(np.diff(epochs) <= 0):
-        raise InputError("Ground truths must be at different epochs, in the order of time.")
+        raise InputError(say("Ground truths must be at different epochs, in the order of time."))
     origin = complex(*trajectory.place[epochs[0], :2])
     place = trajectory.place[:, 0] + 1j * trajectory.place[:, 1] - origin
     kappa = np.radians(90.0 - trajectory.angles[:, 2])

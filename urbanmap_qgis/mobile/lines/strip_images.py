@@ -15,6 +15,7 @@ from rasterio.windows import Window
 from ...errors import InputError
 from ...io.guard import reads
 from ...io.raster import own_gdal
+from ...wording import say
 from ..calibration import Calibration, MountedCamera
 from .line_camera import LineCamera, StripImage
 
@@ -35,13 +36,13 @@ def line_camera_of(camera: MountedCamera) -> LineCamera:
     for key, default in (("rows", None), ("focal_length_px", None), ("centre_px", None), ("margin_px", 0)):
         value = entry.get(key, default)
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value):
-            raise InputError(f"The calibration of camera {camera.id} has no number “{key}”: a line camera needs rows, "
-                             "focal_length_px and centre_px.")
+            raise InputError(say("The calibration of camera {id} has no number “{key}”: a line camera needs rows, "
+                                 "focal_length_px and centre_px.", id=camera.id, key=key))
         values.append(value)
     rows, focal, centre, margin = values
     if rows < 1 or focal <= 0 or not 0 <= margin < rows / 2:
-        raise InputError(f"The calibration of camera {camera.id} cannot be right: rows and focal_length_px must be "
-                         "greater than 0, margin_px less than half the rows.")
+        raise InputError(say("The calibration of camera {id} cannot be right: rows and focal_length_px must be "
+                             "greater than 0, margin_px less than half the rows.", id=camera.id))
     return LineCamera(camera, int(rows), float(focal), float(centre), int(margin))
 
 
@@ -57,7 +58,7 @@ def read_strips(images: Sequence[str | os.PathLike], calibration: Calibration) -
     InputError : there is no image, no table of times or no camera for one, or they do not fit together.
     """
     if not images:
-        raise InputError("No strip image was given: choose one or several images of line cameras.")
+        raise InputError(say("No strip image was given: choose one or several images of line cameras."))
     return [read_strip(path, _camera_of(Path(path), calibration)) for path in images]
 
 
@@ -73,8 +74,8 @@ def _camera_of(path: Path, calibration: Calibration) -> MountedCamera:
         raise InputError(calibration.damaged_cameras[0])
     if len(named) != 1:
         known = ", ".join(camera.id for camera in calibration.cameras) or "none"
-        raise InputError(f"The calibration does not say which camera took {path.name} (it has: {known}): give the "
-                         "camera's entry an “image” with this file name.")
+        raise InputError(say("The calibration does not say which camera took {path} (it has: {known}): give the "
+                             "camera's entry an “image” with this file name.", path=path.name, known=known))
     return named[0]
 
 
@@ -88,8 +89,8 @@ def read_strip(path: str | os.PathLike, camera: MountedCamera, times: str | os.P
     path, line_camera = Path(path), line_camera_of(camera)
     rows, columns = image_size(path)
     if rows != line_camera.rows:
-        raise InputError(f"{path.name} has {rows} rows, its camera {camera.id} has {line_camera.rows}: choose the "
-                         "image of this camera.")
+        raise InputError(say("{path} has {rows} rows, its camera {id} has {rows_2}: choose the image of this camera.",
+                             path=path.name, rows=rows, id=camera.id, rows_2=line_camera.rows))
     if times is None:
         named = camera.properties.get("times") if camera.properties.get("image") == path.name else None
         times = path.with_name(str(named) if named else path.stem + TIMES_ENDING)
@@ -112,13 +113,13 @@ def _opened(path: Path):
     import warnings
 
     if not path.is_file():
-        raise InputError(f"The strip image {path} does not exist: check its name.")
+        raise InputError(say("The strip image {path} does not exist: check its name.", path=path))
     try:
         with own_gdal(), warnings.catch_warnings():
             warnings.simplefilter("ignore", NotGeoreferencedWarning)
             return rasterio.open(path)
     except (RasterioError, OSError) as error:
-        raise InputError(f"{path.name} cannot be read as an image: check the file.") from error
+        raise InputError(say("{path} cannot be read as an image: check the file.", path=path.name)) from error
 
 
 @reads("a table of times")
@@ -134,29 +135,32 @@ def read_times(path: str | os.PathLike, columns: int, image: str = "the image") 
         with path.open(encoding="utf-8-sig", newline="") as file:
             rows = [{str(key).strip().lower(): value for key, value in row.items()} for row in csv.DictReader(file)]
     except FileNotFoundError:
-        raise InputError(f"There are no times for {image}: put a table column,time named {path.name} beside "
-                         "it.") from None
+        raise InputError(say("There are no times for {image}: put a table column,time named {path} beside it.",
+                             image=image, path=path.name)) from None
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{path.name} cannot be read as a table of times: {error}.") from error
+        raise InputError(say("{path} cannot be read as a table of times: {error}.", path=path.name,
+                             error=error)) from error
     if not rows or not {"column", "time"} <= set(rows[0]):
-        raise InputError(f"{path.name} must have the columns column and time.")
+        raise InputError(say("{path} must have the columns column and time.", path=path.name))
     try:
         number = np.array([float(row["column"]) for row in rows])
         time = np.array([float(row["time"]) for row in rows])
     except (TypeError, ValueError) as error:
-        raise InputError(f"{path.name} holds something that is no number ({error}): correct it.") from error
+        raise InputError(say("{path} holds something that is no number ({error}): correct it.", path=path.name,
+                             error=error)) from error
     whole = np.sort(number)
     if len(number) != columns or not np.array_equal(whole, np.arange(columns)):
-        raise InputError(f"{path.name} gives times for {len(np.unique(number))} columns, {image} has {columns}: each "
-                         "column needs one, numbered from 0.")
+        raise InputError(say("{path} gives times for {unique_count} columns, {image} has {columns}: each column "
+                             "needs one, numbered from 0.", path=path.name, unique_count=len(np.unique(number)),
+                             image=image, columns=columns))
     if columns < 2:
-        raise InputError(f"{image} has {columns} column: a strip needs at least two.")
+        raise InputError(say("{image} has {columns} column: a strip needs at least two.", image=image, columns=columns))
     time = time[np.argsort(number)]
     backwards = np.flatnonzero(~(np.diff(time) > 0))
     if len(backwards) or not np.isfinite(time).all():
         at = int(backwards[0]) + 1 if len(backwards) else int(np.flatnonzero(~np.isfinite(time))[0])
-        raise InputError(f"{path.name}: the time of column {at} is not later than that of the column before; correct "
-                         "it.")
+        raise InputError(say("{path}: the time of column {at} is not later than that of the column before; correct "
+                             "it.", path=path.name, at=at))
     return time
 
 
@@ -170,7 +174,7 @@ def read_columns(strip: StripImage, first: int = 0, last: int | None = None) -> 
     InputError : the strip has no image, or the image is damaged.
     """
     if strip.path is None:
-        raise InputError("The strip image has no file.")
+        raise InputError(say("The strip image has no file."))
     last = strip.columns if last is None else min(last, strip.columns)
     with _opened(strip.path) as source:
         bands = [1, 2, 3] if source.count >= 3 else [1, 1, 1]
@@ -178,11 +182,11 @@ def read_columns(strip: StripImage, first: int = 0, last: int | None = None) -> 
             with own_gdal():
                 pixels = source.read(bands, window=Window(first, 0, last - first, source.height))
         except RasterioError as error:
-            raise InputError(f"{strip.path.name} is damaged: {error}.") from error
+            raise InputError(say("{path} is damaged: {error}.", path=strip.path.name, error=error)) from error
     if pixels.dtype == np.uint16:
         pixels = (pixels >> 8).astype(np.uint8)
     if pixels.dtype != np.uint8:
-        raise InputError(f"{strip.path.name} must be an image of 8 or 16 bits.")
+        raise InputError(say("{path} must be an image of 8 or 16 bits.", path=strip.path.name))
     return np.ascontiguousarray(pixels.transpose(1, 2, 0))
 
 

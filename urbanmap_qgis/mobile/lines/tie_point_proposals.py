@@ -17,6 +17,7 @@ from scipy.spatial import cKDTree
 from ...errors import InsufficientDataError
 from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..trajectory import Trajectory, interpolate
 from .tie_points import TiePoints
 
@@ -115,16 +116,17 @@ def propose_tie_points(cloud: PointCloud, trajectory: Trajectory, outlines: Sequ
     """
     corners = near_course(outline_corners(outlines), trajectory, max_distance)
     if not len(corners.place):
-        raise InsufficientDataError(f"No corner of an outline lies within {max_distance:.0f} m of the course: give "
-                                    "outlines "
-                                    "of the same place and coordinate reference system.")
+        raise InsufficientDataError(say("No corner of an outline lies within {max_distance:.0f} m of the course: "
+                                        "give outlines of the same place and coordinate reference system.",
+                                        max_distance=max_distance))
     cells = wall_cells(cloud, trajectory, max_distance + 2 * search, shift, progress.part(0.0, 0.7))
     candidates = _candidates(cells, corners, search, progress.part(0.7, 0.95))
     chosen, support = _agreeing(candidates, agreement)
     rows = _in_sets(chosen, trajectory)
     if not rows:
-        raise InsufficientDataError(f"Of {len(corners.place)} corners near the course no two were found in the survey "
-                                    "close enough to each other: assign tie points by hand.")
+        raise InsufficientDataError(say("Of {place_count} corners near the course no two were found in the survey "
+                                        "close enough to each other: assign tie points by hand.",
+                                        place_count=len(corners.place)))
     flat = [k for pair in rows for k in pair]
     ties = TiePoints(np.repeat(np.arange(1, len(rows) + 1), 2).astype(str), np.array([chosen[k].time for k in flat]),
                      np.array([chosen[k].place for k in flat]),
@@ -173,8 +175,8 @@ def wall_cells(cloud: PointCloud, trajectory: Trajectory, max_distance: float, s
     pieces = [_cell_sums(*found) for chunk in iter_chunks(cloud, progress)
               if (found := _at_wall_height(chunk, cloud, trajectory, max_distance, shift)) is not None]
     if not pieces:
-        raise InsufficientDataError("No point of the survey lies at the height of walls near the course within the "
-                                    "trajectory's time.")
+        raise InsufficientDataError(say("No point of the survey lies at the height of walls near the course within "
+                                        "the trajectory's time."))
     key, sums, low, high = (np.concatenate(column) for column in zip(*pieces))
     order = np.argsort(key, kind="stable")
     start = np.flatnonzero(np.diff(key[order], prepend=-1))
@@ -182,7 +184,7 @@ def wall_cells(cloud: PointCloud, trajectory: Trajectory, max_distance: float, s
     height = np.maximum.reduceat(high[order], start) - np.minimum.reduceat(low[order], start)
     wall = (height >= _MIN_WALL_HEIGHT) & (sums[:, 3] >= _MIN_POINTS)
     if not wall.any():
-        raise InsufficientDataError("The survey shows no walls: its points nowhere stand over each other.")
+        raise InsufficientDataError(say("The survey shows no walls: its points nowhere stand over each other."))
     mean = sums[wall, :3] / sums[wall, 3:]
     return WallCells(mean[:, :2] + cloud.minimum[:2], mean[:, 2] + trajectory.time[0], sums[wall, 3].astype(int))
 

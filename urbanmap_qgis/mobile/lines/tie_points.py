@@ -18,6 +18,7 @@ import shapely
 from ...errors import InputError
 from ...io.guard import read_text, reads
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..gps_time import shift_between
 from ..trajectory import Trajectory, gaps
 
@@ -74,7 +75,8 @@ def read_tie_points(path: str | os.PathLike) -> TiePoints:
     header = text.split("\n", 1)[0]
     rows = [row for row in csv.reader(text.splitlines(), delimiter=max(",;\t", key=header.count)) if any(row)]
     if not rows or any(len(row) != len(rows[0]) for row in rows):
-        raise InputError(f"{path.name}: not every row has as many values as the header; the file may be cut off.")
+        raise InputError(say("{path}: not every row has as many values as the header; the file may be cut off.",
+                             path=path.name))
     return tie_points_from_columns(dict(zip(rows[0], zip(*rows[1:]))) if len(rows) > 1 else
                                    dict.fromkeys(rows[0], ()), path.name)
 
@@ -89,24 +91,27 @@ def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The ti
     known = {str(key).strip().lower(): key for key in columns}
     missing = [column for column in COLUMNS if column not in known]
     if missing:
-        raise InputError(f"{name} has no column {', '.join(missing)}: tie points need {','.join(COLUMNS)}.")
+        raise InputError(say("{name} has no column {missing}: tie points need {columns}.", name=name,
+                             missing=", ".join(missing), columns=",".join(COLUMNS)))
     try:
         table = np.array([np.asarray(columns[known[column]], float) for column in COLUMNS[1:]]).T
     except (TypeError, ValueError) as error:
-        raise InputError(f"{name} holds a value that is no number ({error}): correct it.") from error
+        raise InputError(say("{name} holds a value that is no number ({error}): correct it.", name=name,
+                             error=error)) from error
     if not len(table):
-        raise InputError(f"{name} holds no tie points: give at least one set of two pairs.")
+        raise InputError(say("{name} holds no tie points: give at least one set of two pairs.", name=name))
     bad = np.flatnonzero(~np.isfinite(table).all(axis=1))
     if len(bad):
-        raise InputError(f"{name} has no number in row {bad[0] + 2}: correct or remove it.")
+        raise InputError(say("{name} has no number in row {bad}: correct or remove it.", name=name, bad=bad[0] + 2))
     order = np.argsort(table[:, 0], kind="stable")
     sets = np.array([str(columns[known["set"]][row]).strip() for row in order])
     time, measured, reference = table[order, 0], table[order, 1:3], table[order, 3:5]
     apart = np.hypot(*(reference - measured).T)
     if apart.max() > _MAX_SEPARATION:
         worst = int(apart.argmax())
-        raise InputError(f"{name}: in set {sets[worst]} survey and reference are {apart[worst]:,.0f} m apart; "
-                         "both must be in the survey's coordinate reference system.")
+        raise InputError(say("{name}: in set {sets} survey and reference are {apart:,.0f} m apart; both must be in "
+                             "the survey's coordinate reference system.", name=name, sets=sets[worst],
+                             apart=apart[worst]))
     return TiePoints(sets, time, measured, reference)
 
 
@@ -132,21 +137,21 @@ def pairs_within(ties: TiePoints, trajectory: Trajectory, progress: Progress = S
     if not inside.any():
         span, wanted = ((float(time[0]), float(time[-1])) for time in (ties.time, trajectory.time))
         shift = shift_between(span, wanted, "The tie points")
-        progress.warn(f"{shift:.0f} s were added to the times of the tie points, which are counted otherwise than "
-                      "those of the trajectory: make sure that both are of one survey.")
+        progress.warn(say("{shift:.0f} s were added to the times of the tie points, which are counted otherwise than "
+                          "those of the trajectory: make sure that both are of one survey.", shift=shift))
         ties = TiePoints(ties.sets, ties.time + shift, ties.measured, ties.reference)
         inside = trajectory.within(ties.time)
     if not inside.all():
-        progress.warn(f"{np.count_nonzero(~inside)} tie points lie outside the trajectory's time and are left out "
-                      f"(set {_some(ties.sets[~inside])}).")
+        progress.warn(say("{inside_count} tie points lie outside the trajectory's time and are left out (set {some}).",
+                          inside_count=np.count_nonzero(~inside), some=_some(ties.sets[~inside])))
     for start, end in gaps(trajectory, MAX_GAP):
         hole = inside & (ties.time > start) & (ties.time < end)
         if hole.any():
             inside &= ~hole
-            progress.warn(f"The tie points of set {_some(ties.sets[hole])} lie in a gap of the trajectory and are left "
-                          "out.")
+            progress.warn(say("The tie points of set {some} lie in a gap of the trajectory and are left out.",
+                              some=_some(ties.sets[hole])))
     if not inside.any():
-        raise InputError("All tie points lie in gaps of the trajectory: choose others.")
+        raise InputError(say("All tie points lie in gaps of the trajectory: choose others."))
     return ties.of(inside)
 
 

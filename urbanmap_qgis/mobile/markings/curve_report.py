@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ...io.report import BAD, GOOD, LOOK, Report
+from ...wording import say
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains
 from .marking_stage import Extraction
@@ -37,19 +38,21 @@ def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequenc
     report = Report("Intensity over range")
     doubtful = doubts(made)
     report.verdict(BAD if not len(made.points) else LOOK if doubtful or made.failed else GOOD,
-                   f"{len(made.points):,} marking points on {100 * made.marked_share:.0f} % of the path. "
+                   say("{points_count:,} marking points on {marked_share:.0f} % of the path. ",
+                       points_count=len(made.points), marked_share=100 * made.marked_share)
                    + (" ".join(doubtful) if doubtful else "Their intensities follow the curves of the scanners."))
     report.paragraph("Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b "
                      "(1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up "
                      "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).")
     _survey(report, made, files)
     for number, curve in sorted(made.curves.items()):
-        report.section(f"Scanner {number}")
+        report.section(say("Scanner {number}", number=number))
         if number in made.lasers:
             _lasers(report, made.lasers[number])
         _curve(report, curve, made.reference)
     for number, reason in sorted(made.failed.items()):
-        report.warning(f"Scanner {number} has no curve and its points are left out: {reason}.")
+        report.warning(say("Scanner {number} has no curve and its points are left out: {reason}.", number=number,
+                           reason=reason))
     report.write(path)
 
 
@@ -79,17 +82,19 @@ def doubts(made: Extraction) -> list[str]:
     """Sentences on what should not be trusted."""
     sentences = []
     if not len(made.points):
-        sentences.append("No marking points were found: the road has no paint, or its intensity does not show it.")
+        sentences.append(say("No marking points were found: the road has no paint, or its intensity does not show it."))
     elif contrast_of(made) < LOW_CONTRAST:
-        sentences.append(f"The marking points are only {contrast_of(made):.1f} times as bright as the ground beside "
-                         "them: look at them before they are used.")
+        sentences.append(say("The marking points are only {contrast_of:.1f} times as bright as the ground beside "
+                             "them: look at them before they are used.", contrast_of=contrast_of(made)))
     for number, curve in sorted(made.curves.items()):
         if curve.residual > POOR_RESIDUAL:
-            sentences.append(f"The asphalt of scanner {number} does not follow one curve over range (residual "
-                             f"{100 * curve.residual:.0f} %): several surfaces may have been taken together.")
+            sentences.append(say("The asphalt of scanner {number} does not follow one curve over range (residual "
+                                 "{residual:.0f} %): several surfaces may have been taken together.", number=number,
+                                 residual=100 * curve.residual))
         if curve.scatter > LARGE_SCATTER:
-            sentences.append(f"Single asphalt points of scanner {number} scatter by {100 * curve.scatter:.0f} %: only "
-                             "strong paint stands out, and bright specks may be taken for paint.")
+            sentences.append(say("Single asphalt points of scanner {number} scatter by {scatter:.0f} %: only strong "
+                                 "paint stands out, and bright specks may be taken for paint.", number=number,
+                                 scatter=100 * curve.scatter))
     return sentences
 
 

@@ -23,6 +23,7 @@ from scipy.ndimage import gaussian_filter1d
 from scipy.optimize import least_squares
 
 from ...errors import InsufficientDataError
+from ...wording import say
 
 BIN = 0.25
 """m, width of the bins of range."""
@@ -156,7 +157,7 @@ def fit_curve(histogram: RangeHistogram) -> IntensityCurve:
     points = counts.sum(axis=1)
     enough = points >= max(_MIN_POINTS, _SHARE * points.sum())
     if np.count_nonzero(enough) < _MIN_BINS:
-        raise InsufficientDataError("too few ground points with intensity at different ranges")
+        raise InsufficientDataError(say("too few ground points with intensity at different ranges"))
     for width in _WIDTHS:
         try:
             return _fitted(_Peaks(counts, enough, width))
@@ -173,7 +174,7 @@ def _fitted(peaks: _Peaks) -> IntensityCurve:
     for _ in range(2):
         used = np.isfinite(level)
         if np.count_nonzero(used) < max(_MIN_BINS, _FOLLOWED * np.count_nonzero(peaks.enough)):
-            raise InsufficientDataError("no surface of even intensity can be followed over the ranges")
+            raise InsufficientDataError(say("no surface of even intensity can be followed over the ranges"))
         parameters = _fit(middle[used], level[used], points[used])
         level = peaks.nearest(np.log(_model(middle, *parameters)))
     return _judged(middle, level, points, peaks.counts, parameters)
@@ -287,7 +288,7 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
     clear = (_PAINT - 1) * (curve - floor) >= _CLEAR * spread * curve
     good = np.flatnonzero(np.isfinite(level) & clear)
     if len(good) < _MIN_BINS:
-        raise InsufficientDataError("the intensity of asphalt scatters too much to tell paint from it")
+        raise InsufficientDataError(say("the intensity of asphalt scatters too much to tell paint from it"))
     runs = np.split(good, np.flatnonzero(np.diff(good) > _GAP_BINS) + 1)
     run = max(runs, key=lambda some: points[some].sum())
     nearest, r2 = max(float(run[0]), 0.5) * BIN, float(run[-1] + 1) * BIN
@@ -297,7 +298,7 @@ def _judged(middle: np.ndarray, level: np.ndarray, points: np.ndarray, counts: n
     residual = np.median(np.abs(level[run] - np.log(curve[run])))
     scatter = np.sqrt((spread[run] ** 2 * points[run]).sum() / points[run].sum())
     if scatter > _MAX_SCATTER:
-        raise InsufficientDataError("the intensity of asphalt scatters too much to tell paint from it")
+        raise InsufficientDataError(say("the intensity of asphalt scatters too much to tell paint from it"))
     return IntensityCurve(*parameters, r1, r2, nearest, middle[rows], np.exp(level[rows]), points[rows],
                           np.isin(rows, run), float(1.4826 * residual), float(scatter))
 

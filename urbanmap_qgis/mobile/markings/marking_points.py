@@ -18,6 +18,7 @@ import numpy as np
 from ...errors import InputError
 from ...geometry.grid import Grid
 from ...terrain.delaunay import extreme_in_cells
+from ...wording import say
 
 CELL = 0.05
 """m, side of the grid's cells."""
@@ -65,7 +66,8 @@ class MarkingPointSettings:
     def __post_init__(self) -> None:
         lengths = (self.block_size, self.contrast, self.max_width, self.step, self.join, self.longest)
         if not min(lengths) > 0 or self.min_length < 0 or self.min_points < 1:
-            raise InputError("Block size, contrast, widths and steps of the marking extraction must be greater than 0.")
+            raise InputError(say("Block size, contrast, widths and steps of the marking extraction must be greater "
+                                 "than 0."))
 
     @property
     def reach(self) -> float:

@@ -20,6 +20,7 @@ from ...io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks,
 from ...progress import SILENT, Progress
 from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
 from ...terrain.surface import ground_source
+from ...wording import say
 from ..calibration import Calibration, scanner_of
 from ..trajectory import Trajectory
 from .intensity_calibration import (
@@ -70,7 +71,7 @@ class ExtractionSettings:
 
     def __post_init__(self) -> None:
         if not self.max_range > 0:
-            raise InputError("The largest range must be greater than 0.")
+            raise InputError(say("The largest range must be greater than 0."))
 
 
 @dataclass(frozen=True)
@@ -146,10 +147,11 @@ def _report_left_out(survey: SurveyPoints, progress: Progress) -> None:
     """Warn of points that cannot be used."""
     read_counts = survey.read_counts
     if read_counts.outside:
-        progress.warn(f"{read_counts.outside:,} of {read_counts.points:,} points were measured where the trajectory "
-                      "has no epochs and are left out.")
+        progress.warn(say("{outside:,} of {points:,} points were measured where the trajectory has no epochs and are "
+                          "left out.", outside=read_counts.outside, points=read_counts.points))
     if read_counts.standing:
-        progress.message(f"{read_counts.standing:,} points measured while the vehicle stood are left out.")
+        progress.message(say("{standing:,} points measured while the vehicle stood are left out.",
+                             standing=read_counts.standing))
 
 
 class _Run:
@@ -182,7 +184,8 @@ class _Run:
 
     def find_ground(self, near: PointBuckets, ground: PointBuckets, progress: Progress) -> None:
         """Put the ground points of each stretch into other buckets, and count them by range and intensity."""
-        progress.message("Finding the ground." if self.method == "cloth" else "Taking the points of ground classes.")
+        progress.message(say("Finding the ground.") if self.method == "cloth" else say("Taking the points of ground "
+                                                                                  "classes."))
         owned: deque[np.ndarray] = deque()
         work = partial(_ground_of_stretch, settings=self.settings.cloth, by_class=self.method == "classes")
         margin = _MARGIN if self.method == "cloth" else 0
@@ -238,8 +241,9 @@ class _Run:
             if found is not None:
                 self.lasers[number] = found
                 gains = found.gains
-                progress.message(f"The lasers of scanner {number} are told apart by {gains.told_by}: asphalt scatters "
-                                 f"by {100 * gains.after:.0f} % instead of {100 * gains.before:.0f} %.")
+                progress.message(say("The lasers of scanner {number} are told apart by {told_by}: asphalt scatters "
+                                     "by {after:.0f} % instead of {before:.0f} %.", number=number,
+                                     told_by=gains.told_by, after=100 * gains.after, before=100 * gains.before))
         if self.lasers:
             self._count_again(ground, progress)
 
@@ -283,8 +287,9 @@ class _Run:
         """Refuse a survey of which no scanner has a curve."""
         if not self.curves:
             reason = next(iter(self.failed.values()))
-            raise InsufficientDataError(f"The intensity of asphalt over range cannot be told in "
-                                        f"{self.survey.cloud.paths[0].name} ({reason}): give a longer stretch of road.")
+            raise InsufficientDataError(say("The intensity of asphalt over range cannot be told in {paths} "
+                                            "({reason}): give a longer stretch of road.",
+                                            paths=self.survey.cloud.paths[0].name, reason=reason))
 
     @property
     def reference(self) -> float:
@@ -293,7 +298,7 @@ class _Run:
 
     def find_markings(self, ground: PointBuckets, progress: Progress) -> Extraction:
         """The marking points of all stretches."""
-        progress.message("Finding the markings.")
+        progress.message(say("Finding the markings."))
         owned: deque[tuple[np.ndarray, np.ndarray]] = deque()
         plain = self.settings.plain
         work = (partial(_markings_of_stretch, noise=self._noise(), settings=self.settings.marking) if plain is None else

@@ -15,6 +15,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...geometry.grid import Grid
+from ...wording import say
 from .marking_points import MarkingAnswer
 
 PIXEL = 0.12
@@ -38,7 +39,8 @@ class PlainThreshold:
 
     def __post_init__(self) -> None:
         if not self.block_size >= 3 * PIXEL or not self.c > 0:
-            raise InputError(f"The block of the paper's threshold must be {3 * PIXEL:g} m or larger, and c above 0.")
+            raise InputError(say("The block of the paper's threshold must be {pixel:g} m or larger, and c above 0.",
+                                 pixel=3 * PIXEL))
 
     @property
     def block_pixels(self) -> int:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ...errors import InputError
+from ...wording import say
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class MarkingPoints:
 
     def __post_init__(self) -> None:
         if len({len(getattr(self, field.name)) for field in fields(self)}) != 1:
-            raise InputError("The marking points' columns differ in length.")
+            raise InputError(say("The marking points' columns differ in length."))
 
     def __len__(self) -> int:
         return len(self.x)

@@ -15,6 +15,7 @@ from ...io.point_buckets import PointBuckets
 from ...io.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
+from ...wording import say
 from ..calibration import Calibration
 from ..gps_time import time_range, time_shift
 from ..passes import BlockPositions
@@ -178,16 +179,18 @@ class SurveyPoints:
         """Refuse a survey that cannot be used."""
         read_counts, name = self.read_counts, self.cloud.paths[0].name
         if read_counts.most <= 0 and np.isfinite(read_counts.most):
-            raise InputError(f"{name} has no intensity (all are 0), by which markings are told: export the survey with "
-                             "it.")
+            raise InputError(say("{name} has no intensity (all are 0), by which markings are told: export the survey "
+                                 "with it.", name=name))
         if read_counts.most == read_counts.least:
-            raise InputError(f"All points of {name} have the intensity {read_counts.most:g}, by which markings cannot "
-                             "be told: export the survey with the measured intensities.")
+            raise InputError(say("All points of {name} have the intensity {most:g}, by which markings cannot be "
+                                 "told: export the survey with the measured intensities.", name=name,
+                                 most=read_counts.most))
         if not read_counts.kept:
             heights = read_counts.heights
             apart = f" (they lie {np.median(heights):+.0f} m above the scanner)" if heights else ""
-            raise InputError(f"No point of {name} lies within {self.max_range:g} m of the trajectory{apart}: give "
-                             "both in the same coordinate and height system.")
+            raise InputError(say("No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both "
+                                 "in the same coordinate and height system.", name=name, max_range=self.max_range,
+                                 apart=apart))
 
     def stretches(self, buckets: PointBuckets, length: int, margin: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Records of stretches of `length` units with those of `margin` units before and after, and which are own.
@@ -265,4 +268,5 @@ def _probes(path: str) -> Iterator[np.ndarray]:
 def require_points(number: int, name: str) -> None:
     """Refuse a survey without ground near the vehicle."""
     if not number:
-        raise InsufficientDataError(f"{name} has no ground points near the vehicle: give the survey with its road.")
+        raise InsufficientDataError(say("{name} has no ground points near the vehicle: give the survey with its road.",
+                                        name=name))

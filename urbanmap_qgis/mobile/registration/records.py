@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...errors import InputError
+from ...wording import say
 
 REGISTERED, WEAK, AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED = range(5)
 """Status of a window. WEAK: found, but badly determined in a direction (see the covariance) or with little overlap.
@@ -92,13 +93,14 @@ class RegistrationSettings:
         limits = [number for number in (self.max_window_patches, self.window_points) if number is not None]
         counts = (self.window_patches, self.feature_count, self.feature_points, self.iterations, *limits)
         if not all(np.isfinite(lengths)) or min(lengths) <= 0 or min(counts) < 1:
-            raise InputError("Lengths, grids and counts of the registration must be greater than 0.")
+            raise InputError(say("Lengths, grids and counts of the registration must be greater than 0."))
         if not 0 < self.outlier_share < 1:
-            raise InputError("The expected share of outliers must lie between 0 and 1.")
+            raise InputError(say("The expected share of outliers must lie between 0 and 1."))
         if self.cells not in CELLS:
-            raise InputError(f"Points score in the cells {', '.join(CELLS)}, not {self.cells}.")
+            raise InputError(say("Points score in the cells {cells}, not {cells_2}.", cells=", ".join(CELLS),
+                                 cells_2=self.cells))
         if self.max_window_patches is not None and self.max_window_patches < self.window_patches:
-            raise InputError("The longest window must not be shorter than the smallest one.")
+            raise InputError(say("The longest window must not be shorter than the smallest one."))
 
     @property
     def background(self) -> float:

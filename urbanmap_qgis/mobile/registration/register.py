@@ -16,6 +16,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..markings.records import MarkingPoints
 from ..trajectory import Trajectory
 from .matching.path_section import PathSection, adjust_section
@@ -61,13 +62,13 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
     """
     settings = settings or RegistrationSettings()
     if settings.three_d and not reference.has_heights:
-        raise InputError("A registration in 3D needs the ground's heights: give a ground raster or marking polygons "
-                         "with z.")
+        raise InputError(say("A registration in 3D needs the ground's heights: give a ground raster or marking "
+                             "polygons with z."))
     patches = divide_path(trajectory, settings.patch_length)
     usable = trajectory.within(markings.time) & np.isfinite(markings.x + markings.y + markings.z)
     if not usable.any():
-        raise InsufficientDataError("No marking point was measured within the trajectory's time: check that both are "
-                                    "of one survey.")
+        raise InsufficientDataError(say("No marking point was measured within the trajectory's time: check that both "
+                                        "are of one survey."))
     markings = markings.take(usable)
     windows = choose_windows(markings.x, markings.y, patches.number_at(markings.time), len(patches), settings)
     points = thin_points(markings, trajectory, patches, settings.subsampling)
@@ -136,8 +137,8 @@ def _correlated(points: PatchPoints, patches: Patches, reference: Reference, set
         markings += near
         progress.step(len(scores) / len(pieces))
     if not markings:
-        raise InsufficientDataError("There is no reference marking near the survey: check the CRS of both and that the "
-                                    "reference covers the drive.")
+        raise InsufficientDataError(say("There is no reference marking near the survey: check the CRS of both and "
+                                        "that the reference covers the drive."))
     scores = np.concatenate(scores)
     variances = _step_variances(patches)
     path = best_path(scores, variances, _PRIOR_SIGMA)

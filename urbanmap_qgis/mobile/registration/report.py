@@ -12,6 +12,7 @@ import numpy as np
 from ...io.raster import RasterSampler
 from ...io.report import BAD, GOOD, LOOK, Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
+from ...wording import say
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES
 from .stage import RegisteredSurvey, unregistered_sections
@@ -140,7 +141,8 @@ def _before_and_after(report: Report, made: RegisteredSurvey, reference: Referen
         return
     report.section("Markings before and after")
     report.paragraph("Marking points of the survey over the " + ("aerial image" if image else "reference markings")
-                     + f": left as reported (red), right corrected (green). A picture is {_SIDE:.0f} m wide.")
+                     + say(": left as reported (red), right corrected (green). A picture is {side:.0f} m wide.",
+                           side=_SIDE))
     moved = correction_between(made.reported, made.trajectory)
     with tempfile.TemporaryDirectory() as folder:
         for number, patch in enumerate(places):

@@ -12,6 +12,7 @@ import numpy as np
 from ...errors import InputError, InsufficientDataError
 from ...io.pointcloud import PointCloud, iter_chunks, open_cloud
 from ...progress import SILENT, Progress
+from ...wording import say
 from ..apply_correction import survey_time_shift
 from ..calibration import Calibration
 from ..markings.marking_stage import WEIGHT, ExtractionSettings, extract_markings
@@ -110,7 +111,7 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
                       executor: Executor | None = None) -> RegisteredSurvey:
     """The same from marking points in the trajectory's time."""
     run = run or RegistrationRun()
-    progress.message(f"Registering {len(markings):,} marking points.")
+    progress.message(say("Registering {markings_count:,} marking points.", markings_count=len(markings)))
     windows = register_windows(markings, trajectory, reference, run.windows, progress.part(0.0, 0.8), executor)
     if run.windows.shared_windows:
         correction = _smooth_correction(windows, markings, trajectory, reference, run, progress.part(0.8, 1.0))
@@ -120,8 +121,9 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
         corrected = correct_patchwise(trajectory, windows, run.windows.patch_length)
     made = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
     if not made.share(REGISTERED):
-        raise InsufficientDataError("No part of the survey could be registered to the reference markings, so that "
-                                    "there is no result: check that both show the same roads, and the maximum error.")
+        raise InsufficientDataError(say("No part of the survey could be registered to the reference markings, so "
+                                        "that there is no result: check that both show the same roads, and the "
+                                        "maximum error."))
     _tell(made, progress)
     return made
 
@@ -144,11 +146,11 @@ def survey_markings(cloud: PointCloud, trajectory: Trajectory, settings: Extract
     """Marking points of a cloud in the trajectory's time: the cloud's own, or extracted from a survey."""
     if cloud.has_dimension(WEIGHT):
         return _read_markings(cloud, trajectory, progress)
-    progress.message("Taking road markings out of the survey.")
+    progress.message(say("Taking road markings out of the survey."))
     extraction = extract_markings(cloud, trajectory, calibration, settings, progress, executor)
     if not len(extraction.points):
-        raise InsufficientDataError("No road marking was found in the survey: check its intensities with “Road "
-                                    "markings of a mobile survey”.")
+        raise InsufficientDataError(say("No road marking was found in the survey: check its intensities with “Road "
+                                        "markings of a mobile survey”."))
     return extraction.points
 
 
@@ -160,8 +162,9 @@ def _read_markings(cloud: PointCloud, trajectory: Trajectory, progress: Progress
             pieces.append(np.asarray(chunk[name], np.float64))
     x, y, z, time, weight, source = (np.concatenate(pieces) for pieces in columns.values())
     if not np.isfinite(weight).all() or (weight < 0).any():
-        raise InputError(f"The attribute {WEIGHT} of {cloud.paths[0].name} holds values below 0: give markings as "
-                         "“Road markings of a mobile survey” writes them, or the survey itself.")
+        raise InputError(say("The attribute {weight} of {paths} holds values below 0: give markings as “Road "
+                             "markings of a mobile survey” writes them, or the survey itself.", weight=WEIGHT,
+                             paths=cloud.paths[0].name))
     return MarkingPoints(x, y, z, time + shift, weight, source.astype(np.int64))
 
 
@@ -172,17 +175,19 @@ def _tell(made: RegisteredSurvey, progress: Progress) -> None:
     known = sigma[np.isfinite(sigma)]
     spread = (f"standard deviation {100 * np.median(known):.1f} cm (median)" if len(known) else
               "how accurate it is is not known")
-    progress.message(f"{100 * made.share(REGISTERED):.0f} % of the path is registered, "
-                     f"{100 * made.share(BRIDGED):.0f} % bridged; {spread}.")
+    progress.message(say("{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.",
+                         share=100 * made.share(REGISTERED), share_2=100 * made.share(BRIDGED), spread=spread))
     if correction.heading_factor > 1.0:
-        progress.warn(f"The reported heading contradicts the markings by {abs(np.median(correction.value[:, 5])):.1f} "
-                      "degrees (median), much more than its accuracy: it was corrected; check the calibration and the "
-                      "trajectory.")
+        progress.warn(say("The reported heading contradicts the markings by {correction:.1f} degrees (median), much "
+                          "more than its accuracy: it was corrected; check the calibration and the trajectory.",
+                          correction=abs(np.median(correction.value[:, 5]))))
     if made.share(DISTRUSTED) > 0:
         spans = [item for item in unregistered_sections(made) if item.status == STATUS_NAMES[DISTRUSTED]]
         longest = max(spans, key=lambda item: item.end - item.start)
-        progress.warn(f"{100 * made.share(DISTRUSTED):.0f} % of the path is not to be trusted, the longest section "
-                      f"from {longest.start:.0f} to {longest.end:.0f} m ({longest.reason}): see the patches' layer.")
+        progress.warn(say("{share:.0f} % of the path is not to be trusted, the longest section from "
+                          "{longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.",
+                          share=100 * made.share(DISTRUSTED), longest_start=longest.start, end=longest.end,
+                          reason=longest.reason))
 
 
 def unregistered_sections(made: RegisteredSurvey) -> list[UnregisteredSection]:

@@ -17,6 +17,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
+from ...wording import say
 from ..control import ControlPoints
 from ..markings.records import MarkingPoints
 from ..pose_correction import PoseCorrection
@@ -127,14 +128,14 @@ def virtual_control(survey: SurveyCorners, reference: np.ndarray, correction: Po
     InsufficientDataError : no corner finds another.
     """
     if not len(survey.time) or not len(reference):
-        raise InsufficientDataError("There is no bar among the markings of the survey or of the reference, whose "
-                                    "corners could be control points.")
+        raise InsufficientDataError(say("There is no bar among the markings of the survey or of the reference, whose "
+                                        "corners could be control points."))
     moved = survey.place + correction.at(survey.place, survey.time)
     away, nearest = cKDTree(reference[:, :2]).query(moved[:, :2])
     back = cKDTree(moved[:, :2]).query(reference[:, :2])[1]
     pair = np.flatnonzero((away < tolerance) & (back[nearest] == np.arange(len(moved)))
                           & np.isfinite(reference[nearest, 2]))
     if not len(pair):
-        raise InsufficientDataError("No corner of a marking in the survey lies near one of the reference.")
+        raise InsufficientDataError(say("No corner of a marking in the survey lies near one of the reference."))
     names = tuple(f"V{number}" for number in nearest[pair])
     return ControlPoints(names, reference[nearest[pair]], survey.time[pair], survey.place[pair])

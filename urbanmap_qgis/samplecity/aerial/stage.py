@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ...progress import Progress
+from ...wording import say
 from ..scene.crowns import Leaves
 from ..scene.world import Scene
 from ..truth.geotiff import write_image, write_mask
@@ -51,7 +52,7 @@ def write_aerial(scene: Scene, folder: Path, seed: np.random.SeedSequence, progr
     orthophoto = _orthophoto(scene, camera, exposures)
     for number, exposure in enumerate(exposures):
         part = progress.part(0.2 + 0.78 * number / len(exposures), 0.2 + 0.78 * (number + 1) / len(exposures))
-        part.message(f"Frame {number + 1} of {len(exposures)}")
+        part.message(say("Frame {number} of {exposures_count}", number=number + 1, exposures_count=len(exposures)))
         noise = np.random.default_rng(_children(noise_seed, len(exposures))[number])
         frame = render_frame(stage, camera, exposure, gains[number], noise, part)
         part.step(0.94)

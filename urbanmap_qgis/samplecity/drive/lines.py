@@ -16,6 +16,7 @@ import numpy as np
 import shapely
 
 from ...progress import Progress
+from ...wording import say
 from ..laser.raycast import RayCaster
 from ..scene.model import GROUND
 from ..scene.world import SURVEY_TIMES, Scene
@@ -77,9 +78,9 @@ def write_lines(scene: Scene, folder: Path, seed: np.random.SeedSequence, progre
     true.write(folder / "truth" / "lines_trajectory.csv")
     reported.write(target / "trajectory.csv")
     _write_calibration(target / "calibration.json")
-    progress.message("Line scanners")
+    progress.message(say("Line scanners"))
     ranges = _write_scans(target / "scans.csv.gz", raw_scans(scene, caster, true, beam_rng, progress.part(0.0, 0.4)))
-    progress.message("Line camera")
+    progress.message(say("Line camera"))
     times, strip = photograph(scene, caster, true, image_rng, progress.part(0.4, 1.0))
     _write_strip(target / "camera_1.png", target / "camera_1_times.csv", times, strip)
     exact = tie_points(scene, caster, true, reported)

@@ -16,6 +16,7 @@ import numpy as np
 import pyproj
 
 from ...progress import Progress
+from ...wording import say
 from ..faults import fault_rng, ghost_rows, laser_answers, laser_of, step_along
 from ..laser.raycast import RayCaster
 from ..scene.model import GROUND, Material
@@ -84,7 +85,8 @@ def write_mms(scene: Scene, folder: Path, seed: np.random.SeedSequence, progress
     summary = {}
     for number, start in enumerate(SURVEY_TIMES):
         part = progress.part(number / len(SURVEY_TIMES), (number + 1) / len(SURVEY_TIMES))
-        part.message(f"Mobile survey {number + 1} of {len(SURVEY_TIMES)}")
+        part.message(say("Mobile survey {number} of {survey_times_count}", number=number + 1,
+                         survey_times_count=len(SURVEY_TIMES)))
         name = f"survey_{number + 1:02d}"
         drive_rng, error_rng, beam_rng = (
             np.random.default_rng(np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, number, use)))

@@ -15,6 +15,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
+from ...wording import say
 from ..faults import checked_faults, fault_rng
 from .buildings import make_buildings
 from .faces import Boxes, building_faces, furniture_faces, join, vehicle_boxes
@@ -148,7 +149,8 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
     """
     check_size(size)
     if scene not in SCENES:
-        raise InputError(f"There is no scene {scene!r}: choose one of {', '.join(SCENES)}.")
+        raise InputError(say("There is no scene {scene!r}: choose one of {scenes}.", scene=scene,
+                             scenes=", ".join(SCENES)))
     sequence = seed if isinstance(seed, np.random.SeedSequence) else np.random.SeedSequence(seed)
     layout, built, painted, planted, furnished, parked, driven = (
         np.random.default_rng(child) for child in sequence.spawn(7))
@@ -173,4 +175,5 @@ def make_scene(size: float = 200.0, scene: str = "canyon", seed: int | np.random
 def check_size(size: float) -> None:
     """Raise `InputError` unless a city of that size (m) can be made."""
     if not MIN_SIZE <= size <= MAX_SIZE:
-        raise InputError(f"The size of the city must be {MIN_SIZE:g} to {MAX_SIZE:g} m, not {size:g}.")
+        raise InputError(say("The size of the city must be {min_size:g} to {max_size:g} m, not {size:g}.",
+                             min_size=MIN_SIZE, max_size=MAX_SIZE, size=size))

@@ -14,6 +14,7 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError
 from rasterio.transform import Affine
 
 from ...errors import OutputError
+from ...wording import say
 from ..scene.world import CRS
 
 QUALITY = 90
@@ -48,7 +49,7 @@ def _write(path: Path, bands: np.ndarray, place: tuple[float, float, float] | No
             with rasterio.open(path, "w", **profile) as target:
                 target.write(bands)
     except (RasterioError, OSError) as error:
-        raise OutputError(f"{path} cannot be written: {error}") from error
+        raise OutputError(say("{path} cannot be written: {error}", path=path, error=error)) from error
 
 
 @contextmanager

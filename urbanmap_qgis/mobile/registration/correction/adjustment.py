@@ -14,6 +14,7 @@ import numpy as np
 
 from ....errors import InsufficientDataError
 from ....progress import SILENT, Progress
+from ....wording import say
 from ...trajectory import Trajectory, gaps, jumps
 from ..records import WindowResults
 from .chain import NodeChain, nodes_along, smooth_between
@@ -127,8 +128,8 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     normals = normal_equations_of(windows, np.interp(windows.time, trajectory.time, path_parameter))
     if not normals.present.any():
         raise InsufficientDataError(
-            "No section of the survey could be registered to the reference markings: check that both show the same "
-            "streets in the same coordinate system, and that the survey has intensities that show paint.")
+            say("No section of the survey could be registered to the reference markings: check that both show the "
+                "same streets in the same coordinate system, and that the survey has intensities that show paint."))
     at_patches, nodes = normals.path_parameter, nodes_along(path_parameter, settings.node_length)
     model = settings.error_model(_angle_sigma(trajectory, path_parameter, nodes, settings))
     chain = NodeChain(normals, nodes, trajectory, path_parameter,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from ....errors import InsufficientDataError
+from ....wording import say
 from ...trajectory import Trajectory, attitude_angles, rotations
 from ..records import AMBIGUOUS, NO_MARKINGS, NOT_CONVERGED, WEAK, WindowResults
 from ..start.patches import divide_path
@@ -32,8 +33,8 @@ def patchwise_correction(windows: WindowResults, settings: CorrectionSettings) -
     """
     if not windows.usable.any():
         raise InsufficientDataError(
-            "No window of the survey could be registered to the reference markings: check that both show the same "
-            "streets in the same coordinate system, and that the survey has intensities that show paint.")
+            say("No window of the survey could be registered to the reference markings: check that both show the "
+                "same streets in the same coordinate system, and that the survey has intensities that show paint."))
     n = len(windows)
     covariance = windows.covariance
     status = np.full(n, REGISTERED, np.int8)

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.linalg.lapack import dpotrf, dtrtri
 
+from ....wording import say
+
 
 @dataclass(frozen=True)
 class ChainSolution:
@@ -46,7 +48,7 @@ def solve_chain(diagonal: np.ndarray, ahead: np.ndarray, right: np.ndarray) -> C
             state[k] -= back @ state[k - 1]
         lower, wrong = dpotrf(pivot, lower=1)
         if wrong:
-            raise np.linalg.LinAlgError("Matrix is not positive definite")
+            raise np.linalg.LinAlgError(say("Matrix is not positive definite"))
         roots[k] = lower.diagonal()
         half, _ = dtrtri(lower, lower=1)
         np.matmul(half.T, half, out=inverse[k])

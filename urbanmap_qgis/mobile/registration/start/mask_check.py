@@ -6,6 +6,7 @@ import numpy as np
 
 from ....errors import InputError, InsufficientDataError
 from ....io.raster import RasterSampler
+from ....wording import say
 
 MOST_VALUES = 8
 """Different values that a mask may have; an image has dozens in any small part."""
@@ -29,22 +30,22 @@ def refuse_unless_mask(source: RasterSampler) -> None:
     """
     advice = "make one with “Road markings from orthophoto”"
     if source.bands > 2:
-        raise InputError(f"{source.path.name} has {source.bands} bands and is an image, no mask of road markings: "
-                         f"{advice}.")
+        raise InputError(say("{path} has {bands} bands and is an image, no mask of road markings: {advice}.",
+                             path=source.path.name, bands=source.bands, advice=advice))
     values, marked, valid = np.zeros(0, np.float32), 0, 0
     for block in _spread(source):
         block = block[np.isfinite(block)]
         values = np.union1d(values, block)
         marked, valid = marked + int((block > 0).sum()), valid + len(block)
         if len(values) > MOST_VALUES:
-            raise InputError(f"{source.path.name} has many different values and is an image or a surface, no mask of "
-                             f"road markings: {advice}.")
+            raise InputError(say("{path} has many different values and is an image or a surface, no mask of road "
+                                 "markings: {advice}.", path=source.path.name, advice=advice))
     if marked > MOST_MARKED * max(valid, 1):
-        raise InputError(f"{source.path.name} is above 0 in {100 * marked / valid:.0f} % of its cells, so that it is "
-                         f"no mask of road markings: {advice}.")
+        raise InputError(say("{path} is above 0 in {marked:.0f} % of its cells, so that it is no mask of road "
+                             "markings: {advice}.", path=source.path.name, marked=100 * marked / valid, advice=advice))
     if not marked and not any((block > 0).any() for block in _blocks(source)):
-        raise InsufficientDataError(f"{source.path.name} holds no road marking: no cell is above 0; {advice}, or give "
-                                    "that of another place.")
+        raise InsufficientDataError(say("{path} holds no road marking: no cell is above 0; {advice}, or give that of "
+                                        "another place.", path=source.path.name, advice=advice))
 
 
 def _spread(source: RasterSampler):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ....errors import InsufficientDataError
+from ....wording import say
 from ...trajectory import Trajectory, interpolate, path_chainage
 
 
@@ -64,8 +65,8 @@ def divide_path(trajectory: Trajectory, length: float) -> Patches:
     chainage = path_chainage(trajectory)
     count = int(np.ceil(chainage[-1] / length - 1e-9))
     if count < 1:
-        raise InsufficientDataError(f"The trajectory drives {chainage[-1]:.2f} m, less than one patch of {length:g} m: "
-                                    "give a longer one.")
+        raise InsufficientDataError(say("The trajectory drives {chainage:.2f} m, less than one patch of {length:g} "
+                                        "m: give a longer one.", chainage=chainage[-1], length=length))
     middle = np.minimum((np.arange(count) + 0.5) * length, chainage[-1])
     moving = np.concatenate([[True], np.diff(chainage) > 0])
     time = np.interp(middle, chainage[moving], trajectory.time[moving])

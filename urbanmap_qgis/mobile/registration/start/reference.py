@@ -16,6 +16,7 @@ from ....errors import InputError
 from ....geometry.grid import Grid
 from ....geometry.sampling import sample
 from ....io.raster import RasterSampler
+from ....wording import say
 from .mask_check import refuse_unless_mask
 
 POLYGON_CELL = 0.1
@@ -74,8 +75,9 @@ class Reference:
         """
         with RasterSampler(path) as source:
             if source.grid.cell > COARSEST:
-                raise InputError(f"{source.path.name} has cells of {source.grid.cell:g} m: road markings need "
-                                 f"{COARSEST:g} m or less, and a CRS in metres.")
+                raise InputError(say("{path} has cells of {cell:g} m: road markings need {coarsest:g} m or less, and "
+                                     "a CRS in metres.", path=source.path.name, cell=source.grid.cell,
+                                     coarsest=COARSEST))
             refuse_unless_mask(source)
             crs_wkt = source.crs_wkt
         return cls(mask=os.fspath(path), ground=_checked_ground(ground), crs_wkt=crs_wkt)
@@ -91,7 +93,7 @@ class Reference:
         """
         usable = np.array([g for g in polygons if g is not None and not g.is_empty], dtype=object)
         if not len(usable) or not np.isin(shapely.get_type_id(usable), (3, 6)).all():
-            raise InputError("The reference markings must be polygons and at least one: choose another layer.")
+            raise InputError(say("The reference markings must be polygons and at least one: choose another layer."))
         return cls(polygons=usable, ground=_checked_ground(ground), crs_wkt=crs_wkt)
 
     @property
@@ -162,9 +164,9 @@ def require_same_datum(off: np.ndarray) -> None:
     known = off[np.isfinite(off)]
     middle = float(np.median(known)) if len(known) else 0.0
     if abs(middle) > _OTHER_DATUM:
-        raise InputError(f"The survey lies {abs(middle):.1f} m {'below' if middle > 0 else 'above'} the reference's "
-                         "ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the "
-                         "two.")
+        raise InputError(say("The survey lies {middle:.1f} m {value} the reference's ground: heights above the "
+                             "ellipsoid and above sea level cannot be mixed, convert one of the two.",
+                             middle=abs(middle), value=say("below") if middle > 0 else say("above")))
 
 
 def _checked_ground(path: str | os.PathLike | None) -> str | None:
