@@ -133,8 +133,9 @@ def _legend(series: Sequence[Series], intervals: Sequence[ShadedInterval], heigh
     named = {item.name: (item.colour, 1.0) for item in series}
     named.update({item.name: (item.colour, 0.4) for item in intervals})
     parts, x = [], _MARGIN[0]
-    for name, (colour, opacity) in named.items():
+    for word, (colour, opacity) in named.items():
+        name = known(word)
         parts.append(f'<rect x="{x}" y="{height + 4}" width="12" height="12" fill="{colour}" '
-                     f'fill-opacity="{opacity}"/><text x="{x + 16}" y="{height + 14}">{html.escape(known(name))}</text>')
+                     f'fill-opacity="{opacity}"/><text x="{x + 16}" y="{height + 14}">{html.escape(name)}</text>')
         x += 30 + 7 * len(name)
     return "".join(parts)
