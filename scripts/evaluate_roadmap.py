@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 import shapely
 import shapely.ops
+from shapely import affinity
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -27,6 +28,8 @@ from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
 from urbanmap_qgis.roadmap.line_work import LineWork, line_work, with_ground_heights  # noqa: E402
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
+from urbanmap_qgis.roadmap.symbol_patterns import matches  # noqa: E402
+from urbanmap_qgis.roadmap.symbols import UNKNOWN_ARROW  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
 
 LINES = {"centre": "solid", "centre_dash": "dashed", "edge": "solid", "lane": "", "lane_dash": "dashed",
@@ -141,7 +144,33 @@ def area_figures(work: LineWork, shapes: np.ndarray, kinds: np.ndarray) -> dict[
     rows = [shapely.minimum_rotated_rectangle(shapely.union_all(bars[shapely.intersects(bars, row)])) for row in rows]
     figures |= _matched("crosswalks", rows, [area.polygon for area in work.areas if area.kind == "crosswalk"], 0.7)
     arrows = [area.polygon for area in work.areas if area.kind.startswith("arrow")]
-    return figures | _matched("arrows (any kind)", list(shapely.force_2d(shapes[kinds == "arrow"])), arrows, 0.4)
+    true = shapely.force_2d(shapes[kinds == "arrow"])
+    return figures | _matched("arrows (any kind)", list(true), arrows, 0.4) | kind_figures(work, true)
+
+
+def true_kind(shape: shapely.Geometry) -> str:
+    """Kind of an arrow as it was painted; the sides of its shaft are its longest parallel edges."""
+    edges = np.diff(shapely.get_coordinates(shapely.get_parts(shape)[0].exterior), axis=0)
+    length, angle = np.linalg.norm(edges, axis=1), np.arctan2(edges[:, 1], edges[:, 0])
+    longest = np.argmax((np.abs(np.sin(angle[:, None] - angle)) < 0.04) @ length + 1e-3 * length)
+    along, place = edges[longest] / length[longest], shapely.get_coordinates(shape.centroid)[0]
+    across = np.array([along[1], -along[0]])
+    upright = affinity.affine_transform(shape, [*across, *along, -across @ place, -along @ place])
+    return matches([upright], 0.5)[0].kind
+
+
+def kind_figures(work: LineWork, shapes: np.ndarray) -> dict[str, float]:
+    """Shares of the arrows found whose kind is right, wrong, and left open."""
+    found = [area for area in work.areas if area.kind.startswith("arrow")]
+    tree, told = shapely.STRtree([area.polygon for area in found]), Counter()
+    for shape in shapes:
+        near = [(shape.intersection(found[k].polygon).area / shape.union(found[k].polygon).area, k)
+                for k in tree.query(shape, predicate="intersects")]
+        share, k = max(near, default=(0.0, -1))
+        if share > 0.3:
+            kind = found[k].kind
+            told["open" if kind == UNKNOWN_ARROW else "right" if kind == true_kind(shape) else "wrong"] += 1
+    return {f"arrows found, kind {name}": told[name] / max(told.total(), 1) for name in ("right", "wrong", "open")}
 
 
 def _matched(name: str, truth: list, found: list, least: float) -> dict[str, float]:

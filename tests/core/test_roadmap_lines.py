@@ -204,11 +204,20 @@ def broad(kind, x=0.0):
 @pytest.mark.parametrize("kind", list(BROAD))
 def test_broad_arrow_is_known_by_kind_also_where_worn(kind):
     lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
-    bare = shapely.union_all([shapely.box(x, -2, x + 0.3, 2) for x in (0.8, 2.4)])
+    bare = shapely.union_all([shapely.box(x, -2, x + 0.3, 2) for x in (0.2, 2.6)])
     worn = shapely.get_parts(broad(kind).difference(bare))
     (area,) = [area for area in work_of([*lines, *worn]).areas if area.kind != "unknown"]
     assert area.kind == f"arrow {kind}" and 0.7 < area.score < 1.0
     assert area.heading == pytest.approx([np.cos(np.radians(23)), np.sin(np.radians(23))], abs=0.02)
+
+
+@pytest.mark.parametrize("bare", [[0.9, 1.5], [1.2, 2.6]])
+def test_arrow_whose_second_head_may_be_worn_away_is_of_unknown_kind(bare):
+    lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
+    worn = broad("straight left").difference(shapely.box(bare[0], -2, bare[1], 2)).difference(
+        shapely.box(0.9, 0.15, 2.6, 2))
+    kinds = [area.kind for area in work_of([*lines, *shapely.get_parts(worn)]).areas if area.kind != "unknown"]
+    assert kinds == ["arrow, kind unknown"]
 
 
 def test_arrow_takes_no_part_in_a_line_that_it_lies_in():

@@ -23,6 +23,13 @@ TOLERANCE, AROUND = 0.1, 0.7
 SHAFT = 0.32
 """Blurred paint of a shaft or a line may be so wide, m."""
 
+LESS, MORE = ("arrow straight", "arrow left", "arrow right"), "arrow straight "
+"""Arrows with one head, each part of one of those with two, whose names begin with the last."""
+
+BLUR, BESIDE, OFF = 0.12, 0.45, 0.055
+"""Paint of one head may reach so far beyond it; paint so near a second head tells whether that can be seen; a pattern
+may lie so far beside its paint, m."""
+
 SCALES = (0.9, 1.0, 1.15)
 """Sizes of symbols against the usual ones."""
 
@@ -49,6 +56,8 @@ class PatternMatch:
     complete : share of the pattern that is painted. precise : share of the paint about it that lies in it.
     shape : the pattern at its place. backwards : read against the direction given.
     flanks : the two sides of each arrow's head, beyond the width of a shaft.
+    branches : what each arrow ahead and to a side has more at this place, and the part of `shape` beside that; none
+        where `shape` is such an arrow itself.
     """
 
     kind: str
@@ -58,6 +67,7 @@ class PatternMatch:
     shape: shapely.Geometry
     backwards: bool
     flanks: tuple[shapely.Geometry, ...]
+    branches: tuple[tuple[shapely.Geometry, shapely.Geometry], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -67,6 +77,7 @@ class _Bank:
     kinds: tuple[str, ...]
     shapes: tuple[shapely.Geometry, ...]
     flanks: tuple[tuple[shapely.Geometry, ...], ...]
+    branches: tuple[tuple[tuple[shapely.Geometry, shapely.Geometry], ...], ...]
     backwards: np.ndarray
     area: np.ndarray
     pattern: np.ndarray
@@ -105,9 +116,15 @@ def _flanks(head: list[tuple[float, float]]) -> list[shapely.Geometry]:
     return list(shapely.get_parts(shapely.Polygon(head).difference(along)))
 
 
+def _branch(shape: shapely.Geometry, more: shapely.Geometry) -> tuple[shapely.Geometry, shapely.Geometry]:
+    """What a shape with more heads has beyond `shape`, and the part of `shape` beside that."""
+    extra = more.difference(shape.buffer(BLUR))
+    return extra, shape.buffer(-OFF).intersection(extra.buffer(BESIDE))
+
+
 @lru_cache(maxsize=1)
 def _bank() -> _Bank:
-    kinds, shapes, flanks, backwards = [], [], [], []
+    kinds, shapes, flanks, backwards, sizes = [], [], [], [], []
     for kind, form, heads in _forms():
         sides = [side for head in heads for side in _flanks(head)]
         for scale in SCALES:
@@ -119,10 +136,15 @@ def _bank() -> _Bank:
                 shapes.append(shape)
                 flanks.append(tuple(beside))
                 backwards.append(turned)
+                sizes.append(scale)
+    branches = [tuple(_branch(shapes[n], shapes[k]) for k in range(len(kinds)) if kinds[k].startswith(MORE) and
+                      (sizes[k], backwards[k]) == (sizes[n], backwards[n])) if kinds[n] in LESS else ()
+                for n in range(len(kinds))]
     rasters = np.stack([raster([shape]) for shape in shapes])
     grown = np.stack([raster([shape.buffer(TOLERANCE)]) for shape in shapes])
     around = np.stack([raster([shape.buffer(AROUND)]) for shape in shapes])
-    return _Bank(tuple(kinds), tuple(shapes), tuple(flanks), np.array(backwards), rasters.sum(axis=(1, 2)),
+    return _Bank(tuple(kinds), tuple(shapes), tuple(flanks), tuple(branches), np.array(backwards),
+                 rasters.sum(axis=(1, 2)),
                  *(np.conj(scipy.fft.rfft2(one)) for one in (rasters, grown, around)))
 
 
@@ -167,8 +189,10 @@ def matches(paint: list[shapely.Geometry], least_complete: float) -> list[Patter
             right = (column + COLUMNS // 2) % COLUMNS - COLUMNS // 2
             shape, *flanks = (affinity.translate(one, right * CELL, up * CELL)
                               for one in (bank.shapes[number], *bank.flanks[number]))
+            branches = tuple(tuple(affinity.translate(one, right * CELL, up * CELL) for one in pair)
+                             for pair in bank.branches[number])
             found[key] = PatternMatch(key[0], value, float(complete[number, row, column]),
-                               float(precise[number, row, column]), shape, key[1], tuple(flanks))
+                                      float(precise[number, row, column]), shape, key[1], tuple(flanks), branches)
     return sorted(found.values(), key=lambda match: -match.score)
 
 

@@ -25,6 +25,10 @@ has so much area (m2) and is no longer than the last (m)."""
 LEAST_FLANK, LEAST_FLANKS = 0.3, 0.5
 """So much of each side of an arrow's heads must be painted, and so much of them in the mean."""
 
+MOST_BRANCH, LEAST_BESIDE = 0.05, 0.8
+"""An arrow has one head only where no more of a second one is painted, and so much of the paint beside the place of
+that is there: where the paint is worn or hidden, so may be the head."""
+
 SPACING = 0.45
 """Pieces of one diamond lie no farther apart, m (worn paint falls into pieces)."""
 
@@ -65,8 +69,8 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
 
     Returns
     -------
-    Symbols that share no paint. An arrow whose best kinds agree about as well is `UNKNOWN_ARROW`, and one that may be
-    read both ways has no heading.
+    Symbols that share no paint. An arrow whose best kinds agree about as well, or where a second head may be worn or
+    hidden, is `UNKNOWN_ARROW`; one that may be read both ways has no heading.
     """
     shapes = np.asarray(polygons, object)
     free = np.array([n for n in range(len(shapes)) if n not in taken], np.int64)
@@ -140,7 +144,9 @@ def _symbol(place: np.ndarray, along: np.ndarray, wanted: str, tree: shapely.STR
     inside = np.array([shape.intersection(reached).area >= 0.5 * shape.area for shape in paint])
     if not inside.any():
         return None
-    kind, heading = _kind(fits), _heading(fits, along)
+    kind, heading = _kind(fits, paint), _heading(fits, along)
+    if kind == UNKNOWN_ARROW and best.kind != "arrow straight":
+        heading = np.full(2, np.nan)  # the heads of a turn lie beside its shaft: told with its kind or not at all
     members = near[inside]
     back = [across[0], along[0], across[1], along[1], *place]
     area = shapely.union_all([shape.intersection(reached) for shape in np.array(paint, object)[inside]])
@@ -155,9 +161,14 @@ def _has_heads(match: PatternMatch, paint: Sequence[shapely.Geometry]) -> bool:
     return not shares or (min(shares) >= LEAST_FLANK and float(np.mean(shares)) >= LEAST_FLANKS)
 
 
-def _kind(fits: Sequence[PatternMatch]) -> str:
-    """Kind of the best match, `UNKNOWN_ARROW` where another kind of arrow fits about as well."""
+def _kind(fits: Sequence[PatternMatch], paint: Sequence[shapely.Geometry]) -> str:
+    """Kind of the best match, `UNKNOWN_ARROW` where another kind fits about as well or may have another head."""
     best = fits[0]
+    painted = shapely.union_all(list(paint))
+    for branch, beside in best.branches:
+        if (branch.intersection(painted).area > MOST_BRANCH * branch.area or
+                beside.intersection(painted).area < LEAST_BESIDE * beside.area):
+            return UNKNOWN_ARROW
     rivals = {match.kind for match in fits if match.score > best.score - LEAST_LEAD} - {best.kind}
     return UNKNOWN_ARROW if rivals and best.kind.startswith("arrow") else best.kind
 
