@@ -538,8 +538,9 @@ def adjustment_nodes(layer) -> None:
         "σ [% round(\"sigma\", 3) %] m in plan")
 
 
-SATELLITES = ((3, "below 4: no position", "#b2182b"), (5, "4 to 5", "#ef8a62"), (8, "6 to 8", "#fddbc7"),
-              (12, "9 to 12", "#67a9cf"), (1000, "13 and more", "#2166ac"))
+SATELLITES = ((3, "below 4 satellites: no position", "#b2182b"), (5, "4 to 5 satellites", "#ef8a62"),
+              (8, "6 to 8 satellites", "#fddbc7"), (12, "9 to 12 satellites", "#67a9cf"),
+              (1000, "13 satellites and more", "#2166ac"))
 """Upper limit, label and colour of the classes of visible satellites."""
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.crs import crs_name, wkt_of
-from ..framework.layers import make_fields
+from ..framework.layers import make_fields, own_fields
 from ..framework.parameters import tr
 
 COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
@@ -110,7 +110,9 @@ class LoadCityModel(UrbanMapAlgorithm):
             results["OUTPUT_SURFACES"] = self.write_layer(
                 parameters, "OUTPUT_SURFACES", context, make_fields(*SURFACES), store.surface_columns, wkt,
                 store.surfaces, "PolygonZ", "building_surfaces", progress.part(0.6, 0.8))
-        fields = make_fields(*COLUMNS, *store.more_fields(name for name, _ in COLUMNS))
+        fields = make_fields(*COLUMNS)
+        for item in own_fields(make_fields(*store.more_fields(name for name, _ in COLUMNS)))[1]:
+            fields.append(item)  # attributes of the file: they keep their own words
         if parameters.get("OUTPUT_MODELS"):
             columns = {name: [store.columns[name][row] for row in store.modelled] for name in store.columns}
             results["OUTPUT_MODELS"] = self.write_layer(

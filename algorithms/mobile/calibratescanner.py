@@ -92,7 +92,7 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         columns = dict(zip((name for name, _ in FIELDS), zip(*made.rows())))
         columns = {name: list(values) for name, values in columns.items()}
         table = self.write_layer(parameters, "OUTPUT_TABLE", context, make_fields(*FIELDS), columns, "",
-                                 progress=progress)
+                                 style="boresight_corrections", progress=progress)
         if table:
             results["OUTPUT_TABLE"] = table
         report = self.output_path(parameters, "OUTPUT_REPORT", context)

@@ -41,7 +41,7 @@
           <item value="0.744049108028412" alpha="255" label="0.744" color="#f2dd9b"/>
           <item value="1.220757721364498" alpha="255" label="1.22" color="#a9744f"/>
           <item value="1.50678288936615" alpha="255" label="1.51" color="#ffffff"/>
-          <rampLegendSettings maximumLabel="" minimumLabel="" orientation="2" suffix="" useContinuousLegend="1" direction="0" prefix="">
+          <rampLegendSettings maximumLabel="" minimumLabel="" orientation="2" suffix=" m" useContinuousLegend="1" direction="0" prefix="">
             <numericFormat id="basic">
               <Option type="Map">
                 <Option name="decimal_separator" value="" type="QChar"/>

@@ -2,11 +2,11 @@
 <qgis styleCategories="Symbology|Symbology3D|MapTips" version="3.22.16-Białowieża">
   <renderer-v2 symbollevels="0" type="RuleRenderer" forceraster="0" enableorderby="0" referencescale="-1">
     <rules key="{1edd5188-656a-4d7f-9c18-2bb40208dca4}">
-      <rule key="{b5016b78-d281-4d87-80c6-acf729993307}" symbol="0" label="below 4: no position" filter="&quot;satellites&quot; > -1 AND &quot;satellites&quot; &lt;= 3"/>
-      <rule key="{8a0c22df-d3d2-4ef6-ae5a-0859c22152ff}" symbol="1" label="4 to 5" filter="&quot;satellites&quot; > 3 AND &quot;satellites&quot; &lt;= 5"/>
-      <rule key="{6d7c18d1-4046-42d6-befd-7d5347e89e30}" symbol="2" label="6 to 8" filter="&quot;satellites&quot; > 5 AND &quot;satellites&quot; &lt;= 8"/>
-      <rule key="{6a5ca6c6-7b30-4c1e-850c-1050344c9056}" symbol="3" label="9 to 12" filter="&quot;satellites&quot; > 8 AND &quot;satellites&quot; &lt;= 12"/>
-      <rule key="{28644070-67ca-43fb-919d-8b81b7295466}" symbol="4" label="13 and more" filter="&quot;satellites&quot; > 12 AND &quot;satellites&quot; &lt;= 1000"/>
+      <rule key="{b5016b78-d281-4d87-80c6-acf729993307}" symbol="0" label="below 4 satellites: no position" filter="&quot;satellites&quot; > -1 AND &quot;satellites&quot; &lt;= 3"/>
+      <rule key="{8a0c22df-d3d2-4ef6-ae5a-0859c22152ff}" symbol="1" label="4 to 5 satellites" filter="&quot;satellites&quot; > 3 AND &quot;satellites&quot; &lt;= 5"/>
+      <rule key="{6d7c18d1-4046-42d6-befd-7d5347e89e30}" symbol="2" label="6 to 8 satellites" filter="&quot;satellites&quot; > 5 AND &quot;satellites&quot; &lt;= 8"/>
+      <rule key="{6a5ca6c6-7b30-4c1e-850c-1050344c9056}" symbol="3" label="9 to 12 satellites" filter="&quot;satellites&quot; > 8 AND &quot;satellites&quot; &lt;= 12"/>
+      <rule key="{28644070-67ca-43fb-919d-8b81b7295466}" symbol="4" label="13 satellites and more" filter="&quot;satellites&quot; > 12 AND &quot;satellites&quot; &lt;= 1000"/>
       <rule key="{e5b7a442-160c-4d26-a57f-211c2975c4bb}" symbol="5" label="inside a building" filter="ELSE"/>
     </rules>
     <symbols>

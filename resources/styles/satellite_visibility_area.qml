@@ -22,11 +22,11 @@
       </minMaxOrigin>
       <rastershader>
         <colorrampshader colorRampType="DISCRETE" classificationMode="1" labelPrecision="6" minimumValue="-1" maximumValue="1000" clip="0">
-          <item color="#b2182b" alpha="255" label="below 4: no position" value="3.5"/>
-          <item color="#ef8a62" alpha="255" label="4 to 5" value="5.5"/>
-          <item color="#fddbc7" alpha="255" label="6 to 8" value="8.5"/>
-          <item color="#67a9cf" alpha="255" label="9 to 12" value="12.5"/>
-          <item color="#2166ac" alpha="255" label="13 and more" value="1000.5"/>
+          <item color="#b2182b" alpha="255" label="below 4 satellites: no position" value="3.5"/>
+          <item color="#ef8a62" alpha="255" label="4 to 5 satellites" value="5.5"/>
+          <item color="#fddbc7" alpha="255" label="6 to 8 satellites" value="8.5"/>
+          <item color="#67a9cf" alpha="255" label="9 to 12 satellites" value="12.5"/>
+          <item color="#2166ac" alpha="255" label="13 satellites and more" value="1000.5"/>
           <rampLegendSettings suffix="" direction="0" orientation="2" useContinuousLegend="1" maximumLabel="" prefix="" minimumLabel="">
             <numericFormat id="basic">
               <Option type="Map">

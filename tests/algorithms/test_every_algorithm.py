@@ -9,8 +9,10 @@ import importlib.util
 import json
 import os
 import shutil
+import sqlite3
 import subprocess
 import sys
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -51,6 +53,30 @@ def inputs(made, small_city):
     workers = {name for name, item in every.algorithms().items() if item.parameterDefinition("WORKERS")}
     return lambda name: {**every.given(name, small_city, made, results),
                          **({"WORKERS": 1} if name.split()[0] in workers else {})}
+
+
+def layers_of(path):
+    """Fields of the layers of a GeoPackage without keys and geometries, and the style that it keeps."""
+    with closing(sqlite3.connect(path)) as database:
+        tables = [name for name, in database.execute(
+            "SELECT table_name FROM gpkg_contents WHERE table_name <> 'layer_styles'")]
+        shapes = {name for name, in database.execute("SELECT column_name FROM gpkg_geometry_columns")}
+        fields = {row[1] for table in tables for row in database.execute(f'PRAGMA table_info("{table}")')}
+        styled = database.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone()
+        style = database.execute("SELECT styleName FROM layer_styles").fetchone()[0] if styled else ""
+    return fields - shapes - {"fid"}, style
+
+
+def test_every_field_of_every_layer_has_words(made, small_city, plugin):
+    """All but those that the user's own outlines and city models have."""
+    words_of = plugin("algorithms.framework.field_words").words_of
+    models = json.loads((small_city / "models" / "buildings.geojson").read_text(encoding="utf-8"))
+    users = layers_of(small_city / "footprints" / "gsi_buildings.gpkg")[0] | set(models["features"][0]["properties"])
+    missing = {}
+    for path in made.glob("*-OUTPUT*.gpkg"):
+        fields, style = layers_of(path)
+        missing |= {(path.name, name): style for name in fields - users if words_of(name, style) is None}
+    assert missing == {}
 
 
 def algorithm_of(name):

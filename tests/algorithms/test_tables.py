@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import ast
+import re
 import sqlite3
 from contextlib import closing
+from pathlib import Path
 
 import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
 
 SQUARE = "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))"
 
@@ -54,3 +59,47 @@ def test_fields_of_the_user_carry_no_mark_into_the_file(plugin, qgis_app):
     own, plain = layers.own_fields(layers.make_fields(("sigma", "real"), base=base))
     assert own == ("sigma",)
     assert [item.alias() for item in plain] == ["", ""]
+
+
+KINDS = {"int", "real", "text", "bool"}
+
+
+def named_fields():
+    """Names of the fields that stand in the code as pairs of name and kind, with the modules that name them."""
+    found = {}
+    for folder in ("algorithms", "urbanmap_qgis"):
+        for path in (ROOT / folder).rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                pair = node.elts if isinstance(node, ast.Tuple) else ()
+                values = [item.value for item in pair if isinstance(item, ast.Constant)]
+                if len(pair) == len(values) == 2 and values[1] in KINDS and "samplecity" not in path.parts:
+                    found.setdefault(values[0], set()).add(path.name)
+    return found
+
+
+def test_every_field_in_the_code_has_words(plugin):
+    words_of, named = plugin("algorithms.framework.field_words").words_of, named_fields()
+    assert len(named) > 120
+    assert {name: where for name, where in named.items() if words_of(name) is None} == {}
+
+
+def test_words_in_the_layers_of_a_style_are_of_a_style_that_there_is(plugin):
+    module = plugin("algorithms.framework.field_words")
+    for style, field in module._OF_STYLE:
+        assert (ROOT / "resources" / "styles" / f"{style}.qml").is_file(), style
+        assert module.words_of(field, style) != module.words_of(field), (style, field)
+
+
+def test_what_has_a_unit_has_decimals_and_no_more_than_mean_something(plugin):
+    """Lengths, angles and shares: at most millimetres or thousandths."""
+    module = plugin("algorithms.framework.field_words")
+    for words in (*module._WORDS.values(), *module._OF_STYLE.values()):
+        unit = re.search(r"\((m|m²|m³|s|MB|°|km/h)\)$", words.words) or words.words.endswith("0 to 1")
+        assert not unit or words.decimals is not None or words.words.startswith("begin and end"), words
+        assert words.decimals is None or words.decimals <= (4 if "unit beside" in words.words else 3), words
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "resources" / "styles").glob("*.qml")), ids=lambda path: path.stem)
+def test_styles_name_no_font(path):
+    """A font that a machine lacks would be replaced, with a warning: texts take the application's."""
+    assert not re.search(r'fontFamily|font-family|fontName="[^"]', path.read_text(encoding="utf-8"))
