@@ -204,7 +204,7 @@ def broad(kind, x=0.0):
 @pytest.mark.parametrize("kind", list(BROAD))
 def test_broad_arrow_is_known_by_kind_also_where_worn(kind):
     lines = [shapely.box(-20, y - 0.075, 30, y + 0.075) for y in (-1.6, 1.6)]
-    bare = shapely.union_all([shapely.box(x, -2, x + 0.3, 2) for x in (0.2, 2.6)])
+    bare = shapely.union_all([shapely.box(x, -2, x + 0.3, 2) for x in (0.2, 3.4)])
     worn = shapely.get_parts(broad(kind).difference(bare))
     (area,) = [area for area in work_of([*lines, *worn]).areas if area.kind != "unknown"]
     assert area.kind == f"arrow {kind}" and 0.7 < area.score < 1.0
