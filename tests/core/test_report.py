@@ -1,16 +1,20 @@
 """HTML reports and their drawings."""
 
+import ast
 import base64
 import re
 import xml.etree.ElementTree as ElementTree
+from pathlib import Path
 
 import numpy as np
 import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError, OutputError
-from urbanmap_qgis.io.report import BAD, LOOK, Report, RunFacts, rounded, run_told
+from urbanmap_qgis.io.report import BAD, LOOK, Fixed, Report, RunFacts, rounded, run_told
 from urbanmap_qgis.io.svg import RAMP, UNKNOWN, bars, plan_map
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def test_page_escapes_text_and_formats_numbers(tmp_path):
@@ -87,7 +91,8 @@ def test_pages_fit_a_narrow_screen(tmp_path):
 
 
 @pytest.mark.parametrize(("value", "text"), [(0.0123, "0.012"), (1.2345, "1.23"), (123.45, "123.5"), (100.0, "100"),
-                                             (123456.7, "123,457"), (0.0, "0"), (-0.5, "-0.500"), (1e-5, "1e-05")])
+                                             (123456.7, "123,457"), (0.0, "0"), (-0.5, "-0.500"),
+                                             (-0.0006, "-0.0006"), (-3.5e-18, "0")])
 def test_numbers_have_the_decimals_that_they_mean(value, text):
     assert rounded(value) == text
 
@@ -99,3 +104,40 @@ def test_a_note_of_settings_is_a_table(tmp_path):
         report.write(tmp_path / f"{name}.html")
     assert "<th>Width</th><td>3 m</td>" in (tmp_path / "a.html").read_text(encoding="utf-8")
     assert "<p>Frames used: all. Nothing else.</p>" in (tmp_path / "b.html").read_text(encoding="utf-8")
+
+
+def test_seconds_and_coordinates_keep_their_decimals(tmp_path):
+    report = Report("Page")
+    report.table(["time (s)", "x"], [[Fixed.of(361416.254), Fixed.of(float("nan"))]])
+    report.write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert '<td class="number">361416.25</td><td class="number">–</td>' in page
+
+
+def test_ticks_are_round_numbers():
+    drawn = bars(np.array([3, 0, 1]), np.array([0.0, 2.1, 4.2, 6.3]), "% of the points")
+    assert re.findall(r'text-anchor="middle">([^<]*)</text>', drawn)[:-1] == ["0", "2", "4", "6"]
+
+
+def test_a_broad_picture_scrolls_on_a_phone_and_a_small_one_shrinks(tmp_path):
+    report = Report("Page")
+    for width in (460, 900):
+        report.figure(f'<svg xmlns="" width="{width}" height="20"></svg>', "c")
+    report.write(tmp_path / "r.html")
+    page = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert page.count("<figure><svg") == 1 and page.count('<figure class="broad"><svg') == 1
+
+
+def modules_with_reports():
+    return [path for folder in ("urbanmap_qgis", "algorithms") for path in sorted((ROOT / folder).rglob("*.py"))
+            if re.search(r"\bReport\(", path.read_text(encoding="utf-8"))]
+
+
+@pytest.mark.parametrize("path", modules_with_reports(), ids=lambda path: str(path.relative_to(ROOT)))
+def test_every_report_gives_a_verdict(path):
+    """As often as the module begins a report, unless a helper gives it for all."""
+    calls = [node.func for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+             if isinstance(node, ast.Call)]
+    made = sum(getattr(item, "id", "") == "Report" for item in calls)
+    given = sum(getattr(item, "attr", "") == "verdict" for item in calls)
+    assert made and given >= made, f"{made} reports, {given} verdicts"

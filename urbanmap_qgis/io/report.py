@@ -55,6 +55,9 @@ figcaption { font-size: .9em; color: #555; }
 @media (max-width: 30em) {
   body { margin: .6em auto; padding: 0 .6em; font-size: .95em; }
   th, td { padding: .25em .4em; }
+  figure.broad { overflow-x: auto; }
+  figure.broad svg { min-width: 46em; }
+  figure.broad figcaption { position: sticky; left: 0; }
 }
 @media print {
   body { max-width: none; margin: 0; font-size: 10pt; }
@@ -71,6 +74,10 @@ _PICTURES = ((b"\x89PNG\r\n\x1a\n", "image/png"), (b"\xff\xd8\xff", "image/jpeg"
 """How picture files begin, and their media types."""
 
 _SIZE = re.compile(r'<svg((?:(?!viewBox)[^>])*?)width="(\d+)" height="(\d+)"(?![^>]*viewBox)')
+
+_WIDTH = re.compile(r'<svg[^>]*? width="(\d+)"')
+_BROAD = 600
+"""Pictures of more pixels are not shrunk to the width of a phone, where their words would be too small: they scroll."""
 
 Cell = object
 
@@ -156,7 +163,9 @@ class Report:
                            f"{head}</tr></thead><tbody>\n{body}\n</tbody></table></div>")
 
     def facts(self, facts: Mapping[str, Cell]) -> None:
-        """Add a two-column table of names and values."""
+        """Add a two-column table of names and values; nothing where there are none."""
+        if not facts:
+            return
         rows = "\n".join(f"<tr><th>{html.escape(known(name))}</th>{_cell(value)}</tr>"
                          for name, value in facts.items())
         self._parts.append(f'<div class="wide"><table><tbody>\n{rows}\n</tbody></table></div>')
@@ -184,7 +193,9 @@ class Report:
     def figure(self, svg: str, caption: str) -> None:
         """Add a picture given as SVG; it shrinks with the page."""
         svg = _SIZE.sub(r'<svg\1viewBox="0 0 \2 \3" width="\2" height="\3"', svg, count=1)
-        self._parts.append(f"<figure>{svg}<figcaption>{html.escape(known(caption))}</figcaption></figure>")
+        size = _WIDTH.search(svg)
+        broad = ' class="broad"' if size and int(size[1]) > _BROAD else ""
+        self._parts.append(f"<figure{broad}>{svg}<figcaption>{html.escape(known(caption))}</figcaption></figure>")
 
     def picture(self, path: str | os.PathLike, caption: str) -> None:
         """Add a picture from a PNG or JPEG file; the page holds the picture itself.
@@ -255,13 +266,22 @@ class Report:
             self.facts(facts.settings)
 
 
+class Fixed(str):
+    """A number as text with the decimals that it needs, as GPS seconds and coordinates have; set like a number."""
+
+    @classmethod
+    def of(cls, value: float, decimals: int = 2) -> Fixed:
+        return cls(f"{value:.{decimals}f}" if math.isfinite(value) else "–")
+
+
 def rounded(value: float) -> str:
-    """A number with as many decimals as it means: three below 1, two below 100, one below 1000, none above."""
+    """A number with as many decimals as it means: three below 1, two below 100, one below 1000, none above; 0 where
+    four decimals show nothing."""
     size = abs(value)
-    if not size:
+    if size < 0.00005:
         return "0"
     if size < 0.001:
-        return f"{value:.2g}"
+        return f"{value:.4f}"
     whole = size >= 1000 or (size >= 100 and value == int(value))
     return f"{value:,.{0 if whole else 1 if size >= 100 else 2 if size >= 1 else 3}f}"
 
@@ -276,4 +296,6 @@ def _cell(value: Cell) -> str:
         return f'<td class="number">{int(value):,}</td>'
     if isinstance(value, (float, np.floating)):
         return f'<td class="number">{rounded(float(value))}</td>'
+    if isinstance(value, Fixed):
+        return f'<td class="number">{value}</td>'
     return f"<td>{html.escape(known(str(value)))}</td>"

@@ -26,9 +26,10 @@ def bars(counts: np.ndarray, edges: np.ndarray, label: str) -> str:
         f'<rect x="{left + i * step + 0.5:.1f}" y="{12 + plot_height * (1 - count / tallest):.1f}" '
         f'width="{max(step - 1, 1):.1f}" height="{plot_height * count / tallest:.1f}" fill="#2f6f8f"/>'
         for i, count in enumerate(counts.tolist()))
+    low, high = float(edges[0]), float(edges[-1])
     ticks = "".join(
-        f'<text x="{left + share * plot_width:.0f}" y="{height - bottom + 16}" text-anchor="middle">'
-        f"{edges[0] + share * (edges[-1] - edges[0]):.3g}</text>" for share in (0.0, 0.25, 0.5, 0.75, 1.0))
+        f'<text x="{left + (value - low) / (high - low) * plot_width:.0f}" y="{height - bottom + 16}" '
+        f'text-anchor="middle">{value:g}</text>' for value in round_values(low, high))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
             f'font-family="sans-serif" font-size="11">{bars}'
             f'<path d="M{left} {height - bottom}H{width - 10}" stroke="#444"/>'
@@ -36,6 +37,14 @@ def bars(counts: np.ndarray, edges: np.ndarray, label: str) -> str:
             f'<text x="{left - 6}" y="{height - bottom}" text-anchor="end">0</text>'
             f'<text x="{left + plot_width / 2:.0f}" y="{height - 6}" text-anchor="middle">'
             f"{html.escape(known(label))}</text></svg>")
+
+
+def round_values(low: float, high: float) -> list[float]:
+    """Round values between two limits, about five."""
+    raw = (high - low) / 5
+    power = 10.0 ** np.floor(np.log10(raw))
+    step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= raw)
+    return [float(np.round(k * step, 10)) for k in range(int(np.ceil(low / step)), int(np.floor(high / step)) + 1)]
 
 
 def plan_map(polygons: Sequence[shapely.Geometry | None], values: np.ndarray, limits: Sequence[float], unit: str,

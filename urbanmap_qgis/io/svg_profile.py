@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..wording import known
+from .svg import round_values
 
 COLOURS = ("#2f6f8f", "#d7263d", "#3a9d5d", "#8a5fb0", "#e09a2b")
 
@@ -107,10 +108,10 @@ def _shaded_interval(item: ShadedInterval, place, x_span: tuple[float, float], y
 def _axes(place, x_span, y_span, width: int, height: int, x_label: str, y_label: str) -> str:
     left, right, top, bottom = _MARGIN
     parts = [f'<path d="M{left} {top}V{height - bottom}H{width - right}" fill="none" stroke="#444"/>']
-    for value in _ticks(*x_span):
+    for value in round_values(*x_span):
         x = place(value, 0.0)[0]
         parts.append(f'<text x="{x:.0f}" y="{height - bottom + 14}" text-anchor="middle">{value:g}</text>')
-    for value in _ticks(*y_span):
+    for value in round_values(*y_span):
         y = place(x_span[0], value)[1]
         parts.append(f'<path d="M{left} {y:.1f}H{width - right}" stroke="#ddd"/>'
                      f'<text x="{left - 5}" y="{y + 4:.1f}" text-anchor="end">{value:g}</text>')
@@ -119,14 +120,6 @@ def _axes(place, x_span, y_span, width: int, height: int, x_label: str, y_label:
                  f'{html.escape(known(x_label))}</text><text x="12" y="{middle:.0f}" text-anchor="middle" '
                  f'transform="rotate(-90 12 {middle:.0f})">{html.escape(known(y_label))}</text>')
     return "".join(parts)
-
-
-def _ticks(low: float, high: float) -> list[float]:
-    """Round values between two limits, about five."""
-    raw = (high - low) / 5
-    power = 10.0 ** np.floor(np.log10(raw))
-    step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= raw)
-    return [float(np.round(k * step, 10)) for k in range(int(np.ceil(low / step)), int(np.floor(high / step)) + 1)]
 
 
 def _legend(series: Sequence[Series], intervals: Sequence[ShadedInterval], height: int) -> str:
