@@ -43,6 +43,45 @@ def constants_said(folder: Path, functions: tuple[str, ...]) -> Iterator[str]:
                 yield node.args[0].value
 
 
+SHOWN = {"section", "paragraph", "warning", "verdict", "facts", "table", "histogram", "figure", "picture", "switcher",
+         "Report", "Series", "ShadedInterval", "profile", "bars"}
+"""Methods of reports, and what they draw: constants among their arguments are shown in the user's language."""
+
+TABLES = re.compile(r"STATUS|NAMES|MEANING|METHOD|REASON|WORDS|SHADES|KINDS|CLASSES")
+"""Names of constants whose texts are data, and are shown in the user's language in reports."""
+
+
+def constants_shown(folder: Path) -> Iterator[str]:
+    """Texts that reports show: constants given to them, and words that are data too."""
+    for path in sorted(folder.rglob("*.py")):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) in SHOWN:
+                for argument in (*node.args, *(item.value for item in node.keywords)):
+                    yield from _plain_texts(argument)
+        for node in tree.body if "io.report" in path.read_text(encoding="utf-8") or "STATUS" in ast.unparse(tree) else ():
+            targets = [item.id for item in getattr(node, "targets", []) if isinstance(item, ast.Name)]
+            if targets and TABLES.search(targets[0]):
+                yield from (text for text in _plain_texts(node.value) if " " in text or text.islower())
+
+
+def _plain_texts(node: ast.AST) -> Iterator[str]:
+    """Constants that are shown as they stand: not those that choose something, such as keys."""
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        if re.search("[A-Za-z]{2}", node.value):
+            yield node.value
+    elif isinstance(node, ast.IfExp):
+        yield from (text for part in (node.body, node.orelse) for text in _plain_texts(part))
+    elif isinstance(node, (ast.Tuple, ast.List)):
+        yield from (text for part in node.elts for text in _plain_texts(part))
+    elif isinstance(node, ast.Dict):
+        yield from (text for part in (*node.keys, *node.values) if part is not None for text in _plain_texts(part))
+    elif isinstance(node, (ast.ListComp, ast.GeneratorExp)):
+        yield from _plain_texts(node.elt)
+    elif isinstance(node, ast.BinOp):
+        yield from (text for part in (node.left, node.right) for text in _plain_texts(part))
+
+
 def declared() -> list[str]:
     """What the toolbox shows: names, help, labels of parameters and outputs, groups."""
     from qgis.core import QgsApplication
@@ -101,6 +140,7 @@ def texts() -> list[str]:
     said = dict.fromkeys(declared())
     for folder, functions in SAYING.items():
         said.update(dict.fromkeys(constants_said(ROOT / folder, functions)))
+    said.update(dict.fromkeys(constants_shown(ROOT / "urbanmap_qgis")))
     said.update(dict.fromkeys(legends()))
     return list(said)
 

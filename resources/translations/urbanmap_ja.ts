@@ -36,7 +36,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
+        <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -593,6 +593,14 @@
     </message>
     <message>
         <source>Text that the report shows with its settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Low, high, middle and noise of the brightness of the image that this one is a part of; a run over tiles gives them. Left out: of this image itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1828,6 +1836,94 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Image of the map, in the CRS of points and lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser points to draw, LAS, LAZ or COPC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models or lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building models (MultiPolygonZ with all faces) or lines with heights; their edges are drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour points by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the colours of points tell (height, intensity, class, one)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Laser points before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same points before a correction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models or lines before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same models or lines before a correction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectory before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line images show things up to this distance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures on the page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most so many; the fullest windows are taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each image with the overlay as JPEG, and the pictures of the page before and after beside each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page that switches between plain image, before and after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images in which points or edges lie.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images drawn on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images in which nothing lies.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images without</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The reported trajectory: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees), Applanix SBET, or a point layer with these fields.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1881,6 +1977,22 @@
     </message>
     <message>
         <source>Of trajectory and tie points, where no layer says it; needed for SBET trajectories.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line images for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strip images of line cameras: the report shows the models or lines over them, before and after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Models or lines for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building models (MultiPolygonZ) or lines with heights, drawn over the line images.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2589,6 +2701,18 @@
     </message>
     <message>
         <source>CityJSON 2.0 file with the solids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orthophoto for the report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report shows edges before and after over it; it changes nothing else.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was merged and what not, and edges before and after over the orthophoto, as HTML.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3440,6 +3564,394 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Building models (MultiPolygonZ, such as those of “Building models”) or outlines with heights, in a projected CRS in metres. Leave them out to ask for markings alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls with sigma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls whose accuracy was measured (field sigma), such as those of “Merge building models” or “Adjust walls by GNSS”: walls of the buildings that run along them take their sigma.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the place of a wall across itself, where neither a field nor WALLS tell it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polygons or lines of markings, such as those of “Lines from road markings” (field sigma).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the place of a marking, where no field sigma tells it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Common sigma of markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of a displacement that the markings around a place share, such as that of the aerial block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines along which vehicles drive, such as centre lines of lanes. A field tunnel (yes, 1) is heeded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives in the CRS of the buildings instead of roads.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Area to fill where neither roads nor trajectories are given; left empty, that of the map. Along is then north.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between the places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heights of the ground in metres. Without it the roads' heights are taken, or the feet of the buildings beside them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Features with the same value are one building.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m; z_top and top are found by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>m; z_base and ground are found by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Field with the sigma of walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a building's walls, m; wall_sigma and sigma_xy are found by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RINEX navigation files or SP3 orbits: then satellites count too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time in UTC for roads and areas, such as 2024-04-18 02:30:00; left empty, six times over the hours of the navigation files. A trajectory has times of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Satellites lower than this are not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>G GPS, R GLONASS, E Galileo, C BeiDou, J QZSS.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the vehicle to be localised. (2D, multi-layer)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range of the scanner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls farther away are not seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the scanner</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above the road.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How scans are matched to the map. (NDT, ICP)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angular resolution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between rays of a layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a multi-layer scanner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its elevation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest layer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of hidden rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rays that end at vehicles, trees or people.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cells of the NDT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Common sigma of a building</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of a displacement that all walls of a building share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma before matching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is known before, of east and of north: a direction without evidence keeps it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of the heading before matching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search for repetitions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places that look alike are searched for within this distance; 0: not at all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range of markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markings farther away are not seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>View of markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Angle ahead in which markings are seen: 360 for the intensity of a scanner around, about 100 for a camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detection rate of markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the markings within sight that are found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of satellite ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of a code range at the zenith.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of reflected signals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the hidden satellites those that are received by reflection and used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit of good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest sigma of the weakest direction of a good place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limit of usable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same of a usable place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate scans</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans are simulated at some places and registered to the map: observed against predicted accuracy in the report and among the results.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulate every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At every so many places that see walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each in another true city, as the sigmas of the walls allow.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True buildings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The true city to simulate in, with heights as BUILDINGS has them; without it the map is displaced by its sigmas.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the simulation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Localisation accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points along the roads: sigma_along, sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, …_markings, …_satellites); major, minor (m) and weakest (bearing of the major axis) of the error ellipse; alias_share, alias_distance, alias_bearing; points, n_walls, horizon and sky (share with walls), cell_rms, two_surfaces, satellites, pdop; class and status.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Localisation accuracy, raster</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of the weakest direction, m, in cells of the spacing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road by class, the worst stretches with pictures, and what was simulated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the weakest direction, over the places that have one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road of class good.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of good road</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road of class usable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of usable road</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road of class poor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of poor road</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road of which nothing can be said.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of road without</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of places that look like others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeated places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of observed and predicted errors, where scans were simulated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spearman's coefficient</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of simulated errors within the 95 % ellipse.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share within the ellipse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Polygons of the markings, such as those of “Road markings from orthophoto”, in a projected CRS in metres. A field colour (white, yellow) is used where there is one.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3476,7 +3988,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line).</source>
+        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3484,7 +3996,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Polygons: class (crosswalk, arrow straight, ..., diamond, unknown), colour, heading (degrees from grid north in which it is read), score (agreement with the shape, 0 to 1).</source>
+        <source>Polygons: class (crosswalk; arrow straight, ..., or arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3520,6 +4032,126 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The survey, placed by the trajectory: LAS, LAZ or COPC files with GPS times, in one projected coordinate system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heights of the ground in metres, from which those of the points are counted. Without it the ground is found among the points; where the raster has no value no edge is found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Half width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges up to so far from the path, in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lowest kerb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower steps, in metres, are no kerbs; between two parts of a kerb they are its lowered places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Highest kerb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Higher steps, in metres, are no kerbs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shorter edges, in metres, are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the survey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How well the survey is placed as a whole, in metres; it enters the sigma of all edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects of “Objects from images” for the GeoPackage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls of “Walls of the mobile survey” for the GeoPackage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>LineStringZ along the foot: edge_id, kind (kerb, lowered kerb, road border, guard rail, wall), height, sigma (across), sigma_z, length (m), points, passes, completeness (share of the line that was measured), chain (parts of one edge), gap (m to the next part), status (measured, doubtful), reason.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same along the top: edge_id, kind, height, sigma, sigma_z, status.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All features</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>GeoPackage (*.gpkg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One GeoPackage with the layers edges, upper_edges and, where given, objects and walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kerbs and lowered kerbs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of kerbs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a kerb.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of road borders</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured and doubtful ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of guard rails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls at the road.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of walls</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median standard deviation of measured kerbs across; no value without kerbs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Lines of “Lines from road markings” (fields class, colour, width, sigma, chain, partner; class alone is enough), in a projected CRS in metres.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3528,15 +4160,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Road edges</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Lines of kerbs, road borders or rails, in the CRS of the lines: they are bounds of lanes too.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Corrected trajectories of drives in the CRS of the lines: they show directions and ways through junctions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Road axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axes of roads of another map, in the CRS of the lines, with any of the fields oneway, lanes and speed_limit or maxspeed as OpenStreetMap has them: they tell directions where nothing else does, and speed limits.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3580,7 +4216,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Written to every lane; left empty, none is.</source>
+        <source>Of lanes for which road axes tell none; left empty, they have none.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3640,11 +4276,27 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>OpenDRIVE file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenDRIVE (*.xodr)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roads, junctions, road marks, stop lines and crosswalks as ASAM OpenDRIVE 1.7; coordinates are those of the CRS less the header's offset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Findings</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Points: kind and a sentence on what is missing or contradicts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>HTML report: verdict, figures, pictures of the junctions and findings with their places.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3692,7 +4344,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is run on each tile. (buildingsfromals, surfacefromals, roadmarkingsfromorthophoto, groundfrommms, mesh25d, wallsfrommms)</source>
+        <source>What is run on each tile. (buildingsfromals, surfacefromals, roadmarkingsfromorthophoto, groundfrommms, mesh25d, wallsfrommms, orthorectifyframes, aerialmarkings, roadmarkingsfrommms, mergebuildingmodels)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3721,6 +4373,10 @@
     </message>
     <message>
         <source>Side of a tile, whole metres; corners lie on its multiples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Squares of the side above; or Japan's standard regional meshes (JIS X 0410) of about 1 km, 500 m or 250 m; or the sheets of public survey maps of level 5000 (4 by 3 km), 2500 (2 by 1.5 km), 1000 (800 by 600 m) or 500 (400 by 300 m), in a plane rectangular system. Tiles are then named by their codes. (squares, mesh1km, mesh500m, mesh250m, sheet5000, sheet2500, sheet1000, sheet500)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3784,6 +4440,30 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment buildings, segment roofs, roof polygons, building models.&lt;/p&gt;&lt;p&gt;This is the same chain as “Buildings from ALS”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Polygons: class (crosswalk, arrow straight, ..., diamond, unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3834,11 +4514,11 @@ The corrected trajectories keep the names, formats and epochs of those given; ap
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Input</source>
+        <source> Default: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source> Default: {0}.</source>
+        <source>Input</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4342,6 +5022,19 @@ The correction at each control point is its true place less its place in the sur
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Lane map from markings and drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenDRIVE</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.
+Markings and ground are what “Road markings from aerial frames” makes; trajectories are what “Georeference mobile survey” makes. What is missing for a lane is a finding with its place: look at them, for no lane is made without evidence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Load city model</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4414,6 +5107,52 @@ Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .z
     <message>
         <source>Loads elevation models of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as a raster of the ground for the other steps.
 DEM1A, 5A, 5B, 5C, 10A and 10B are read as downloaded: .xml, .zip (zips in it too), or a folder of them. The newest file of a mesh is taken; where finer products have no height, coarser ones fill in. The raster states its height system (JGD2000, JGD2011 or JGD2024).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of localisation accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>localization</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>localisation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>NDT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ICP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>map matching</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reliability</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>automated driving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>covariance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DOP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tells from the map alone where a vehicle will know its place, before anyone drives: standard deviations along and across the road and of the heading, by laser scans matched to walls, by road markings, by satellites, and together.
+What matters most is how accurately walls and markings stand in the map: give their sigmas. A wall that is displaced displaces the vehicle however many points it gives.
+Places that look alike within the search distance are told with their distance and their share of the probability. A place of which the map tells nothing has no sigma and a status with the reason; a direction of which it tells nothing keeps the sigma from before matching.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4598,6 +5337,36 @@ Frames, ground and surface must be in one projected coordinate system in metres.
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Overlay on images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>building frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws laser points and the edges of building models or other lines on line images, frames and orthophotos, so that one sees whether they fit.
+Edges that a building hides are left out, and points behind a nearer surface. With what was before a correction (trajectory, points, lines) each picture is made twice, and the page switches between them.
+Points are read once; each image keeps the nearest point of every 3 by 3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Rectify trajectory</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4624,13 +5393,36 @@ With a ground raster the heights then follow the ground along the course, at the
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>NDT</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial reference, and corrects it.
 The driven path is cut into short patches; each is registered with a window of patches round it that is as long as its markings need. The windows' results become one smooth correction over the path: stretches that contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its correction was found and how sure it is.
 With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>curb</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>edge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>border</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guard rail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>breakline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds kerbs, lowered kerbs, road borders without kerb, guard rails and walls along the drive of a corrected mobile survey, as lines with heights, standard deviations and the share of their length that was measured.
+Kerbs are steps between two smooth sides. Each half metre a profile across the edge gives its foot, top and face; passes through the same place are fitted apart and combined by their sigma. Where neither side is seen, as behind parked cars, a line ends: “gap” tells how far the next part of its chain is away, nothing is drawn in between.
+A kerb whose face is not seen, and rails that may be the sides of vehicles, are doubtful, with the reason. Points and trajectory must be corrected ones: lines are as wrong as the survey is.
+Objects of “Objects from images” and walls of “Walls of the mobile survey” can be put into one GeoPackage with the edges.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4904,15 +5696,7 @@ The algorithm's parameters are given as lines NAME=VALUE, on the command line al
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>lanelet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>automated driving</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, successors, neighbours, stop lines and crosswalks; as layers and as Lanelet2 file with the tags that Autoware expects.
+        <source>Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, successors, neighbours, stop lines and crosswalks; as layers, as Lanelet2 file with the tags that Autoware expects, and as OpenDRIVE file.
 Lines side by side are a road section. A lane is made between two lines at a lane's width, where a drive, an arrow or a stop line shows its direction, or a lane across a dashed line or across a yellow or double centre line does. Nothing else becomes a lane: strips without evidence, open ends, bounds that were not seen and ways that were driven outside all lanes are findings with a place.
 Through junctions a virtual lane is made where a drive shows it. Traffic keeps to the side that the drives show, unless it is given. Trajectories must be corrected ones: an error of a metre puts a drive into the wrong lane.</source>
         <translation type="unfinished"></translation>
@@ -4940,7 +5724,2799 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{path} holds no camera: it must be a JSON object with focal_length_mm and so on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>principal_point_mm in {path} must be two numbers: x0 and y0 in millimetres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is missing in {path} or is not a number: add it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distortion in {path} is not of the model "brown": convert it, or resample the frames without distortion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distortion in {path} must name its units: "mm" or "focal".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angles are in degrees, gon or radians and in the order papers or usual, not {unit} and {order}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no column {missing}: its first line must be {columns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} lists no image.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds a value that is not a number for {names}: correct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The angles in {path} look like {guess}: convert them to degrees, or say their unit if you know it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera's focal length, pixel pitch, width and height must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {line_num} of {path} names no image or one that came before: each image needs one line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line {line_num} of {path} ({name}) must hold numbers in x, y, z, omega, phi, kappa.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{bad_count} more pairs of images lie apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In {hidden} pairs of images the shift may come from the height of what stands on the ground: a surface (DSM) would tell, here only shifts across their base were checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>across their base </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame {twice} is given twice: name each once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images of the exterior orientation are not in {folder}: {missing}{more}; copy them there, or choose the frames one by one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exterior orientation has no line for {given}: add it, or leave the frame out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as an image: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: {error}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has a colour table: convert it to red, green and blue first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds complex numbers, no image: give an orthophoto.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no image bands: give an orthophoto in grey or in red, green and blue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has pixels that are not square: warp it to square pixels first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use an orthophoto of {max_pixel} m or finer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not reach {path_2}: give a mask of the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as a raster: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{output} cannot be written ({error}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No two frames share enough markings to be compared: a wrong orientation would not show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With pixels of {pixel:.2f} m lane lines are narrower than a pixel: many are missed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and lines of car parks may be among the markings; cut by their confidence, or give roads.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{polygons_count} markings were found. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{doubts_count} things are to be looked at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frame shows any of the ground: check that frames, exterior orientation and ground lie in the same place and coordinate system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frame sees any ground there: check that frames, exterior orientation, ground and surface lie in the same place and coordinate system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinate reference system cannot be understood: set another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{image} cannot be written ({error}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{image} looks past the surface and ground rasters: choose rasters of its place, and check that heights, CRS and angles fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height threshold must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{uncovered:.0%} of {image} looks beyond the surface or the ground raster: buildings there are not masked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no heights: check the raster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Occlusion maps of the frames need a surface (DSM): give one, or give the maps themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames lie below the ground: check the heights in the exterior orientation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{beside_count} frames show none of the ground and are left out: {beside}{value}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a surface (DSM) buildings cannot be told to hide the ground: they lie over it in the mosaic.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has {kind} bands of {kind_2} but {path_2} {kinds} of {kinds_2}: give frames of one kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Levels are four numbers, low, high, middle and noise, the second above the first: give those, or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is turned or its pixels are not square: warp it to a north-up raster first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicles can only be told by comparing: give two or more orthophotos of the same ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no coordinate reference system: set it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} has {bands} bands of {dtype} but {first} {bands_2} of {dtype_2}: give orthophotos of one kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No two of the orthophotos show the same ground: no vehicle was filtered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is damaged: {error}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} cannot be read as an image: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{paths} has no attribute {name}: run “{maker}” first and give its result.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A part of the model has no height: give finite heights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has no parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model has no part with a volume.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two buildings have the same building_id: give each building its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no measured walls: run “Walls from a mobile survey” first and check that it found any.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building {flat} has no heights: give building models (MultiPolygonZ), not outlines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No measured wall lies near any model: check that both are of the same place, and that the survey has been put on the map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the plan would fold over itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{fspath} holds no building: give a CityJSON file with buildings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only {points_count} points lie in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none of its points lies on its outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point lies in any outline: check that both are of the same place and CRS.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The maximum error and the height step must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its outline has no area</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No roof has a building_id that the outlines have: give the outlines that the roofs were made with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worst {worst_count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The building evidence does not lie on its grid: give both the same rows and columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The longest shift of an outline must be at least {coarse_step} m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point density is not a positive number: check that the points cover the outlines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ground heights do not lie on the grid of the evidence: give both the same grid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The layer of building outlines is empty: give a layer with polygons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No building outline has a usable polygon: check the outlines' geometries.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some building_id of the outlines is empty or no whole number: number the outlines or remove the field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some building_id of the outlines is below 1 or too large: number the outlines from 1 or remove the field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outlines hold the building_id {unique} more than once: make it unique or remove the field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A detected line needs at least three boundary points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance of boundary points to their line must be above zero metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point density must be above zero points per square metre.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The building's points are too few to draw an outline from them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The building's points lie on its neighbours: check the building outlines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outlier radius must be above zero metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An outline needs at least four boundary points to be regularised.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The roof raster has not the rows and columns of its grid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most {max_lines} dividing lines are possible: lower their number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The building outline has no area: repair or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A roof polygon needs at least three edges: lower the least number of edge points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bin width and the bin shift of the height histogram must be more than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some point heights are not numbers: remove these points first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heights of a building's points span too many bins: remove outliers first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The x, y and z of a building's points differ in number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The return numbers and the coordinates of a building's points differ in number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some coordinates of a building's points are not numbers: remove them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A building's ground height and point density must be numbers, density above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sound point lies near any outline: check that points and outlines are of the same place, and that coordinates and heights are in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point cloud and the outlines do not overlap: check that both are of the same place and that their coordinate reference systems are set right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No roof lies on the plan of the building: check outline and roofs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan's limit is '{limit}': give 'footprint' or 'roofs'.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plan's limit is the footprint, but there is none: give one, or limit to the roofs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roof polygons, heights and ids differ in number: give one height and id for each roof.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The building has no roof: give at least one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A roof has no height: give a finite height for each roof.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The building has no base height: give the ground's height in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cells of one building overlap: cut its plan with partition_plan first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face {face} {text}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An edge belongs to one face only: the shell has a hole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Faces touch each other only in this point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The solid has no faces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A face of the solid names a vertex that does not exist: the model is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A vertex of the solid is not a finite number: the model is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A face of the solid has an empty ring: the model is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face {face_of} repeats a point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face {face} has a point {off:.4f} m off its plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shell has {face_count} faces: the least is 4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Face {face_of} and its neighbour turn opposite ways at their edge.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An edge of face {owners} runs into face {face}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The faces look inwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A ring of face {face_of} visits a point twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Tiles want heights above the ellipsoid, but those of the models are {known} and are written as they are: give a geoid model, or buildings sink or float on a globe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{missing} buildings have no model and no place in a mesh: CityGML leaves them out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The city models are in different reference systems: load them in separate runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The city model holds no building: give one that has buildings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The city model was taken into another datum by {told}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The city model is in degrees outside of Japan: choose a projected coordinate reference system in metres for the result.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No building of the city model has a geometry: give one with outlines or solids.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} names no coordinate reference system: give the one that it is in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>City objects that are no buildings were passed over ({counts}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parts of buildings that have no place in the result were left out ({counts}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is no CityGML (its root is {split_tag}): give a city model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is in another reference system than {sources}: load them in separate runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {target} cannot be made ({strerror}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} holds CityGML of another program ({path}): choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image {image} of a texture was not given: its file is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image {place} cannot be written ({strerror}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is not a CityJSON file: its type is not 'CityJSON'.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: its line {number} is no object; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: its line {number} is no JSON; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} names no coordinate reference system: give the one that it is in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: it has no city objects; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: its vertex {bad} has no finite coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: a ring is no list of vertices; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: it names a vertex that it does not have; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CityJSON is written in metres, but the model counts in degrees: take it into a plane reference system first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two buildings have the id '{id}': give each building its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {place} cannot be made ({strerror}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no textures: give the CityJSON file that “Facade textures” wrote.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} names the image {name}, which is not in its own folder: move it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image {parent} cannot be written ({strerror}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: the coordinate reference system {name} is not known; give the one that it is in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinate reference system has no horizontal part: choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{where}: the coordinate reference system EPSG:{code} is not known here; give the one that it is in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The code {code} is none of a municipality: give its five digits, such as 13101.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The models state heights in {stated}, not in {given}: convert them first, or leave the height system out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image {look} of a texture was not given: its file is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} holds a tileset of another program: choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D Tiles need a place on the earth: the models' coordinate reference system is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python {noun} in the way: {names}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{python} has no pip, which installs Python packages: {advice}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pip could not install the packages: {value}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Python cannot be started as {command} ({strerror}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The memory is not enough for this run: give less data at a time, or a coarser resolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The disk is full: make room on the disk of the outputs and of temporary files, and run again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No building has a polygon: choose a layer of outlines or building models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height must be greater than 0 and the tolerance of the outlines between 0 and 10 m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point of the survey lies near a building: check that both are of the same place and CRS, and that the survey has been put on the map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outliers need at least one neighbour and a number of deviations above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The minimum area of a wall must be greater than 0, the minimum opening and alpha and gap not below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tolerance and minimum area of walls must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building {ids}: only {kept_share:.0f} % of its points were used, as there are more than fit into memory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An alpha shape needs points with two coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alpha must be above zero metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The raster's extent or cell size is not a number: check the coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place {latitude:.5f}, {longitude:.5f} has no mesh code: it is not in Japan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{crs} is not a projected CRS in metres: reproject the data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trajectory lies outside the area of its CRS: check the CRS.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The CRS of the map is not known: give the data a projected CRS in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No navigation file is given: give the satellites' navigation files of the day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not an SP3 file of version c or d: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} counts time in "{scale}", which is not known: use orbits in GPS time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: {where} is not finite; download the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds no satellite position: the file is not whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no observation to trace: check that observations, ephemerides and trajectory belong to the same time and place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All places of the antenna lie within buildings: check the coordinate systems and heights of the trajectory and of the buildings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {sum} of {indoors_count} epochs the antenna lies within a building: their signals are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The maximum range must be greater than 0, margins and angles not less than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No cell of the area has a ground height: give a ground that covers it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The whole area lies inside buildings: choose a larger area or finer cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The buildings do not tell the height of the ground: give a ground raster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No satellite of the chosen systems ({chosen}) can be placed at {calendar_text} GPS time; the navigation files are good for {spans_text}: give those of the day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area has {cells:.1f} million cells of {resolution:g} m: choose a coarser resolution or a smaller area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>"{text}" is no time: write it as 2024-04-18 02:30:00, in UTC.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{without} of {shapes_count} buildings have no heights: give solids, outlines with z, or the field with the height of their tops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The buildings have no walls: give solids or outlines with heights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no solids: give building models of LoD 1 or higher.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {kind_count} signals are reflected by one wall; of {sure:.0f} % of all signals the class is sure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m. The others stay where they were: nothing is known of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{order_count} more are in the layer of walls.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The geoid separation was estimated from the satellites ({geoid_separation:.1f} m, sigma {geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residuals of signals {names} ({sum:,}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} holds observations: give a navigation file here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} is a RINEX file but no navigation file: give one of type N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} holds no record of a satellite that can be used: give another navigation file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} is a RINEX file but holds no observations: give it as another parameter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} holds no code observation of the chosen systems: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} counts time in "{scale}", which is not known: convert it to GPS time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} does not tell its types of observations: its header is not whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} holds no epoch with observations: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} has a scale factor that cannot be read: check its header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is packed in a way that is not read here: unpack it, or pack it with gzip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is empty: choose another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not a RINEX file: its first line does not say "RINEX VERSION / TYPE".</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no "END OF HEADER": the file is not whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read ({strerror}): check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} tells no RINEX version in its first line: check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds more than {largest} MB when unpacked: give the files of one drive at a time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is not a sound gzip file: fetch it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few satellites at different elevations tell the height of the antenna: give the geoid separation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover {span_text} GPS time ({start:.0f} to {end:.0f} s of week).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), which is used: the official value is better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, more than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No observation file is given: give the receiver's RINEX observation files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No observation can be used ({value}): check that observations, navigation and trajectory belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not taken off; give a navigation file of GPS.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the navigation files too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No satellite of {system_names} can be placed: its signals are left out; give its navigation file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a geoid separation of {given:g} m says: heights above sea level and above the ellipsoid seem to be mixed up; a separation of about {given_2:.0f} m would fit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The code ranges do not fit the trajectory (the strongest signals contradict each other by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} was observed {observed} GPS time, but the navigation files are good for {good}: give those of the same day.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Satellites that {why} are left out: {names}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the satellites the antenna is {offset:.0f} m above the heights of the trajectory, more than any geoid separation: trajectory and observations do not belong together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>higher</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{who} overlap in time: give times that count on over the weeks (full GPS seconds), or each place of the vehicle once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is of the time of none of the trajectories: give the trajectory of that drive, or leave the file out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} may belong to {who}, which have the same times of the week: give trajectories in full GPS seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Prior, block length, maximum sigma, maximum offset and iterations must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The minimum numbers of observations, satellites and passes must be at least 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At no epoch are three satellites in line of sight, so that the receiver's clock is not known: give observations of more satellites, or check heights and coordinate systems.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The models or lines have no heights, without which they have no place in an image: give models or lines with heights (for lines: QGIS's “Drape”).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {number} was drawn on {name}, which was not given (images: {known}): add the image or correct the field “image”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No outline was drawn: draw polygons, lines or points on the images first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {number} does not say on which of the {sources_count} images it was drawn: fill the field “image” with the file's name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outline {number} lies outside {source} ({columns} x {rows} pixels): draw it on the image without a coordinate reference system, where y is negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges should run along what the images show, and points lie on what they were measured from; where they do not, survey, orientation or models are off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source}, columns {left} to {right}, rows {top} to {bottom}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing lies in any of the images: check that images, trajectory, points and lines are of one place, in one coordinate system, and heights in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} cannot be written ({strerror}): choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The textured model {path} must end in .glb, .obj or .city.json.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be made ({strerror}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} cannot be written ({strerror}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no building model to texture: check the layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Building {number} has no heights: give building models (MultiPolygonZ), such as those of “Building models”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip image {name} was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {final_text} does not exist: create it or choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {final_text} cannot be written: choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{shown} is a folder: give the name of a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{shown} cannot be the name of a file ({strerror}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{shown} cannot be written ({strerror}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{shown} cannot be written: make room on its disk, or choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{shown} cannot be replaced ({strerror}): close the program that has it open.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: a city object or its vertices cannot be understood.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: an attribute of {key} is no finite number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinate reference system is no WKT that can be understood: set another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinate reference system is cut off: set another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no geoid model: its values must be heights of the geoid above the ellipsoid in metres, none beyond {highest:g}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no geoid model: its cells must lie along latitude and longitude in degrees.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds {values_count} heights, its header says {rows}: the file is cut off; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} does not reach latitude {flat:.4f}, longitude {flat_2:.4f}: give the geoid model of the survey's place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of GSI.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model file {path} needs a name that ends in .glb.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The image {key} of a texture was not given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of the buildings in {first} has a usable outline: {some}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outlines are in JGD2000 and were taken into {target} without the movements of the ground in 2011, up to 5 m in north-east Japan: correct them there with PatchJGD.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No outline in {source} closes to a polygon: give all map sheets around the area, or BldA files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference system {unknown} of the outlines is not known: give data in JGD2000, JGD2011 or JGD2024 (latitude and longitude).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some outlines are in JGD2000 and others in JGD2011 or JGD2024, which lie up to 5 m apart: load them in separate runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outlines name no reference system; JGD2011 was taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>JGD2024 was taken as JGD2011 (EPSG:6668): their horizontal coordinates are the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Objects that are no building outlines were passed over ({kinds}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The buildings cannot be turned into {target}: choose a reference system made for Japan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference system {crs} is not known: choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source}: cells of {cell:.3f} seconds are of no elevation model of the GSI; give {what} as they were downloaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{strange} is no elevation model of the GSI: give {what} as they were downloaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some meshes are in {systems} and others in {systems_2}, whose heights differ by up to decimetres: load them in separate runs and convert one with “Convert heights”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: its elevation model has no coverage; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: its grid of {columns} x {rows} cells cannot be; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: its cells are not as high as wide; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source}: the reference system {value} is not known: give data in JGD2000, JGD2011 or JGD2024.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: {name} does not hold two numbers; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source}: its cells are in an order ({order}) that is not known; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: it has more heights than its {columns} x {rows} cells from its start point on; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: {line!r} is no kind with a height; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is damaged: a height is no number; download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The raster would have {columns} x {rows} cells: load fewer meshes at a time, or choose a coarser resolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The elevation model lies outside of where the reference system can be computed: choose one made for Japan.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is not whole, valid XML (line {line}, column {column}): download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} has an object of more than {largest_object} MB, which no building is: download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No file was given: choose {what} ({suffixes}, .zip or a folder of them).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{given} holds no {what} but {others}: {advice}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not exist: check the path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is a zip nested more than {deepest_zip} deep: unpack it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no {suffixes} file: give {what} as they were downloaded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} is encrypted: unpack it with its password and give the files in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} would unpack to {file_size} GB from {compress_size} MB, which no map data does: get the file again from where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label} holds more than {largest_zip} GB: unpack it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is damaged or not a zip file ({error}): download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} cannot be unpacked here ({error}): unpack it and give the files in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} cannot be read ({value}): check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data say that their heights are in {own}, not in {stated}: leave the system of the data empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data do not say what their heights count from: give the height system that they are in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height system of the result is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or an EPSG code.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The heights are in {source} already: there is nothing to convert.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data have no coordinate reference system: assign the one that they are in.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no heights: give another raster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{grid} holds at most {size:.2f} m, which are corrections: between ellipsoidal heights and those above the geoid give a geoid model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{grid} holds up to {size:.1f} m, which is a geoid model: between {source} and {target} give the grid of corrections.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{label_a} has heights in {first}, but {label_b} in {second}: convert one of them with “Convert heights” and the correction or geoid grid for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read ({strerror}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as LAS or LAZ ({reason}): copy or download it again, or convert it if it is of another kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged: copy or download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mesh file {target} needs a name that ends in .obj.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no OSM file: its outermost element is {tag}, not osm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point cloud was given: choose one or several LAS or LAZ files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{files} holds no points: choose another point cloud.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{files} has coordinates that are not numbers: repair the file's header.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point cloud {path} does not exist.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} must end in .laz or .las.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinate reference system in {path} cannot be understood: set it right in the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is truncated: it holds {read:,} of {point_count:,} points; copy or download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is damaged or truncated after {read:,} of {point_count:,} points: copy or download it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is turned or its cells are not square: warp it to a north-up raster first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be written ({error}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has {bands} bands, no band {band}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Day</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{caption} ({missing} without a value)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How this was made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no PNG or JPEG picture: a report can hold only these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From {source} to {target} no transformation of {rough:g} m or better is known here: transform the data first, between Japan's datums with GSI's TKY2JGD or PatchJGD.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A coordinate reference system has no horizontal part: set another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be taken to where the other data lie: check the coordinate reference systems.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some places lie outside of where the reference system can be computed: check the coordinate reference systems.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A coordinate reference system cannot be understood: set another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference system EPSG:{code} is not known here: choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} is a folder; give the name of a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} is no plain file; give another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} is open in another program, or is edited in this one; close it there, or choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} does not exist; create it or choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written; choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{target} cannot be the name of a file ({reason}); choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written ({strerror}): choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{final_text} cannot be replaced ({strerror}): close the program that has it open, or choose another output.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} declares the unknown encoding {encoding}: save it as UTF-8.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} is not whole, valid XML (line {line}, column {column}): get the file again from where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds bytes that are not valid {encoding}: download it again or correct its declared encoding.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no object in its first {longest_prolog} MB: get the file again from where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has a document type declaration, which {maker} never has and which may be harmful: get the file again from where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{source} has an object of more than {largest} MB: get the file again from where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of {median:.2f} m in the weakest direction; the worst stretches are below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of {without_count} stretches nothing can be said: see the statuses above and the layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The roads have no length: give lines along which vehicles drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trajectory does not move: give that of a drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than {most_places:,} places: choose a larger spacing or fewer roads.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{control_count} control points. An error is where the survey has a point less where it truly is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: {mean_2d:.1f} cm off in plan on average and {max_2d:.1f} cm at most, at {control_count} control points. Compare this with what the job asks for; the worst points are below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal errors, {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The worst control points, {name}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left_out} control points were not measured during this survey and are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; largest {max:.0f} cm).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{drive} shares no markings with other drives, control or reference: it stays as reported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for markings that drives share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for planes that drives share.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adjusting {drives_count} drives with {observations_count} observations.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drives share no markings and planes, and no control point or reference marking fits them: nothing can be adjusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control point {name} was measured by none of the drives: no trajectory passes within {control_reach:.0f} m of it at its time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ties change by more than drift within 20 m (a step of a trajectory): {stepped} may step there, and control or reference says which does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan, {up:.1f} cm in height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No control point or reference marking fixes {relative}: these drives agree with each other, but their place is only relative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing ties {loose} to anything: it stays as reported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{paths} belongs to none of the trajectories: none covers its GPS times near its points. Give the trajectory of each drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point cloud was measured along {name}: give the points of each drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No marking of {drive} could be registered to the reference markings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{output} must end in .laz or .las.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: no image was taken between {start:.1f} and {end:.1f} s, the time of the trajectory: give the poses of this survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{away_count:,} of {away_count_2:,} images were taken outside the trajectory's time: they were moved with its nearest pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{outside:,} of {points:,} points were measured outside the trajectory's time: they were {done} and are not to be trusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{in_gaps:,} of {points:,} points were measured in gaps of the trajectory: they were moved by what lies between the gap's ends and are not to be trusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point was measured during the trajectory: give those of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{paths} is too wide for coordinates in steps of {min:g} m: store it in tiles or with a coarser step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coordinates are stored in steps of {max:g} m, too coarse for the correction: they are written in steps of {coarsest_scale:g} m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points were measured at {time:.3f} s, outside the trajectory ({time_2:.3f} to {time_3:.3f} s): give the trajectory of the whole survey, or let them be moved with the nearest pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point lies outside the bounds that the header of its file states: repair the header (lasinfo -repair).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{patches_count:,} planes in {first_pass} passes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{pairs:,} pairs of planes; they lie {rms_before:.1f} mm apart before and {rms_after:.1f} mm after (RMS).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration holds no scanner: there is nothing to calibrate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {pairs} planes were seen by two scanners or in two passes: drive a street with walls in both directions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The passes lie {apart:.1f} m apart: correct the trajectories first (“Adjust several drives”) and place the points with them (“Apply corrected trajectory”).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is determined: the calibration stays as it is. Drive a street with walls in both directions, and correct the trajectories first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration has no scanner with point source id {point_source_id} (it has: {known}): add it, or choose the calibration of this survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is no calibration: it needs an entry “scanners” or “cameras”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: scanners and cameras must be lists of objects.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: “lever_arm_m” of {value} must be three numbers, metres forward, right and down.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: the lever arm of {value} is {max:.0f} m long; it must be in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: “{key}” of {entry} is no number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no column {missing}: control points need {columns} (heights may be left out).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds no control point.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: row {wrong} has no number in the column {column}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control point {id} lies {away:.0f} m from its place in the survey: check that both are in the same coordinate reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No control point lies in the survey's time: there is nothing to measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: the column {column} holds something that is no number ({error}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points of {paths} carry no GPS time, which ties them to the trajectory: export the survey with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All GPS times in {paths} are zero: export the survey with the points' times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} were measured from {span:.1f} to {span_2:.1f} s{kind}, but the trajectory runs from {wanted:.1f} to {wanted_2:.1f} s: give those of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed {min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{paths} holds no usable points: all are noise, withheld or have no valid height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The survey is too large for one cloth: choose a coarser cloth resolution, or filter parts of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no column {missing} or no row: image poses need {columns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no number in row {bad}: correct or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds a value that is no number ({error}): correct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No control point lies in the survey's time: the trajectory cannot be updated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ground does not reach the trajectory's course: give a ground of the same place and coordinate reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trajectory lies {above:.1f} m above the ground (median), not {start:.1f} m: check the origin's height and both height systems.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range scans do not say which scanner measured them, and the calibration has {scanners_count}: add a column scanner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All angles are within {max:.2f} degrees: if they are radians, say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The files hold no returns: choose other range scans.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range scans were measured from {span:.1f} to {span_2:.1f} s, but the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No return could be placed: all are without a range or outside the limits of range and time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip image was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is of no known kind: range scans come as {suffixes}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No range scans were given: choose one or several files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range scans {path} do not exist: check the file's name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} has no column {missing}: range scans need time, angle and range, and may have intensity and scanner.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{file} holds something that is no number{where} ({split}): correct it or export the scans again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as Parquet ({error}): check the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has a return without a time or an angle that is a number (return {bad} of those read at a time): correct it or export the scans again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is a Parquet file, and the package pyarrow that reads these cannot be loaded ({error}): install it (pip install pyarrow) or export the scans as CSV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read ({error}): it may be cut off; copy it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The paper's method needs the height of the trajectory's origin above the ground: give it, or leave out the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{unique_count} sets do not tell how good the tie points are: give their sigma, or add sets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {names_count} sets of tie points contradict themselves: check which place belongs to which, and the coordinate reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No set has two pairs: the paper's method needs sets of two; add pairs, or take another method.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets {names} and {names_2} contradict each other: within {step:.1f} s the drift would change by {change:.1f} m; check both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tie points lie within {last:.0f} of {duration:.0f} s: the rest of the course is only moved along with them, and its sigma grows; add sets there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The method must be one of {methods}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The standard deviations of tie points and heading must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left_out} of {samples} samples of the ground along the course stand out and are left out: check that it is the ground that was driven on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name}: {own_count} of {own_count_2} pairs contradict the others and are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name} contradicts itself and is left out: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name} has one pair and is left out: the paper's method needs two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name} has {own_count} pairs: the paper's method takes the first two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name} contradicts itself by {fit:.2f} m; the paper's method uses it all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name} lies {away:.2f} m from where the other sets put it and is left out: check that survey and reference show the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set {name} lies {away:.2f} m from where the other sets put it: check that survey and reference show the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction to the {name} with its sigma.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The height of the origin above the ground was not given: the mean height stays as reported ({sensor_height:.2f} m above the ground).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{pairs} of {given}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground truths must be at different epochs, in the order of time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration of camera {id} cannot be right: rows and focal_length_px must be greater than 0, margin_px less than half the rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No strip image was given: choose one or several images of line cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration does not say which camera took {path} (it has: {known}): give the camera's entry an “image” with this file name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has {rows} rows, its camera {id} has {rows_2}: choose the image of this camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip image {path} does not exist: check its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} must have the columns column and time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} gives times for {unique_count} columns, {image} has {columns}: each column needs one, numbered from 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{image} has {columns} column: a strip needs at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the time of column {at} is not later than that of the column before; correct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip image has no file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} must be an image of 8 or 16 bits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration of camera {id} has no number “{key}”: a line camera needs rows, focal_length_px and centre_px.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no times for {image}: put a table column,time named {path} beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be read as a table of times: {error}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds something that is no number ({error}): correct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No corner of an outline lies within {max_distance:.0f} m of the course: give outlines of the same place and coordinate reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of {place_count} corners near the course no two were found in the survey close enough to each other: assign tie points by hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point of the survey lies at the height of walls near the course within the trajectory's time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The survey shows no walls: its points nowhere stand over each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: not every row has as many values as the header; the file may be cut off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no column {missing}: tie points need {columns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds no tie points: give at least one set of two pairs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: in set {sets} survey and reference are {apart:,.0f} m apart; both must be in the survey's coordinate reference system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{shift:.0f} s were added to the times of the tie points, which are counted otherwise than those of the trajectory: make sure that both are of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{inside_count} tie points lie outside the trajectory's time and are left out (set {some}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tie points lie in gaps of the trajectory: choose others.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The tie points of set {some} lie in a gap of the trajectory and are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{points_count:,} marking points on {marked_share:.0f} % of the path. </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanner {number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scanner {number} has no curve and its points are left out: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No marking points were found: the road has no paint, or its intensity does not show it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marking points are only {contrast_of:.1f} times as bright as the ground beside them: look at them before they are used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The asphalt of scanner {number} does not follow one curve over range (residual {residual:.0f} %): several surfaces may have been taken together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Single asphalt points of scanner {number} scatter by {scatter:.0f} %: only strong paint stands out, and bright specks may be taken for paint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too few ground points with intensity at different ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the intensity of asphalt scatters too much to tell paint from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no surface of even intensity can be followed over the ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Block size, contrast, widths and steps of the marking extraction must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{outside:,} of {points:,} points were measured where the trajectory has no epochs and are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{standing:,} points measured while the vehicle stood are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the markings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The largest range must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking the points of ground classes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The intensity of asphalt over range cannot be told in {paths} ({reason}): give a longer stretch of road.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lasers of scanner {number} are told apart by {told_by}: asphalt scatters by {after:.0f} % instead of {before:.0f} %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The block of the paper's threshold must be {pixel:g} m or larger, and c above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marking points' columns differ in length.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no ground points near the vehicle: give the survey with its road.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no intensity (all are 0), by which markings are told: export the survey with it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points of {name} have the intensity {most:g}, by which markings cannot be told: export the survey with the measured intensities.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both in the same coordinate and height system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The corrected trajectory runs from {time:.1f} to {time_2:.1f} s, the reported one from {time_3:.1f} to {time_4:.1f} s: give two of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No window of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Matrix is not positive definite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lengths, grids and counts of the registration must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expected share of outliers must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points score in the cells {cells}, not {cells_2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The longest window must not be shorter than the smallest one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A registration in 3D needs the ground's heights: give a ground raster or marking polygons with z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No marking point was measured within the trajectory's time: check that both are of one survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no reference marking near the survey: check the CRS of both and that the reference covers the drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registering {markings_count:,} marking points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taking road markings out of the survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No part of the survey could be registered to the reference markings, so that there is no result: check that both show the same roads, and the maximum error.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No road marking was found in the survey: check its intensities with “Road markings of a mobile survey”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attribute {weight} of {paths} holds values below 0: give markings as “Road markings of a mobile survey” writes them, or the survey itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{share:.0f} % of the path is not to be trusted, the longest section from {longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has {bands} bands and is an image, no mask of road markings: {advice}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is above 0 in {marked:.0f} % of its cells, so that it is no mask of road markings: {advice}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} holds no road marking: no cell is above 0; {advice}, or give that of another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has many different values and is an image or a surface, no mask of road markings: {advice}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trajectory drives {chainage:.2f} m, less than one patch of {length:g} m: give a longer one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The survey lies {middle:.1f} m {value} the reference's ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reference markings must be polygons and at least one: choose another layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has cells of {cell:g} m: road markings need {coarsest:g} m or less, and a CRS in metres.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no bar among the markings of the survey or of the reference, whose corners could be control points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No corner of a marking in the survey lies near one of the reference.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} lies {length} from where the vehicle was at its times: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points of {name} lie more than {above:.0f} m {value} the trajectory: heights above the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model can be given for SBET).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} {reach} {length} from the path of the survey: give those of the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{what} cover{value} {share:.0f} % of the path only: the rest cannot be registered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle is {middle:.0f} m {value} the ground elevation: heights above the ellipsoid and above sea level cannot be mixed, convert one of the two (a geoid model can be given for SBET).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The trajectory runs from {time:.3f} to {time_2:.3f} s, but a pose is needed at {worst:.3f} s: give the trajectory of the whole survey.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has {there} but no {missing}: give the standard deviations of all three angles, or of none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no RMS file of an SBET or is cut off: its length is no multiple of {itemsize} bytes; export it again, or put it elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} does not belong to the trajectory: its times run from {time:.1f} to {time_2:.1f} s, the trajectory's from {time_3:.1f} to {time_4:.1f} s; give that of the same solution, or put it elsewhere.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds a standard deviation of an angle that is not above 0 and below 90 degrees: correct or remove it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} holds a standard deviation that is no number ({error}): correct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: row {ragged} has {rows_count} values, the header names {header_count}: the file may be cut off; export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has no column {missing}: a trajectory needs {columns}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has {table_count} epochs: give a trajectory of at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} has one epoch only: give a trajectory of at least two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} is no SBET file: its latitudes are no angles in radians.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} has no number in record {bad}: export it again, or remove the record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: its angles are no radians, as those of an SBET are: export it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} lies outside the coordinate reference system of the survey at record {bad}: choose the right one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} gives two different poses for the time {time:.4f} s: remove the wrong one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A trajectory that came as a layer is written as a layer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: angles of up to {max:.0f} are no radians: they are degrees; say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or convert them to {angle_names_2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No point of {paths} was measured beside the path at the height of its road: give points and trajectory of one drive, in one coordinate and height system.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A drive leads from one lane to another here, but bounds along it would cross; no virtual lane was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A drive leads from one lane to another here, but bounds along it would cross; they are drawn at a lane's width about a smooth curve.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A drive runs {end:.0f} m outside all lanes here: lines are missing, or were not seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bound is drawn through {unseen:.1f} m without a line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A strip of lane width ({width:.1f} m wide, {end:.0f} m long) shows neither drive nor arrow nor a lane line to a lane beside it; no lane was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives, arrows or stop lines contradict each other about the direction here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than one {kind} has the id {number}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way refers to node {missing}, which is not in the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way has no tag type.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet has no speed limit: that of the traffic rules will hold, or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet has {left} left and {right} right ways that can be read; it needs one of each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two points of the line follow each other within {steps:.3f} m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet's bounds cross or are the same way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A bound of the lanelet crosses itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet is {min:.2f} to {max:.2f} m wide.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The regulatory element has no tag subtype.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The regulatory element refers to nothing (role refers).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No regulatory element refers to this stop line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No regulatory element refers to this crosswalk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet has neither a next nor a previous one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet is an end of the map: no other follows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet is an end of the map: none leads to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The way has fewer than two nodes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The relation refers to {kind} {member}, which is not in the file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The painted line has no tag subtype (solid, dashed).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lanelet has no tag {tag}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bounds of lanelets {identifier} and {identifier_2} coincide but are two ways ({way}, {other_way}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lanelet refers to this regulatory element.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places of the map have no latitude and longitude in its CRS: check the CRS of the lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map lies in more than one MGRS square, in which Autoware's local coordinates would repeat: take the projector TransverseMercator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file needs: assign a projected CRS known to PROJ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A drive runs between lines that leave less than a lane: {min:.1f} m, for {span:.0f} m; no lane was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the connection is missing in the OpenDRIVE file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a projected CRS known to PROJ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No drive shows where this lane leads to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No drive shows where this lane comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lane of the map ends at this stop line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame {number} of {exposures_count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line scanners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mobile survey {number} of {survey_times_count}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no fault {name!r}: choose among {faults}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{folder} is a file: give the name of a new folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} is not empty: give the name of a new one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {parent} does not exist: create it or choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {parent} cannot be written: choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no scene {scene!r}: choose one of {scenes}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The size of the city must be {min_size:g} to {max_size:g} m, not {size:g}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be written: {error}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {folder} cannot be written ({strerror}): choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloud has no point with a usable height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloud has no points that could be ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cloth resolution, threshold and iterations must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloth's rigidness must be 1, 2 or 3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A surface needs at least three points: check the input's extent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All points lie on one line: a surface cannot be built from them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloud holds no usable points: all are noise or have no valid height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ground source must be automatic, classes or cloth, not {wanted}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloud has no ground points (class 2): choose the cloth filter instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cloud has no ground points, only points classified as something else (such as buildings): give the whole cloud with its ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No ground points were found: check that the cloud shows the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} states no coordinate reference system: assign one to the file first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is in {crs}, which is not projected: reproject it to metres first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} is in {crs}, which is not in metres: reproject it to metres first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding the highest points of the cells.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling the cloth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The resolution must be greater than 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The longest edge must be 0 or greater.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground by {value}: {reason}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{left_out:,} of {triangles:,} triangles were longer than {max_edge:g} m and left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{far_share:.0f} % of the surface spans {far:g} m or more without points (water, gaps): set a longest edge to leave such places out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, or check for points far outside the area.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The area is too large for one cloth: choose a coarser cloth resolution.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangulating the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangulating the surface.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points lie in fewer than three places or on one line: a surface cannot be built from them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>classes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the cloth filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder of the run, {run_folder}, is not there any more or cannot be written ({strerror}): put it right and run again; tiles that are whole are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no room in the folder of the run, {run_folder} ({strerror}): make some and run again; tiles that are whole are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder {run_folder} cannot be written ({strerror}): choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another run works in {run_folder}: wait for its end, or choose another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map sheets need a plane rectangular system of Japan, and {plan} is none: choose squares or meshes, or reproject the data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data states no coordinate reference system, which map sheets need: give it (POINTS_CRS), or choose squares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data leaves the area of the map sheets, 160 km east and west and 300 km north and south of the origin: choose squares or meshes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} cannot be written ({error}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path} of the tile {parent} has other cells than the first tile: the rasters cannot be put together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data states no coordinate reference system, which meshes need: give it (POINTS_CRS), or choose squares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The extent of the data is not a number: check its coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data is not in the range of Japan's meshes, 0 to 66 degrees north and 100 to 180 east: choose squares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data would take more than a million meshes: choose larger ones, or check the coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is an estimate from {records_count} of {tiles_count} tiles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{failed_count} more are in the layer of tiles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{count} of {tiles_count} tiles failed; the others are whole. Run again with the same folder when the reasons below are put right: only the failed tiles are then done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All {tiles_count} tiles are done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The points have no GPS time, by which a survey is cut into stretches: give a point cloud with times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drive would take more than a million stretches: give longer ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The side of a tile must be a whole number of metres, and its buffer not negative: change them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The data would take {count:,} tiles of {size:g} m: give larger tiles, or check the coordinates.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: no raster can be opened; check the files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has no field {1}; give the points of “Orthorectify frames”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4981,10 +8557,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0}: its pixels are measured in degrees; warp it to a projected CRS, such as the local plane rectangular or UTM zone.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} has no field {1}; give the points of “Orthorectify frames”.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5192,10 +8764,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>temporary layer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}: {1} does not exist; check its name.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5233,6 +8801,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0}: no feature has a polygon; choose a layer of outlines or building models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The Dask scheduler was lost during the work; start it and run again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5304,11 +8876,171 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation of the height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation of the heading (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>width (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>area (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>volume (m³)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points a m²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE of the height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE of the height, best 95 % (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE of the distance (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95th percentile of the distance (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>east (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>north (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chainage (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>azimuth (°)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quality, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>confidence, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coverage, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>satellites</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level of detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind of roof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kind of surface</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>valid solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>watertight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Add files…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it works</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5348,10 +9080,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>UrbanMap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0}: none of the {1} features has a polygon; choose a polygon layer.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5372,15 +9100,7 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The style {0} could not be given to {1}: {2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0} cannot be written ({1}); close the program that has it open.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The style {0} is not saved in {1}: {2}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5440,11 +9160,39 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>result of an earlier step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not stated by the inputs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UrbanMap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The style {0} could not be given to {1}: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The style {0} is not saved in {1}: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} cannot be written whole: make room on its disk, and run again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The process that worked on this tile was ended, by lack of memory or a fault in a library; make the tiles smaller.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There are no points in this tile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} Tiles that are whole are kept.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5456,7 +9204,19 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing was given that says where the tiles are; give point clouds or an orthophoto.</source>
+        <source>A fault in the program ({0}: {1}); {2} in the tile's folder tells where.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was given that says where the tiles are; give point clouds or a raster.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is cut into stretches of the drive, not into meshes or sheets: leave out the grid, and give the length of a stretch as the side of a tile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} are needed to run {1} over tiles; give them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5464,7 +9224,11 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} are needed to run {1} over tiles; give them.</source>
+        <source>Settings: {0} is a parameter of the run itself; give it there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be given over tiles, because each tile would choose for itself.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5540,6 +9304,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No image was given; give line images, frames or an orthophoto.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No image was given; give line images or frames.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5549,6 +9317,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} of {1} outlines could not be measured; the field “reason” tells why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to draw; give laser points, or models or lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing lies in {0} of {1} images: {2}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} was given, but not {1}; give both.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5584,6 +9364,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Sample city…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Install Python packages…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5616,11 +9404,11 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Element</source>
+        <source>{0} lanelets, {1} errors, {2} warnings. Where errors are, the map cannot be loaded or routed; warnings are worth a look.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What</source>
+        <source>Element</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5632,11 +9420,151 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: no building has a height; give solids or outlines with heights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no feature has an edge; give polygons or lines of markings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has no field sigma; give walls whose accuracy was measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give buildings, markings or both: there is no map without them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give roads or trajectories, not both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be said of any place: see the field status.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was simulated: no building has a height.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: satellites need buildings that hide them; give these too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: scans are simulated of buildings; give these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} of {2} features have no heights and are left out; give the field with the height of their tops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of lanes (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bounds seen, share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median sigma of bounds (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driven near the map (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of it inside lanes, share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No lane was made: nothing shows the direction of any strip between lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No trajectory was given: only paint and road axes tell directions, and nothing leads through junctions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not shown by drives; left assumed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Junctions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the findings “bound not seen”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Evidence on directions contradicts itself at {0} places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction from: {0} (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Junction {0}, about {1:.0f}, {2:.0f}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first {0} of {1} are shown; the layer holds all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map is not connected along the drives at {0} places; see the findings “driven without lane” and “way not drawn”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No lines.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} is given but {1} is not: name the GeoPackage that it is to go into.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No kerb was found along {0:.0f} m of path: the road has none, or the points are too sparse or too noisy to show steps of a few centimetres.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5660,7 +9588,7 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m2. {2}</source>
+        <source>Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m².</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5669,6 +9597,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0}, tile by tile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} cannot be run over tiles: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5684,11 +9616,747 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>placed, σ up to 5 cm</source>
+        <source>Road markings from the air</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>placed, σ above 5 cm</source>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of these white</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of these yellow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked area (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searched area (m²)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marked share of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixel (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median width (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Total length of strokes (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shifts between overlapping frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same markings in two frames, the second against the first, median over the places. A good block agrees to half a pixel. “height”: without a surface, heights may explain the shift.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sigma (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>agree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing stands out; check some markings against the picture all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to distrust</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Figures of the markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markings by width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>grey values above the road</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markings by contrast</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markings by confidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Merged building models</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean offset of the moved walls (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by the largest offset of a wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no points, no roof, no outline, or no valid solid could be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>level roofs or one height for all, as the detailed solid was not valid or did not fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too few points for roofs: one height for the whole outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>many points that can be roof lie far from the model: roofs are missing or metres off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a roof found in the points is not in the model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lower than a storey over the ground: a deck, a platform, or ground taken for a roof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its ground is not known: taken from neighbours, or put under the lowest roof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a large part of the outline has no model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a large part of the plan has no roof points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>so few points that parts of the roof cannot be separated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a plan too small for the shape of a roof to be seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a valid solid from its roofs, near all of its points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean RMSE of roof heights (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean RMSE of the best 95 % (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean point to model distance, RMSE (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean quality, 0 to 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what it says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distances to the models of all points that can be roof, whether or not a roof was made of them. Level roofs (lod 1.3) in place of sloped ones show the slope as height differences.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by quality</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>% of the points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by points that the model does not explain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE of height, best 95 % (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by height error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95th percentile of distance (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by point to model distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by point density</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>% of the plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings by plan without points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls adjusted by GNSS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held back to keep buildings valid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not observable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Independent observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Signals in them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median sigma of adjusted walls, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median size of their offsets, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iterations until nothing changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls that stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A wall that is not observable may stand where the model has it or a metre off: nothing is known of it. More passes help where observations are few; nothing helps under open sky.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Walls with observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sigma, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of inliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the observations scatter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of an observation besides its noise, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Factor of the noise expected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of NLOS-delayed ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Their mean delay, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of outliers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the offsets leave of the observations: NLOS-delayed ones are to the right; the first and the last bar hold all that is beyond.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residuals in line of sight: median, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residuals in line of sight: quartile range, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reflected signals with a known clock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of these within 5 m of prediction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of these within 10 m of prediction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of these: median difference, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sky plot (grid north up, horizon outside): green in line of sight, orange reflected, grey blocked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>signals without a known receiver clock (fewer than three in line of sight)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share of signals near an edge: class not sure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>epochs with the antenna within a building</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reflections by ground, vehicles, bridges and trees, two reflections in a row and diffraction at edges are not traced; walls are taken for flat and upright.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No wall was moved: the observations do not decide. The table below tells why; more drives along the walls help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured against predicted excess path of reflected signals, m: dark where the class is sure. Above the line signals are late, at the foot the direct signal got through.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>residual, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in line of sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>blocked, no single wall reflects it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reflected by one wall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edges over images, before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No edge lies in any of the images: they are of another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of road, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median sigma of the weakest direction, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places that look like others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>along, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>across, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>heading, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Medians over the places of which the source tells something. A direction without evidence keeps the sigma from before matching.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sigma of the weakest direction, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places by the semi-major axis of their error ellipse.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error ellipses, ten times enlarged, by class: green good, yellow usable, red poor, grey nothing can be said.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Worst stretches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>street</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bearing, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Predicted against observed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans were simulated at some of the places, with noise, vehicles and trees in the way, and registered to the map with the plugin's own NDT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spearman's coefficient over all places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median of it within a street</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the errors within the 95 % ellipse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median observed error in plan, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median predicted error in plan, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the rays to walls that were hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scans that fit another place better</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Root mean square errors in plan of each place; those above the picture are drawn at its edge.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>way, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>predicted along, across, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observed along, across, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>within 95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be said of any place; the table below tells why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No place could be simulated: walls tell nothing of any.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accuracy at control points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Survey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean 2D (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max 2D (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>std 2D (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean 3D (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>max 3D (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>std 3D (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>East, north and up are mean errors: what is left in all points alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Control point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal error over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Horizontal error of each control point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seconds since the first control point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adjustment of several drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residuals by kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Observation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>without weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS in plan (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest in plan (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS in height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest in height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>path length (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mean correction in plan (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>median sigma in plan (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest sigma in plan (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest residuals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in plan (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in height (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction along the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5704,6 +10372,558 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Distance between planes before, RMS (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between planes after, RMS (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passes apart, RMS (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lever arms in metres forward, right and down; angles in degrees about the body's axes. A misalignment of the inertial unit that all passes have in common is part of the angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration of scanners</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The course as reported (grey) and rectified (blue; dashed where it is extrapolated beyond the sets), and the sets of tie points: green used, orange suspect, red left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sets of tie points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>East, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>North, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading, °</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Misfit within, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off without itself, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before and after: mean distance of the set's pairs from the reference. Off without itself: how far the set would lie from the reference if it were not used, which is more than what to expect halfway between sets.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction to the heading with its sigma.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the origin above the ground, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples along the course</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out, they stand out of their neighbours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the course with a ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance from the ground before, root mean square, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of a sample, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sigma of the heights, mean, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>maximum, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction to the height with its sigma, and the samples of the ground.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sigma of the tie points was found from how well they fit each other. An error that they share, such as that of the reference, is not in it nor in the sigmas of the epochs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ground says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used; its pairs lie too close together, as seen from the vehicle, to tell the heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>used, but far from where the other sets put it: check it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out: the other sets put it elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out: its pairs do not fit each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left out: the paper's method needs two pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>iterative</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>best estimate of the drift from all tie points together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relative motions adjusted between sets, closed form (Z 3.1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Their intensities follow the curves of the scanners.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b (1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Outside the trajectory's time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured while standing (left out)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Within range of the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground told by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ground within R2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of marking points among these, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contrast of paint to the ground beside it (median)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Path with markings, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter of the ground's heights, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reference intensity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cloth filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasers told apart by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lasers (of the angle: bins of 0.1 degrees) used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out (no signal or too much scatter)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smallest gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter on even ground before, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asphalt's intensity in bins of 0.25 m (dots; grey: not used), the fitted curve as it is applied (line), R1 and R2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C (floor)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A (at 1 m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>b (fall)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>d (loss near the scanner), m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortest range, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I_M (largest intensity of asphalt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I_m (smallest)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I_ref</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bins used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residual of the bins (robust), %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scatter of single asphalt points, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range, m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Asphalt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not to be trusted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registration of a mobile survey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations include what the reference itself is off by.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Heights, roll and pitch were not touched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction of the reported positions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction of the reported angles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the window of each patch: as long as it needs for enough markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of a window's marking points that lie on reference markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>largest sigma (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Markings before and after</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marking points of the survey over the </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>aerial image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reference markings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No part of the path is registered: the result is as reported. Check that the reference is of the same place, and its date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each patch is moved by its own window, as in the paper: between patches there are steps, nothing is bridged, and patches that are not to be trusted are moved all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of each window's own correction from the smooth one, in plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>window length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept from an earlier run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Buffer (m)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of all tiles (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Processor time of all tiles (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slowest tile (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Greatest memory of a process (MB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk of the results (MB)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tiles: done green, empty grey, failed red, not done white. North is up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>time of a tile (s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long the tiles took.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed, σ up to 5 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>placed, σ above 5 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>residual below 2 cm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5713,10 +10933,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>5 cm and more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>without weight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5824,10 +11040,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>displaced by heights</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5837,10 +11049,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>as given</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>in line of sight</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5912,6 +11120,38 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>good</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>usable</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>poor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing can be said</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>below 10 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>30 to 50 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>50 cm to 1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>above 1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>warning</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5948,6 +11188,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>too narrow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>way not drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>way drawn by width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no height</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>others</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5977,6 +11233,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>arrow straight right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>arrow, kind unknown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6032,10 +11292,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not to be trusted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>σ up to 5 cm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6052,10 +11308,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>used</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>used for the position only</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6065,6 +11317,46 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kerb, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kerb, doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowered kerb, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lowered kerb, doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>road border, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>road border, doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guard rail, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>guard rail, doubtful</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wall, measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>wall, doubtful</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

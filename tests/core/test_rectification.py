@@ -390,7 +390,7 @@ def test_names_may_be_any_text_and_one_epoch_may_bear_several_sets():
 def test_report_shows_sets_profiles_and_warnings(tmp_path):
     _, reported, ties = short()
     made = rectify(reported, changed(ties, [5], [0.0, 3.0]), ground)
-    write_report(tmp_path / "r.html", reported, made, {"Method": "drift"}, ["Set 3 <contradicts> itself."])
+    write_report(tmp_path / "r.html", reported, made, ["Set 3 <contradicts> itself."])
     page = (tmp_path / "r.html").read_text(encoding="utf-8")
     assert page.count("<svg") == 5 and "Set 3 &lt;contradicts&gt; itself" in page
     assert "left out: its pairs do not fit each other" in page and "mean height stays as reported" in page
