@@ -12,7 +12,7 @@ from ..framework.parameters import tr
 
 LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
                ("length", "real"), ("bridged", "real"), ("period", "real"), ("dash", "real"), ("dashes", "text"),
-               ("chain", "int"), ("partner", "int"), ("confidence", "real"))
+               ("chain", "int"), ("partner", "int"), ("confidence", "real"), ("placed", "text"))
 
 
 class MarkingLines(UrbanMapAlgorithm):
@@ -50,7 +50,8 @@ class MarkingLines(UrbanMapAlgorithm):
                               "(begins and ends along the line, m), chain (sections of one line), partner (chain "
                               "that makes it a double line), confidence (0 to 1: share of the paint that should be "
                               "there and is seen; of a stop line less where only lines' ends or only a crosswalk "
-                              "show it).", source_type=QgsProcessing.SourceType.TypeVectorLine)
+                              "show it), placed (ends among the dashes' that are worn and lie where whole dashes ask "
+                              "for them, m).", source_type=QgsProcessing.SourceType.TypeVectorLine)
         self.add_layer_output("OUTPUT_AREAS", "Marking areas", "Polygons: class (crosswalk; arrow straight, ..., or "
                               "arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in "
                               "which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at "
@@ -106,7 +107,8 @@ class MarkingLines(UrbanMapAlgorithm):
             "dashes": [";".join(f"{start:.2f}-{end:.2f}" for start, end in line.dashes) for line in lines],
             "chain": [line.chain for line in lines],
             "partner": [None if line.partner < 0 else line.partner for line in lines],
-            "confidence": [line.confidence for line in lines]}
+            "confidence": [line.confidence for line in lines],
+            "placed": [";".join(f"{end:.2f}" for end in line.placed) or None for line in lines]}
         return self.write_layer(parameters, "OUTPUT", context, make_fields(*LINE_FIELDS), columns, crs,
                                 [shapely.linestrings(line.points) if has_heights else line.plan for line in lines],
                                 "LineStringZ" if has_heights else "LineString", style="marking_lines",

@@ -64,6 +64,20 @@ def test_missing_dash_is_bridged_and_told():
     assert line.bridged == pytest.approx(3.0, abs=0.6)
 
 
+def test_worn_end_of_a_dash_is_placed_by_its_neighbours_and_marked():
+    boxes = dashes(60.0, 3.0, 4.5)
+    boxes[3] = shapely.box(22.5, -0.075, 24.3, 0.075)
+    boxes[5] = shapely.box(38.2, -0.075, 40.5, 0.075)
+    (line,) = work_of(boxes).lines
+    assert line.dashes == pytest.approx(np.arange(0, 60 - 3, 7.5)[:, None] + [[0, 3]], abs=0.06)
+    assert np.array(line.placed) == pytest.approx([25.5, 37.5], abs=0.06)
+
+
+def test_end_is_left_where_no_whole_dashes_tell():
+    boxes = [shapely.box(x, -0.075, x + length, 0.075) for x, length in zip(np.arange(0, 45, 7.5), (3, 2, 2.6, 1.6, 2.3))]
+    assert all(not line.placed for line in work_of(boxes).lines)
+
+
 def test_worn_solid_line_stays_solid_and_its_gaps_are_told():
     rng = np.random.default_rng(4)
     starts = np.cumsum(rng.uniform(2.0, 6.0, 14))

@@ -16,6 +16,14 @@ ADVANTAGE = 0.08
 """By so much more a dashed pattern must explain of the paint than a solid one."""
 
 
+WHOLE, WORN = 0.12, 0.15
+"""Lengths of whole dashes are alike to within the first; an end that lies farther inwards than the second of where its
+neighbours ask for it is worn, m."""
+
+NEAREST_WHOLE = 2.5
+"""Whole dashes tell of the ends of others up to so many periods away."""
+
+
 @dataclass(frozen=True)
 class Section:
     """A stretch of a line of one kind.
@@ -71,6 +79,47 @@ def line_sections(covered: np.ndarray, step: float) -> list[Section]:
     for part in np.split(np.arange(len(runs)), borders):
         sections.append(_solid(runs[part]) if long[part[0]] else _section(runs[part], (period, dash)))
     return sections
+
+
+def with_worn_ends(dashes: np.ndarray, period: float, dash: float) -> tuple[np.ndarray, np.ndarray]:
+    """Worn ends of dashes moved to where the whole dashes beside them ask for them.
+
+    Parameters
+    ----------
+    dashes : begins and ends (n, 2) of the painted stretches in their order, m. period, dash : about, m.
+
+    Returns
+    -------
+    dashes (n, 2), m, and which ends were moved (n, 2) bool. None is where fewer than two dashes are whole, or where these
+    do not lie at one distance.
+    """
+    untouched = dashes, np.zeros(dashes.shape, bool)
+    length, middle = dashes[:, 1] - dashes[:, 0], dashes.mean(axis=1)
+    alike = np.abs(length - dash) <= 3 * WHOLE
+    usual = float(np.median(length[alike])) if alike.any() else np.nan
+    whole = np.flatnonzero(np.abs(length - usual) <= WHOLE)
+    if len(whole) < 2:
+        return untouched
+    number = np.concatenate([[0], np.cumsum(np.round(np.diff(middle[whole]) / period))])
+    if (np.diff(number) < 1).any():
+        return untouched
+    period, first = np.polyfit(number, middle[whole], 1)
+    if np.abs(number * period + first - middle[whole]).max() > WORN:
+        return untouched
+    moved, placed = dashes.copy(), np.zeros(dashes.shape, bool)
+    place = np.round((middle - first) / period)
+    near = np.abs(middle[:, None] - middle[whole]).min(axis=1) <= NEAREST_WHOLE * period
+    for k in np.unique(place[near]):
+        members = np.flatnonzero(place == k)
+        wanted = first + k * period + usual * np.array([-0.5, 0.5])
+        seen = np.array([dashes[members[0], 0], dashes[members[-1], 1]])
+        inwards = (seen - wanted) * [1, -1]
+        if inwards.min() < -WORN or seen[1] - seen[0] < 0.3 * usual:
+            continue
+        for side, member in ((0, members[0]), (1, members[-1])):
+            if inwards[side] > WORN:
+                moved[member, side], placed[member, side] = wanted[side], True
+    return moved, placed
 
 
 def _section(runs: np.ndarray, usual: tuple[float, float] | None = None) -> Section:

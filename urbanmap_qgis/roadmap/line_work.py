@@ -10,7 +10,7 @@ import shapely
 
 from ..progress import SILENT, Progress
 from .crosswalks import Crosswalk, find_crosswalks
-from .dash_pattern import Section, line_sections, painted_intervals
+from .dash_pattern import Section, line_sections, painted_intervals, with_worn_ends
 from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
 from .stop_lines import CROSSES, joined_bars, stop_line_confidence
@@ -58,6 +58,7 @@ class RoadLine:
     partner : number of the chain that makes it a double line, -1 where it is single.
     confidence : 0 to 1: of a line the share of the paint that should be there and is seen; of a stop line that share,
         less where only lines' ends or only a crosswalk show that it is one.
+    placed : ends among `dashes` that are worn and lie where the whole dashes beside them ask for them, m along the line.
     """
 
     points: np.ndarray
@@ -72,6 +73,7 @@ class RoadLine:
     chain: int
     partner: int = -1
     confidence: float = 1.0
+    placed: tuple[float, ...] = ()
 
     @property
     def plan(self) -> shapely.LineString:
@@ -285,17 +287,24 @@ def _piece(line: _Line, section: Section, start: float, end: float, kind: str, c
         return None
     inner = (at > start) & (at < end)
     ends = [np.array([np.interp(edge, at, axis[:, k]) for k in (0, 1)]) for edge in (start, end)]
-    plan = polyline(np.vstack([ends[0], axis[inner], ends[1]]))
-    within = np.clip(section.dashes, start, end) - start
+    course = np.vstack([ends[0], axis[inner], ends[1]])
+    plan = polyline(course)
+    # The fit shortens a ragged chain: what was counted by stations is told in metres along the line.
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(course, axis=0), axis=1))])
+    along *= shapely.LineString(plan).length / max(along[-1], 1e-9)
+    within = np.interp(np.clip(section.dashes, start, end), np.concatenate([[start], at[inner], [end]]), along)
     painted = float((within[:, 1] - within[:, 0]).sum())
-    missing = (end - start) - painted
+    missing, placed = along[-1] - painted, ()
     if section.kind == "dashed":
-        whole = round((end - start + section.period - section.dash) / section.period)  # it begins and ends with a dash
+        whole = round((along[-1] + section.period - section.dash) / section.period)  # it begins and ends with a dash
         missing = max(0.0, whole * section.dash - painted)
+        within, worn = with_worn_ends(within, section.period, section.dash)
+        within = np.clip(within, 0.0, along[-1])
+        placed = tuple(within[worn].tolist())
     sigma = float(np.hypot(line.fit.sigma[inner].mean() if inner.any() else line.fit.residual, settings.source_sigma))
     points = np.column_stack([plan, np.full(len(plan), np.nan)])
     return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number,
-                    confidence=painted / max(painted + missing, 1e-9))
+                    confidence=painted / max(painted + missing, 1e-9), placed=placed)
 
 
 def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:
