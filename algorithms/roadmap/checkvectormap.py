@@ -11,6 +11,8 @@ from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.parameters import HTML_FILTER, tr
 
+SEVERITIES = ("error", "warning", "info")
+
 
 class CheckVectorMap(UrbanMapAlgorithm):
     ID = "checkvectormap"
@@ -73,16 +75,23 @@ class CheckVectorMap(UrbanMapAlgorithm):
         from ...urbanmap_qgis.io.report import BAD, GOOD, LOOK, Report
 
         report = Report(tr("Check of a lane map"))
-        errors = sum(fault.severity == "error" for fault in faults)
-        report.verdict(BAD if errors else LOOK if faults else GOOD, tr(
-            "{0} lanelets, {1} errors, {2} warnings. Where errors are, the map cannot be loaded or routed; "
-            "warnings are worth a look.").format(lanelets, errors, len(faults) - errors))
+        number = Counter(fault.severity for fault in faults)
+        errors, warnings = number["error"], number["warning"]
+        text = tr("{0} lanelets, {1} errors, {2} warnings.").format(lanelets, errors, warnings)
+        if errors:
+            text += " " + tr("Put the errors right first: with them programs refuse the map or lead the wrong way.")
+        elif warnings:
+            text += " " + tr("The map can be loaded; look at the warnings before routes rely on it.")
+        report.verdict(BAD if errors else LOOK if warnings else GOOD, text)
         report.section(tr("Faults by rule"))
         counts = Counter((fault.severity, fault.rule) for fault in faults)
         report.table((tr("Severity"), tr("Rule"), tr("Number")),
-                     [(severity, rule, count) for (severity, rule), count in sorted(counts.items())])
+                     [(severity, rule, count) for (severity, rule), count in sorted(
+                         counts.items(), key=lambda item: (SEVERITIES.index(item[0][0]), -item[1]))])
         for severity in ("error", "warning"):
             rows = [(fault.rule, fault.element, fault.text) for fault in faults if fault.severity == severity]
+            if not rows:
+                continue
             report.section(tr("Errors") if severity == "error" else tr("Warnings"))
             report.table((tr("Rule"), tr("Element"), tr("What")), rows[:500])
             if len(rows) > 500:

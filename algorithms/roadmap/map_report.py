@@ -37,7 +37,9 @@ def _verdict(report, built, drives, figures) -> None:
     report.verdict(LOOK if warnings else GOOD, tr(
         "{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.").format(
         sum(lane.kind == "lane" for lane in built.lanes), figures.length,
-        sum(lane.kind == "virtual" for lane in built.lanes)))
+        sum(lane.kind == "virtual" for lane in built.lanes)) + " " + tr(
+        "What is missing or contradicts is numbered in the map and listed below: {0} findings.").format(
+        len(built.findings)))
     for text in warnings:
         report.warning(text)
 
@@ -54,6 +56,10 @@ def _warnings(built, drives, figures) -> list[str]:
     if figures.seen < 0.9:
         warnings.append(tr("{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the "
                            "findings “bound not seen”.").format(1.0 - figures.seen))
+    strips = sum(finding.kind == "no lane made" for finding in built.findings)
+    if strips:
+        warnings.append(tr("Of {0} strips beside lines no lane was made; see the findings “no lane made”.").format(
+            strips))
     contradictions = sum(finding.kind == "direction contradicts" for finding in built.findings)
     if contradictions:
         warnings.append(tr("Evidence on directions contradicts itself at {0} places.").format(contradictions))
@@ -75,12 +81,14 @@ def _pictures(report, built, drives) -> None:
         return
     report.section(tr("Map"))
     report.figure(map_picture(built, drives, whole_extent(built)), tr(
-        "Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered."))
+        "Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered. "
+        "Look for arrows against the traffic, and for strips of road without a lane."))
     extents = junction_extents(built)
     if extents:
         report.section(tr("Junctions"))
     for number, extent in enumerate(extents):
-        report.figure(map_picture(built, drives, extent), tr("Junction {0}, about {1:.0f}, {2:.0f}").format(
+        report.figure(map_picture(built, drives, extent), tr(
+            "Junction {0}, about {1:.0f}, {2:.0f}: each way that may be driven should be drawn red.").format(
             number + 1, (extent[0] + extent[2]) / 2, (extent[1] + extent[3]) / 2))
 
 

@@ -202,7 +202,7 @@ def test_report_names_what_to_distrust(chain, tmp_path):
     assert list(columns) == [name for name, _ in COLUMNS]
     write_model_report(tmp_path / "報告.html", columns, note="Outlines: <b>; Expansion: 1")
     page = (tmp_path / "報告.html").read_text(encoding="utf-8")
-    assert "1 have no model" in page and "&lt;b&gt;" in page and "<svg" in page
+    assert "Without a model: 1;" in page and "&lt;b&gt;" in page and "<svg" in page
 
 
 def test_outline_ground_is_the_lowest_along_the_outline():

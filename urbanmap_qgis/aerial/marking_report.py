@@ -177,9 +177,11 @@ def _pictures(report: Report, orthophoto: Path, found: MarkingResult) -> None:
     with (own_gdal(CACHE), rasterio.open(orthophoto) as source,
           tempfile.TemporaryDirectory(prefix="urbanmap-") as folder):
         shrink = max(source.width, source.height) / _PICTURE_SIDE
-        parts = [((0, 0, source.width, source.height), max(shrink, 1.0), "Markings (green) over the orthophoto")]
+        parts = [((0, 0, source.width, source.height), max(shrink, 1.0),
+                  say("Markings (green) over the orthophoto. Look for paint without an outline, and outlines on roofs, "
+                      "kerbs and vehicles."))]
         if len(found.polygons):
-            parts.append((_densest(source, found), 0.5, "The part with most markings, enlarged"))
+            parts.append((_densest(source, found), 0.5, say("The part with most markings, enlarged")))
         for number, (box, factor, caption) in enumerate(parts):
             picture = Path(folder) / f"{number}.png"
             picture.write_bytes(_drawn(source, orthophoto, box, factor, found))

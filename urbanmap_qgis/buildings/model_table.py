@@ -70,7 +70,7 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
     """
     status = np.array(columns["status"], dtype=object)
     report = Report("Building models")
-    _verdict(report, status)
+    _verdict(report, status, any(columns["points"]))
     worst = _worst(columns)
     report.section(say("The worst {worst_count}", worst_count=len(worst)))
     names = ("building_id", "status", "quality", "roofs", "points", "rmse_z95", "p95")
@@ -90,7 +90,8 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
     report.section("Quality")
     report.paragraph("Distances to the models of all points that can be roof, whether or not a roof was made of them. "
                      "Level roofs (lod 1.3) in place of sloped ones show the slope as height differences.")
-    report.histogram(np.array(columns["quality"], float), "quality, 0 to 1", "Buildings by quality", upper=1.0)
+    report.histogram(np.array(columns["quality"], float), "quality, 0 to 1", say("Buildings by quality. Those far left "
+                     "are to be looked at first."), upper=1.0)
     report.histogram(100 * np.array(columns["not_explained"], float), "% of the points",
                      "Buildings by points that the model does not explain")
     report.histogram(np.array(columns["rmse_z95"], float), "RMSE of height, best 95 % (m)", "Buildings by height error",
@@ -103,21 +104,27 @@ def write_model_report(path: str | os.PathLike, columns: Mapping[str, Sequence],
         report.section("Map")
         labels = {int(row): str(columns["building_id"][row]) for row in worst}
         report.figure(plan_map(plans, np.array(columns["rmse_z95"], float), (0.15, 0.3, 0.6, 1.0), "m", labels),
-                      "RMSE of height, best 95 %, of each building; the worst are numbered. North is up.")
+                      say("RMSE of height, best 95 %, of each building; the worst are numbered. North is up. Red ones "
+                          "side by side hint at a shift or another date; single ones at their roofs."))
     report.note(note)
     report.write(path)
 
 
-def _verdict(report: Report, status: np.ndarray) -> None:
-    """How many models can be used as they are."""
+def _verdict(report: Report, status: np.ndarray, seen: bool) -> None:
+    """How many models can be used as they are; `seen`: whether points were there to compare them with."""
     good, missing = int((status == "ok").sum()), int((status == NOT_MODELLED).sum())
-    text = f"{good} of {len(status)} buildings have a model that explains their points."
+    if seen:
+        text = say("{good} of {count} buildings have a model that explains their points.", good=good, count=len(status))
+    else:
+        text = say("{good} of {count} buildings have a valid model. How well it fits is not known: no points were "
+                   "given.", good=good, count=len(status))
     others = len(status) - good - missing
     if others:
-        text += f" {others} have one with a remark: look at the worst below first."
+        text += " " + say("With a remark: {others}; look at the worst below first.", others=others)
     if missing:
-        text += f" {missing} have no model; they keep their rows, with the reason, in the result."
-    report.verdict(BAD if not len(status) - missing else LOOK if others or missing else GOOD, text)
+        text += " " + say("Without a model: {missing}; they keep their rows, with the reason, in the result.",
+                          missing=missing)
+    report.verdict(BAD if not len(status) - missing else LOOK if others or missing or not seen else GOOD, text)
 
 
 def _worst(columns: Mapping[str, Sequence]) -> np.ndarray:

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import InsufficientDataError, OutputError
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
-from ..io.report import GOOD, LOOK, Report
+from ..io.report import LOOK, Report
 from ..progress import SILENT, Progress
 from ..wording import say
 from .edge_lines import EdgeSamples, edge_samples, edge_segments
@@ -166,7 +166,7 @@ def _write_page(page: str | os.PathLike, states: Sequence[OverlayState], drawn: 
                 "they do not, survey, orientation or models are off."))
     if nothing:
         text += f" Nothing lies in {len(nothing)} of {len(records)} images."
-    report.verdict(LOOK if nothing else GOOD, text)
+    report.verdict(LOOK, text)  # nothing is measured here: the reader judges
     _add_pictures(report, states, drawn, records, colours, pictures, folder)
     report.section("Images")
     names = [state.name for state in states]

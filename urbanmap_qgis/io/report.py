@@ -274,6 +274,11 @@ class Fixed(str):
         return cls(f"{value:.{decimals}f}" if math.isfinite(value) else "–")
 
 
+def percent(share: float) -> Fixed:
+    """A share, 0 to 1, in whole percent; a dash where it is not known."""
+    return Fixed(f"{100.0 * share:.0f} %" if math.isfinite(share) else "–")
+
+
 def rounded(value: float) -> str:
     """A number with as many decimals as it means: three below 1, two below 100, one below 1000, none above; 0 where
     four decimals show nothing."""

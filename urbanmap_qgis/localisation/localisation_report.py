@@ -26,10 +26,11 @@ def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, ma
                               check: PredictionCheck | None) -> None:
     """Report of a map of accuracy."""
     report = Report("Map of localisation accuracy")
-    _summary(report, made)
-    _plan(report, city, made)
-    _statuses(report, made)
+    _verdict(report, made)
     _worst(report, city, made)
+    _summary(report, made)
+    _statuses(report, made)
+    _plan(report, city, made)
     if check is not None:
         _check(report, made, check)
     report.write(path)
@@ -44,12 +45,8 @@ def stretches(made: AccuracyMap) -> list[np.ndarray]:
     return np.split(order, np.flatnonzero(np.diff(number[order])) + 1)
 
 
-def _summary(report: Report, made: AccuracyMap) -> None:
+def _verdict(report: Report, made: AccuracyMap) -> None:
     known = np.isfinite(made.ellipse.major)
-    total = made.places.step.sum()
-    report.facts({"Places": len(made.places), "Length of road, m": float(total),
-                  "Median sigma of the weakest direction, m": _median(made.ellipse.major),
-                  "Places that look like others": sum("repeats" in str(words) for words in made.status)})
     if not known.any():
         report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
     else:
@@ -57,6 +54,14 @@ def _summary(report: Report, made: AccuracyMap) -> None:
                        say("On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of "
                            "{median:.2f} m in the weakest direction; the worst stretches are below.", mean=known.mean(),
                            median=_median(made.ellipse.major)))
+
+
+def _summary(report: Report, made: AccuracyMap) -> None:
+    total = made.places.step.sum()
+    report.section("Result")
+    report.facts({"Places": len(made.places), "Length of road, m": float(total),
+                  "Median sigma of the weakest direction, m": _median(made.ellipse.major),
+                  "Places that look like others": sum("repeats" in str(words) for words in made.status)})
     report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
                                                    for name, length in lengths_by_class(made).items()])
     report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
@@ -64,7 +69,7 @@ def _summary(report: Report, made: AccuracyMap) -> None:
     report.paragraph("Medians over the places of which the source tells something. A direction without evidence keeps "
                      "the sigma from before matching.")
     report.histogram(made.ellipse.major, "sigma of the weakest direction, m", "Places by the semi-major axis of their "
-                     "error ellipse.", upper=2.0)
+                     "error ellipse.", upper=min(2.0, np.nanmax(made.ellipse.major, initial=0.01)))
 
 
 def _plan(report: Report, city: LocalisationMap, made: AccuracyMap) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..io.report import LOOK, Report
+from ..io.report import LOOK, Fixed, Report
 from ..io.svg_profile import COLOURS, Series, profile
 from ..wording import say
 from .control import Accuracy, ControlPoints, accuracy
@@ -34,11 +34,15 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
     name, best = list(figures.items())[-1]
     report.verdict(LOOK, say("{name}: {mean_2d:.1f} cm off in plan on average and {max_2d:.1f} cm at most, at "
                              "{control_count} control points. Compare this with what the job asks for; the worst "
-                             "points are below.", name=name, mean_2d=100 * best.mean_2d, max_2d=100 * best.max_2d,
+                             "points are below.", name=name[:1].upper() + name[1:],
+                             mean_2d=100 * best.mean_2d, max_2d=100 * best.max_2d,
                              control_count=len(control)))
     report.table(("Survey", "mean 2D (m)", "max 2D (m)", "std 2D (m)", "mean 3D (m)", "max 3D (m)", "std 3D (m)",
                   "east (m)", "north (m)", "up (m)"), [_row(name, item) for name, item in figures.items()])
     report.paragraph("East, north and up are mean errors: what is left in all points alike.")
+    name, last = list(errors.items())[-1]
+    plan = np.hypot(*last[:, :2].T)
+    _worst(report, control, name, last, plan)
     order = np.argsort(control.time)
     since = control.time[order] - control.time[order[0]]
     series = [Series(name, np.hypot(*values[order, :2].T), colour, dots=True)
@@ -46,15 +50,17 @@ def write_accuracy_report(path: str | os.PathLike, control: ControlPoints, error
     if len(control) > 1:
         report.section("Horizontal error over time")
         report.figure(profile(since, series, "seconds since the first control point", "m"),
-                      "Horizontal error of each control point")
-    name, last = list(errors.items())[-1]
-    plan = np.hypot(*last[:, :2].T)
+                      say("Horizontal error of each control point. Points that stand out alone hint at the control; "
+                          "errors that grow with time, at a part that is not corrected."))
     report.histogram(plan, "m", say("Horizontal errors, {name}", name=name))
+    report.write(path)
+
+
+def _worst(report: Report, control: ControlPoints, name: str, errors: np.ndarray, plan: np.ndarray) -> None:
     report.section(say("The worst control points, {name}", name=name))
     worst = np.argsort(-plan)[:_WORST]
     report.table(("Control point", "time (s)", "east (m)", "north (m)", "up (m)", "2D (m)"),
-                 [(control.id[k], float(control.time[k]), *map(float, last[k]), float(plan[k])) for k in worst])
-    report.write(path)
+                 [(control.id[k], Fixed.of(control.time[k]), *map(float, errors[k]), float(plan[k])) for k in worst])
 
 
 def _row(name: str, item: Accuracy) -> tuple:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..io.report import BAD, GOOD, LOOK, Report
+from ..io.report import BAD, GOOD, LOOK, Fixed, Report
 from ..wording import say
 from .journal import DONE, EMPTY, FAILED, TileRecord
 from .tile_grid import GridTile, TileGrid
@@ -41,18 +41,20 @@ def write_tiles_report(path: str | os.PathLike, title: str, settings: Mapping[st
     report.section("Tiles")
     seconds = np.array([record.seconds for record in records if record.status == DONE])
     report.facts({"Done": count[DONE], "Empty": count[EMPTY], "Failed": count[FAILED],
-                  "Kept from an earlier run": kept, "Grid": grid.title, "Buffer (m)": grid.buffer,
+                  "Kept from an earlier run": kept, "Grid": grid.title, "Buffer (m)": Fixed(f"{grid.buffer:g}"),
                   "Time of all tiles (s)": float(seconds.sum()) if len(seconds) else None,
                   "Processor time of all tiles (s)": float(sum(record.cpu for record in records)),
                   "Slowest tile (s)": float(seconds.max()) if len(seconds) else None,
                   "Greatest memory of a process (MB)": max((record.memory for record in records), default=None),
                   "Disk of the results (MB)": sum(sum(record.outputs.values()) for record in records) / 1e6})
     report.figure(_map(tiles, {record.name: record.status for record in records}),
-                  "Tiles: done green, empty grey, failed red, not done white. North is up.")
+                  say("Tiles: done green, empty grey, failed red, not done white. North is up. Look for empty tiles "
+                      "where data should be."))
     if len(seconds) > 1:
         report.histogram(seconds, "time of a tile (s)", "How long the tiles took.")
-    report.section("Settings")
-    report.facts(settings)
+    if settings:
+        report.section("Settings of the algorithm")
+        report.facts(settings)
     report.write(path)
 
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from ...io.report import BAD, GOOD, LOOK, Report
+from ...wording import say
 from .merge_stage import MERGED, NOT_MERGED, MergedBuilding
 
 _ROWS = 50
@@ -42,5 +43,7 @@ def write_merge_report(path: str | os.PathLike, merged: Sequence[MergedBuilding]
                   "Walls moved": int(sum(columns["walls_moved"])),
                   "Mean offset of the moved walls (m)": float(np.abs(offsets).mean()) if len(offsets) else None})
     report.table(("wall", "number"), sorted(Counter(edges["status"]).items()))
-    report.histogram(np.array(columns["max_offset"], float), "m", "Buildings by the largest offset of a wall")
+    report.histogram(np.array(columns["max_offset"], float), "largest offset of a wall (m)",
+                     say("Buildings by the largest offset of a wall. Offsets of metres hint at another building, or "
+                         "another date."))
     report.write(path)

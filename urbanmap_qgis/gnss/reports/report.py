@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...io.report import BAD, GOOD, LOOK, Report
+from ...io.report import BAD, GOOD, LOOK, Report, percent
 from ...io.svg import bars
 from ...wording import say
 from ..rays.ray_lines import RayStatistics, ray_statistics
@@ -34,9 +34,10 @@ def write_reflection_report(path: str | os.PathLike, signals: Signals, paths: Si
     report.verdict(GOOD if sure > 0.8 else LOOK, say("{count} of {kind_count} signals are reflected by one wall; of "
                                                      "{sure:.0f} % of all signals the class is sure.",
                                                      count=int(np.sum(paths.kind == REFLECTED)),
-                                                     kind_count=len(paths.kind), sure=100 * sure))
-    _signals(report, signals, paths, corrected, figures)
+                                                     kind_count=len(paths.kind), sure=100 * sure)
+                   + " " + say("Where measured and predicted paths agree below, the models can be adjusted by them."))
     _distrust(report, signals, paths, corrected)
+    _signals(report, signals, paths, corrected, figures)
     report.write(path)
 
 
@@ -69,9 +70,9 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
                   "Median sigma of adjusted walls, m": _median(walls.sigma[adjusted]),
                   "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
                   "Iterations until nothing changed": made.iterations})
+    _reasons(report, made)
     _plan(report, made, shapes)
     more(report)
-    _reasons(report, made)
     _wall_table(report, made, names)
     _errors(report, made)
     _signals(report, signals, made.paths, made.corrected, ray_statistics(signals, made.paths, made.corrected))
@@ -103,7 +104,7 @@ def _wall_table(report: Report, made: Adjustment, names: np.ndarray) -> None:
     order = seen[np.lexsort((walls.sigma[seen], walls.status[seen] != ADJUSTED))]
     rows = [[str(names[table.building[w]]), int(table.edge[w]), walls.status[w], float(walls.offset[w]),
              float(walls.sigma[w]), float(walls.applied[w]), int(walls.observations[w]), int(walls.satellites[w]),
-             int(walls.passes[w]), float(walls.inlier_share[w]), walls.reason[w]] for w in order[:_ROWS]]
+             int(walls.passes[w]), percent(float(walls.inlier_share[w])), walls.reason[w]] for w in order[:_ROWS]]
     report.table(["building", "edge", "status", "offset, m", "sigma, m", "moved, m", "observations", "satellites",
                   "passes", "share of inliers", "reason"], rows)
     if len(order) > _ROWS:
@@ -116,8 +117,8 @@ def _errors(report: Report, made: Adjustment) -> None:
     model, error = made.offsets.model, made.offsets.error
     report.section("How the observations scatter")
     report.facts({"Error of an observation besides its noise, m": model.sigma,
-                  "Factor of the noise expected": model.noise, "Share of NLOS-delayed ones": model.nlos_share,
-                  "Their mean delay, m": model.nlos_mean_delay, "Share of outliers": model.outlier_share})
+                  "Factor of the noise expected": model.noise, "Share of NLOS-delayed ones": percent(model.nlos_share),
+                  "Their mean delay, m": model.nlos_mean_delay, "Share of outliers": percent(model.outlier_share)})
     shown = np.clip(error, -10.0, 20.0)
     counts, edges = np.histogram(shown, bins=30, range=(-10.0, 20.0))
     report.figure(bars(counts, edges, "m"), "What the offsets leave of the observations: NLOS-delayed ones are to the "
@@ -135,8 +136,8 @@ def _signals(report: Report, signals: Signals, paths: SignalPaths, corrected: np
                   "Residuals in line of sight: median, m": figures.los_median,
                   "Residuals in line of sight: quartile range, m": figures.los_iqr,
                   "Reflected signals with a known clock": figures.reflected,
-                  "of these within 5 m of prediction": figures.within_5,
-                  "of these within 10 m of prediction": figures.within_10,
+                  "of these within 5 m of prediction": percent(figures.within_5),
+                  "of these within 10 m of prediction": percent(figures.within_10),
                   "of these: median difference, m": figures.difference})
     report.figure(sky_plot(signals, paths), "Sky plot (grid north up, horizon outside): green in line of sight, orange "
                                            "reflected, grey blocked.")
@@ -161,7 +162,7 @@ def _distrust(report: Report, signals: Signals, paths: SignalPaths, corrected: n
     unsure = float(np.mean(~paths.sure))
     report.table(["what", "how many"], [
         ["signals without a known receiver clock (fewer than three in line of sight)", unknown],
-        ["share of signals near an edge: class not sure", unsure],
+        ["share of signals near an edge: class not sure", percent(unsure)],
         ["epochs with the antenna within a building", int(paths.indoors.sum())],
         *[[f"observations left out: {reason}", count] for reason, count in signals.left_out.items()]])
     for note in signals.notes:

@@ -19,6 +19,7 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> Non
     """Write the report (HTML)."""
     report = Report("Adjustment of several drives")
     _verdict(report, survey)
+    _worst(report, survey)
     report.section("Residuals by kind")
     report.table(("Observation", "number", "without weight", "RMS in plan (m)", "largest in plan (m)",
                   "RMS in height (m)", "largest in height (m)"), survey.residual_rows())
@@ -26,7 +27,6 @@ def write_network_report(path: str | os.PathLike, survey: AdjustedSurvey) -> Non
     report.table(("Drive", "path length (m)", "mean correction in plan (m)", "median sigma in plan (m)",
                   "largest sigma in plan (m)", *(f"{name} (%)" for name in STATUS_NAMES)),
                  [_drive_row(drive) for drive in survey.drives])
-    _worst(report, survey)
     for drive in survey.drives:
         _profiles(report, drive)
     report.write(path)
@@ -69,8 +69,9 @@ def _profiles(report: Report, drive: AdjustedDrive) -> None:
     report.section(drive.name)
     curves = [Series(name, drive.correction[:, k], colour)
               for k, (name, colour) in enumerate(zip(("east", "north", "up"), COLOURS))]
-    report.figure(profile(drive.chainage, curves, "chainage (m)", "m"), "Correction along the path")
+    report.figure(profile(drive.chainage, curves, "chainage (m)", "m"),
+                  say("Correction along the path. Look for steps that no loss of satellites explains."))
     sigma = np.sqrt(drive.covariance[:, 2, 2])
     report.figure(profile(drive.chainage, [Series("plan", drive.plan_sigma(), COLOURS[0]),
                                            Series("height", sigma, COLOURS[2])], "chainage (m)", "m"),
-                  "Standard deviation of the correction")
+                  say("Standard deviation of the correction. It grows away from ties and control."))

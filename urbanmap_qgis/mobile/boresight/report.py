@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from ...io.report import BAD, GOOD, LOOK, Report
+from ...wording import say
 from .stage import CalibratedScanners
 
 
@@ -13,6 +14,10 @@ def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners) ->
     found, report = made.boresights, Report("Calibration of scanners")
     determined, total = int(found.determined.sum()), found.determined.size
     text = f"{determined} of {total} values are determined and corrected; the others keep the values of the file."
+    text += " " + say("Planes seen twice lie {before:.1f} mm apart before and {after:.1f} mm after.",
+                      before=1000 * found.rms_before, after=1000 * found.rms_after)
+    if determined < total:
+        text += " " + say("Drives in both directions and past walls at several angles determine more.")
     report.verdict(GOOD if determined == total else LOOK if determined else BAD, text)
     report.facts({"Pairs of planes": found.pairs, "Passes": made.passes,
                   "Distance between planes before, RMS (mm)": 1000 * found.rms_before,

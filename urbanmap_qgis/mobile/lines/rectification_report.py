@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ...io.report import BAD, GOOD, LOOK, Report
+from ...io.report import BAD, GOOD, LOOK, Fixed, Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ...wording import say
 from ..trajectory import Trajectory
@@ -53,7 +53,7 @@ def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified,
     report.section("Sets of tie points")
     report.table(("Set", "Time, s", "Pairs", "Before, m", "After, m", "East, m", "North, m", "Heading, °",
                   "Misfit within, m", "Off without itself, m", "Status"),
-                 [(item.name, item.time, say("{pairs} of {given}", pairs=item.pairs,
+                 [(item.name, Fixed.of(item.time), say("{pairs} of {given}", pairs=item.pairs,
                                              given=item.given), item.before, item.after, item.shift[0],
                    item.shift[1], item.heading, item.misfit, item.predicted,
                    MEANING[item.status]) for item in made.sets])
@@ -78,6 +78,10 @@ def _verdict(report: Report, made: Rectified, notes: Sequence[str]) -> None:
             f"{figures.get('AFTER', float('nan')):.2f} m from the reference on average.")
     if left_out:
         text += f" {left_out} were left out: look at them in the table below."
+    if np.isfinite(figures.get("PREDICTED", float("nan"))):
+        text += " " + say("Halfway between sets expect less than {predicted:.2f} m.", predicted=figures["PREDICTED"])
+    if notes:
+        text += " " + say("Read the remarks below first.")
     report.verdict(BAD if not made.used else LOOK if left_out or notes else GOOD, text)
 
 
@@ -116,11 +120,12 @@ def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
     for axis, name in enumerate(("East", "North")):
         curve = change[:, axis]
         report.figure(profile(time, [Series(f"{name} correction", curve), Series("sets", at_sets[:, axis], COLOURS[1],
-                                                                                True)], "s", "m",
+                                                                                True)], "time (s)", "m",
                               (curve - made.plan_sigma, curve + made.plan_sigma), extrapolated),
-                      say("Correction to the {name} with its sigma.", name=name.lower()))
+                      say("Correction to the {name} with its sigma. A set that lies beside the curve's band does not "
+                          "fit the others.", name=name.lower()))
     change_of_heading = made.trajectory.angles[:, 2] - before.angles[:, 2]
-    report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "s", "°",
+    report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "time (s)", "°",
                           (change_of_heading - made.heading_sigma, change_of_heading + made.heading_sigma),
                           extrapolated),
                   "Correction to the heading with its sigma.")

@@ -40,7 +40,9 @@ def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequenc
     report.verdict(BAD if not len(made.points) else LOOK if doubtful or made.failed else GOOD,
                    say("{points_count:,} marking points on {marked_share:.0f} % of the path. ",
                        points_count=len(made.points), marked_share=100 * made.marked_share)
-                   + (" ".join(doubtful) if doubtful else "Their intensities follow the curves of the scanners."))
+                   + (" ".join(doubtful) if doubtful else say(
+                       "Their intensities follow the curves of the scanners. Look at them over an aerial image before "
+                       "they are matched.")))
     report.paragraph("Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b "
                      "(1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up "
                      "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).")

@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 
 from ...io.raster import RasterSampler
-from ...io.report import BAD, GOOD, LOOK, Report
+from ...io.report import BAD, GOOD, LOOK, Fixed, Report
 from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ...wording import say
 from ..pose_correction import correction_between
@@ -56,6 +56,7 @@ def _verdict(report: Report, made: RegisteredSurvey) -> None:
     if distrusted:
         text += (f" {100 * distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table "
                  "below tells where.")
+    text += " " + say("Look at the markings before and after below: where they lie on the reference, use the result.")
     report.verdict(LOOK if distrusted or registered < _MOSTLY else GOOD, text)
 
 
@@ -101,7 +102,8 @@ def _profiles(report: Report, made: RegisteredSurvey) -> None:
     names = ("east", "north", "up") if correction.three_d else ("east", "north")
     series = [Series(name, correction.value[:, k], colour) for k, (name, colour) in enumerate(zip(names, COLOURS))]
     report.figure(profile(chainage, series, "chainage (m)", "m", intervals=shades),
-                  "Correction of the reported positions")
+                  say("Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, "
+                      "and jumps only where its satellites were lost or found again."))
     angles = ("roll", "pitch", "heading") if correction.three_d else ("heading",)
     numbers = (3, 4, 5) if correction.three_d else (5,)
     series = [Series(name, correction.value[:, k], colour) for name, k, colour in zip(angles, numbers, COLOURS)]
@@ -111,17 +113,19 @@ def _profiles(report: Report, made: RegisteredSurvey) -> None:
     if correction.three_d:
         series.append(Series("height", sigma[:, 2], COLOURS[2]))
     report.figure(profile(chainage, series, "chainage (m)", "m", intervals=shades),
-                  "Standard deviation of the correction")
+                  say("Standard deviation of the correction. It grows where markings are few or run one way only."))
     off = np.hypot(correction.residual[:, 0], correction.residual[:, 1])
     if np.isfinite(off).any():
         report.figure(profile(chainage, [Series("windows", off, COLOURS[3], dots=True)], "chainage (m)", "m",
                               intervals=shades),
-                      "Distance of each window's own correction from the smooth one, in plan")
+                      say("Distance of each window's own correction from the smooth one, in plan. Windows that stand "
+                          "out saw something else than the reference."))
     report.section("Windows")
     report.figure(profile(chainage, [Series("window length", windows.window_length, COLOURS[0])], "chainage (m)", "m"),
                   "Length of the window of each patch: as long as it needs for enough markings")
     report.figure(profile(chainage, [Series("overlap", windows.overlap, COLOURS[0])], "chainage (m)", "share"),
-                  "Share of a window's marking points that lie on reference markings")
+                  say("Share of a window's marking points that lie on reference markings. Where it falls, paint has "
+                      "changed or the match is wrong."))
 
 
 def _distrust(report: Report, made: RegisteredSurvey) -> None:
@@ -130,8 +134,8 @@ def _distrust(report: Report, made: RegisteredSurvey) -> None:
         return
     report.section("What to distrust")
     report.table(("From (m)", "to (m)", "from time (s)", "to time (s)", "status", "why", "largest sigma (m)"),
-                 [(round(item.start, 1), round(item.end, 1), item.start_time, item.end_time, item.status,
-                   item.reason, item.sigma) for item in found])
+                 [(round(item.start, 1), round(item.end, 1), Fixed.of(item.start_time), Fixed.of(item.end_time),
+                   item.status, item.reason, item.sigma) for item in found])
 
 
 def _before_and_after(report: Report, made: RegisteredSurvey, reference: Reference,
