@@ -74,7 +74,8 @@ def test_worn_end_of_a_dash_is_placed_by_its_neighbours_and_marked():
 
 
 def test_end_is_left_where_no_whole_dashes_tell():
-    boxes = [shapely.box(x, -0.075, x + length, 0.075) for x, length in zip(np.arange(0, 45, 7.5), (3, 2, 2.6, 1.6, 2.3))]
+    lengths = (3, 2, 2.6, 1.6, 2.3)
+    boxes = [shapely.box(7.5 * k, -0.075, 7.5 * k + length, 0.075) for k, length in enumerate(lengths)]
     assert all(not line.placed for line in work_of(boxes).lines)
 
 

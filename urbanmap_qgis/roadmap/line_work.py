@@ -58,7 +58,7 @@ class RoadLine:
     partner : number of the chain that makes it a double line, -1 where it is single.
     confidence : 0 to 1: of a line the share of the paint that should be there and is seen; of a stop line that share,
         less where only lines' ends or only a crosswalk show that it is one.
-    placed : ends among `dashes` that are worn and lie where the whole dashes beside them ask for them, m along the line.
+    placed : ends among `dashes` that are worn and lie where the whole dashes beside them ask for them, m along it.
     """
 
     points: np.ndarray
