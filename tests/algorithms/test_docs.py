@@ -36,7 +36,7 @@ def test_each_algorithm_has_its_page_and_no_page_is_left_over(make_docs, algorit
 
 def test_links_lead_to_files():
     lost = []
-    for page in [*(ROOT / "docs").rglob("*.md"), ROOT / "README.md"]:
+    for page in [*(ROOT / "docs").rglob("*.md"), *ROOT.glob("*.md")]:
         text = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.S)
         for target in re.findall(r"\]\(([^)#\s]+)", text):
             if "://" not in target and not (page.parent / target).exists():
@@ -48,6 +48,18 @@ def test_every_page_is_in_the_website():
     named = set(re.findall(r"[\w/]+\.md", (ROOT / "mkdocs.yml").read_text(encoding="utf-8")))
     pages = {path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").glob("*.md")}
     assert pages <= named and all((ROOT / "docs" / name).is_file() for name in named)
+
+
+def test_the_japanese_readme_has_the_commands_algorithms_and_pictures_of_the_english_one():
+    def said(name):
+        text = (ROOT / name).read_text(encoding="utf-8")
+        blocks = "".join(re.findall(r"^```\n(.*?)^```", text, re.M | re.S))
+        return (re.sub(r" *#.*", "", blocks), re.findall(r"^\| `(urbanmap:\w+)`", text, re.M),
+                re.findall(r"!\[[^]]*\]\((.*?)\)", text))
+
+    commands, algorithms, pictures = said("README.md")
+    assert len(algorithms) > 40 and len(pictures) == 2 and commands.count("scripts/urbanmap") >= 6
+    assert said("README.ja.md") == (commands, algorithms, pictures)
 
 
 def test_pictures_of_tutorials_are_those_that_the_script_makes():
