@@ -1,0 +1,87 @@
+"""The program in another language: nothing is left untranslated, and words come from the translation everywhere."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TRANSLATIONS = ROOT / "resources" / "translations"
+
+
+@pytest.fixture
+def japanese(qgis_app, plugin):
+    """The program speaks Japanese in the test."""
+    language = plugin("algorithms.framework.language")
+    translator = language.speak_language("ja")
+    assert translator is not None
+    yield
+    language.stop_speaking(translator)
+
+
+def test_every_text_is_translated():
+    done = subprocess.run([sys.executable, str(ROOT / "scripts" / "make_translations.py"), "--check"],
+                          capture_output=True, text=True, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+    assert done.returncode == 0, f"{done.stdout[-3000:]}\n{done.stderr[-2000:]}\nrun scripts/make_translations.py"
+
+
+@pytest.mark.parametrize("source", sorted(TRANSLATIONS.glob("*.ts")), ids=lambda path: path.stem)
+def test_the_compiled_file_says_what_its_source_says(qgis_app, source):
+    from qgis.PyQt.QtCore import QTranslator
+
+    from urbanmap_qgis.wording import read_catalogue
+
+    translator = QTranslator()
+    assert translator.load(str(source.with_suffix(".qm")))
+    texts = read_catalogue(source)
+    assert len(texts) > 2000
+    wrong = {text: told for text, told in texts.items() if translator.translate("UrbanMap", text) != told != text}
+    assert not wrong
+
+
+def test_toolbox_and_dialogs_speak_it(japanese, plugin):
+    from qgis.core import QgsApplication
+
+    provider = QgsApplication.processingRegistry().providerById("urbanmap")
+    chosen = next(item for item in provider.algorithms() if item.name() == "buildingmodels").create()
+    assert chosen.displayName() == "建物モデル" and chosen.group() == "建物"
+    assert chosen.parameterDefinition("POINTS").description() == "点群"
+    assert "<h3>入力</h3>" in chosen.shortHelpString()
+    page = plugin("algorithms.framework.help_page").page_html(chosen)
+    assert 'lang="ja"' in page and "建物モデル" in page
+
+
+def test_a_mistake_is_told_in_it(japanese, run, tmp_path):
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="ください"):
+        run("urbanmap:segmentroofs", {"POINTS": [str(tmp_path / "無い.laz")], "OUTPUT": str(tmp_path / "a.laz")})
+
+
+def test_messages_of_the_core_and_reports_speak_it(japanese, tmp_path):
+    from urbanmap_qgis.errors import InputError
+    from urbanmap_qgis.io.pointcloud import open_cloud
+    from urbanmap_qgis.io.report import Report
+
+    with pytest.raises(InputError, match="無い.laz.*ください"):
+        open_cloud([tmp_path / "無い.laz"])
+    report = Report("Building models")
+    report.table(["building", "status"], [[1, "not modelled"]])
+    report.write(tmp_path / "r.html")
+    text = (tmp_path / "r.html").read_text(encoding="utf-8")
+    assert '<html lang="ja">' in text and "建物モデル" in text and "<th>状態</th>" in text
+
+
+def test_legends_and_columns_speak_it(japanese, plugin):
+    styles = plugin("algorithms.framework.styles")
+    text = styles.style_text("marking_lines", ["fid", "width", "own"], ["width"])
+    assert 'label="dashed"' not in text and 'name="幅' in text
+
+
+def test_english_comes_back(qgis_app, plugin):
+    assert plugin("urbanmap_qgis.wording").language() == "en"
+    assert plugin("algorithms.framework.parameters").tr("Building models") == "Building models"
