@@ -5,11435 +5,12423 @@
     <name>UrbanMap</name>
     <message>
         <source>Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>乱数シード</translation>
     </message>
     <message>
         <source>A whole number; every one gives another city.</source>
-        <translation type="unfinished"></translation>
+        <translation>整数です。値ごとに異なる都市になります。</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>大きさ</translation>
     </message>
     <message>
         <source>m</source>
-        <translation type="unfinished"></translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>Side of the square city in metres, 60 to 600. Time and disk space grow with its square.</source>
-        <translation type="unfinished"></translation>
+        <translation>正方形の都市の一辺の長さ（m、60～600）です。処理時間とディスク使用量はその2乗で増えます。</translation>
     </message>
     <message>
         <source>Scene</source>
-        <translation type="unfinished"></translation>
+        <translation>シーン</translation>
     </message>
     <message>
         <source>A high-rise street canyon; one with few road markings; one whose markings were repainted between the flights and the drives; one under an elevated road. (canyon, few markings, repainted, elevated road)</source>
-        <translation type="unfinished"></translation>
+        <translation>高層ビル街（canyon）、路面標示の少ない都市（few markings）、撮影飛行と走行の間に路面標示が塗り直された都市（repainted）、高架道路の下の都市（elevated road）から選びます。（canyon, few markings, repainted, elevated road）</translation>
     </message>
     <message>
         <source>Faults</source>
-        <translation type="unfinished"></translation>
+        <translation>不具合</translation>
     </message>
     <message>
         <source>Faults of real surveys to put in, with commas between them: steps (in the trajectories), stops (a long wait), ghosts (points below the road), rings (lasers that differ), ground (heights of the airborne points that are off), rails (and decks), driveways (lowered kerbs), paint (worn and patched), surface (wet and concrete stretches). Without any the city is as ever.</source>
-        <translation type="unfinished"></translation>
+        <translation>実際の計測に見られる不具合を、コンマ区切りで加えます：steps（軌跡の段差）、stops（長い停車）、ghosts（路面より下の点）、rings（特性の異なるレーザ）、ground（航空レーザ点の標高のずれ）、rails（レールと床版）、driveways（縁石の切下げ）、paint（摩耗や補修のある塗装）、surface（濡れた区間とコンクリート区間）。指定しなければ通常の都市です。</translation>
     </message>
     <message>
         <source>Workers</source>
-        <translation type="unfinished"></translation>
+        <translation>並列数</translation>
     </message>
     <message>
         <source>Number of sensors that measure at the same time. The result does not depend on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>同時に計測するセンサの数です。結果には影響しません。</translation>
     </message>
     <message>
         <source>Sample city</source>
-        <translation type="unfinished"></translation>
+        <translation>サンプル都市</translation>
     </message>
     <message>
         <source>A new or empty folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>新規または空のフォルダを指定します。</translation>
     </message>
     <message>
         <source>ALS points, unclassified</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点群（未分類）</translation>
     </message>
     <message>
         <source>ALS points, classified</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点群（分類済み）</translation>
     </message>
     <message>
         <source>Official outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>公的な建物外周線</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラ</translation>
     </message>
     <message>
         <source>Exterior orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>外部標定要素</translation>
     </message>
     <message>
         <source>Conventional orthophoto</source>
-        <translation type="unfinished"></translation>
+        <translation>従来のオルソ画像</translation>
     </message>
     <message>
         <source>Mobile survey 1</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測1</translation>
     </message>
     <message>
         <source>Trajectory of survey 1, as reported</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測1の軌跡（補正前）</translation>
     </message>
     <message>
         <source>Mobile survey 2</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測2</translation>
     </message>
     <message>
         <source>Trajectory of survey 2, as reported</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測2の軌跡（補正前）</translation>
     </message>
     <message>
         <source>Calibration of the mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の校正値</translation>
     </message>
     <message>
         <source>Aerial frames</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真</translation>
     </message>
     <message>
         <source>GNSS observations</source>
-        <translation type="unfinished"></translation>
+        <translation>GNSS観測データ</translation>
     </message>
     <message>
         <source>Line scans and line images</source>
-        <translation type="unfinished"></translation>
+        <translation>ライン測距データとライン画像</translation>
     </message>
     <message>
         <source>Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>真値</translation>
     </message>
     <message>
         <source>Number of buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の数です。</translation>
     </message>
     <message>
         <source>Buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物</translation>
     </message>
     <message>
         <source>Number of airborne laser points.</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点の数です。</translation>
     </message>
     <message>
         <source>ALS points</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点</translation>
     </message>
     <message>
         <source>Number of points of both mobile surveys.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの移動計測の点の合計数です。</translation>
     </message>
     <message>
         <source>MMS points</source>
-        <translation type="unfinished"></translation>
+        <translation>MMS点</translation>
     </message>
     <message>
         <source>Orthophotos</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像</translation>
     </message>
     <message>
         <source>Two or more rasters of the same ground, grey or red, green, blue, of 8 or 16 bit. The result lies on the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ範囲の2枚以上のラスタです。グレーまたは赤・緑・青で、8または16ビットです。結果は1枚目の画素に合わせます。</translation>
     </message>
     <message>
         <source>Vehicle filter</source>
-        <translation type="unfinished"></translation>
+        <translation>車両の除去</translation>
     </message>
     <message>
         <source>Majority vote: what most of them agree on, which also keeps dark vehicles from winning over paint. Darkest: the one with the lowest sum of channels. Paper: darkest without gain compensation. (vote, darkest, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>vote：多数決で、大半の画像が一致する値をとります。暗い車両が塗装より優先されることも防ぎます。darkest：チャンネルの和が最小の画像をとります。paper：輝度補正なしの最小輝度合成です。（vote, darkest, paper）</translation>
     </message>
     <message>
         <source>Gain compensation</source>
-        <translation type="unfinished"></translation>
+        <translation>輝度補正</translation>
     </message>
     <message>
         <source>Bring all to one brightness and contrast before they are compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>比較の前に、すべての画像の明るさとコントラストをそろえます。</translation>
     </message>
     <message>
         <source>Number of buildings or tiles worked on at the same time. The result does not depend on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>同時に処理する建物またはタイルの数です。結果には影響しません。</translation>
     </message>
     <message>
         <source>Dask scheduler</source>
-        <translation type="unfinished"></translation>
+        <translation>Daskスケジューラ</translation>
     </message>
     <message>
         <source>Address of a Dask cluster that shares the work instead of workers on this machine, such as tcp://host:8786. The result does not depend on it. Inputs, outputs and temporary files must be on storage that all its machines see.</source>
-        <translation type="unfinished"></translation>
+        <translation>このコンピュータの並列処理の代わりに処理を分担するDaskクラスタのアドレスです（例：tcp://host:8786）。結果には影響しません。入力、出力、一時ファイルは、クラスタのすべてのコンピュータから見える場所に置いてください。</translation>
     </message>
     <message>
         <source>Orthophoto</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像</translation>
     </message>
     <message>
         <source>Without moving vehicles; 0 where there is no data.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行車両を除いた画像です。データのない所は0です。</translation>
     </message>
     <message>
         <source>Share of the pixels that hold an image, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像のある画素の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Share with data</source>
-        <translation type="unfinished"></translation>
+        <translation>データのある割合</translation>
     </message>
     <message>
         <source>Shifts between images</source>
-        <translation type="unfinished"></translation>
+        <translation>画像間のずれ</translation>
     </message>
     <message>
         <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than half a pixel apart have the status “apart”; “height” where only the height of what stands there may displace them, as no surface (DSM) tells.</source>
-        <translation type="unfinished"></translation>
+        <translation>重なる2枚の画像の両方に写る路面標示上の点です。1枚目に対する2枚目のずれ（m、東・北、1か所の標準偏差）と、画像対の中央値およびその標準偏差を持ちます。半画素を超えてずれている画像対の状態は「apart」です。表層（DSM）がないため、そこにある物の高さだけで倒れ込みが生じた可能性のある所は「height」です。</translation>
     </message>
     <message>
         <source>Largest distance between the same road markings in two overlapping images that no height of what they show explains, median over their places; no value where none are seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>重なる2枚の画像で、同じ路面標示のずれのうち、写っている物の高さでは説明できないものの最大値（各箇所の中央値）です。ずれが見られない場合は値がありません。</translation>
     </message>
     <message>
         <source>Maximum shift</source>
-        <translation type="unfinished"></translation>
+        <translation>最大のずれ</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>写真</translation>
     </message>
     <message>
         <source>Images (*.tif *.tiff *.jpg *.jpeg *.TIF *.TIFF *.JPG *.JPEG)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 (*.tif *.tiff *.jpg *.jpeg *.TIF *.TIFF *.JPG *.JPEG)</translation>
     </message>
     <message>
         <source>The image: TIFF or JPEG, 8 or 16 bit.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像ファイルです。TIFFまたはJPEG、8または16ビットです。</translation>
     </message>
     <message>
         <source>Camera (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラ (*.json)</translation>
     </message>
     <message>
         <source>JSON with focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm and distortion, if there is any.</source>
-        <translation type="unfinished"></translation>
+        <translation>focal_length_mm、pixel_pitch_mm、image_width、image_height、principal_point_mmと、歪みがあればdistortionを持つJSONです。</translation>
     </message>
     <message>
         <source>Table (*.csv *.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>表 (*.csv *.txt)</translation>
     </message>
     <message>
         <source>CSV with the columns image, x, y, z, omega, phi, kappa; the frame is found by its file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>image, x, y, z, omega, phi, kappaの列を持つCSVです。写真はファイル名で検索します。</translation>
     </message>
     <message>
         <source>Surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表層</translation>
     </message>
     <message>
         <source>Heights of the surface, from “Surface and ground from ALS”, in the CRS and height system of the exterior orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>「航空レーザからの表層と地表」による表層の標高です。座標参照系と標高系は外部標定要素と同じにします。</translation>
     </message>
     <message>
         <source>Ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地表</translation>
     </message>
     <message>
         <source>Heights of the ground, likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高です。条件は表層と同じです。</translation>
     </message>
     <message>
         <source>Height threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>高さのしきい値</translation>
     </message>
     <message>
         <source>Surface higher than this above the ground, in metres, is masked: more than the highest vehicle.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表からこの高さ（m）を超える表層をマスクします。最も高い車両より大きくしてください。</translation>
     </message>
     <message>
         <source>Building outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線</translation>
     </message>
     <message>
         <source>Buildings that are masked even if they are lower than the threshold or partly missing in the surface. Outlines where nothing stands are left alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>しきい値より低い建物や、表層で一部欠けている建物もマスクします。何も建っていない外周線は対象外です。</translation>
     </message>
     <message>
         <source>Low parts of buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の低い部分</translation>
     </message>
     <message>
         <source>Podiums and annexes lower than the threshold are masked too: higher than 2.5 m, wider than 4 m, within 15 m of something above the threshold.</source>
-        <translation type="unfinished"></translation>
+        <translation>しきい値より低い基壇や附属部分もマスクします。対象は、高さ2.5 m超、幅4 m超で、しきい値を超える物から15 m以内のものです。</translation>
     </message>
     <message>
         <source>Steep walls</source>
-        <translation type="unfinished"></translation>
+        <translation>急な壁</translation>
     </message>
     <message>
         <source>Walls drop from one cell of the surface to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁は表層の1セルから隣のセルへ垂直に落ちるものとします。</translation>
     </message>
     <message>
         <source>Walls at the cells' borders</source>
-        <translation type="unfinished"></translation>
+        <translation>セル境界の壁</translation>
     </message>
     <message>
         <source>Walls stand at the border between a raised cell and a low one, not at the cells' centres.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁は、セルの中心ではなく、高いセルと低いセルの境界に立つものとします。</translation>
     </message>
     <message>
         <source>Method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Refined: as set above. Paper: the triangles of the surface higher than the threshold as they are; low parts, steep walls and walls at the cells' borders are off. (refined, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>refined：上の設定に従います。paper：しきい値を超える表層の三角形をそのまま使い、低い部分、急な壁、セル境界の壁は無効です。（refined, paper）</translation>
     </message>
     <message>
         <source>Unit of the angles</source>
-        <translation type="unfinished"></translation>
+        <translation>角度の単位</translation>
     </message>
     <message>
         <source>Automatic takes degrees and stops where the angles look like gon or radians. (automatic, degrees, gon, radians)</source>
-        <translation type="unfinished"></translation>
+        <translation>automaticは度とみなし、角度がゴンまたはラジアンらしい場合は停止します。（automatic, degrees, gon, radians）</translation>
     </message>
     <message>
         <source>Order of the angles</source>
-        <translation type="unfinished"></translation>
+        <translation>角度の順序</translation>
     </message>
     <message>
         <source>R_omega R_phi R_kappa as in the papers, or the usual R_kappa R_phi R_omega of most bundle adjustments. (papers, usual)</source>
-        <translation type="unfinished"></translation>
+        <translation>papersは論文と同じR_omega R_phi R_kappa、usualは多くのバンドル調整で一般的なR_kappa R_phi R_omegaです。（papers, usual）</translation>
     </message>
     <message>
         <source>Occlusion map</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽図</translation>
     </message>
     <message>
         <source>255 = shows a building or is hidden by one, otherwise 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>255は建物が写る所、または建物に隠れる所です。それ以外は0です。</translation>
     </message>
     <message>
         <source>Share of the frame that is masked, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真のうちマスクされた割合（0～1）です。</translation>
     </message>
     <message>
         <source>Hidden share</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽の割合</translation>
     </message>
     <message>
         <source>Share of the frame that looks beyond the surface or the ground, where nothing is masked, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真のうち、表層または地表の範囲外で、何もマスクされない部分の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Share not covered</source>
-        <translation type="unfinished"></translation>
+        <translation>範囲外の割合</translation>
     </message>
     <message>
         <source>Outlines that were masked.</source>
-        <translation type="unfinished"></translation>
+        <translation>マスクされた外周線の数です。</translation>
     </message>
     <message>
         <source>Outlines with a building</source>
-        <translation type="unfinished"></translation>
+        <translation>建物のある外周線</translation>
     </message>
     <message>
         <source>Outlines near the frame in which the surface shows nothing that stands.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真の近くにあり、表層に立つ物が見られない外周線の数です。</translation>
     </message>
     <message>
         <source>Outlines without a building</source>
-        <translation type="unfinished"></translation>
+        <translation>建物のない外周線</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>写真</translation>
     </message>
     <message>
         <source>8 or 16 bit TIFF or JPEG images as the camera took them, each named in the exterior orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>撮影されたままの8または16ビットのTIFFまたはJPEG画像です。それぞれの名称が外部標定要素にある必要があります。</translation>
     </message>
     <message>
         <source>JSON file of the camera: focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラのJSONファイルです：focal_length_mm, pixel_pitch_mm, image_width, image_height, principal_point_mm, distortion。</translation>
     </message>
     <message>
         <source>Exterior orientation (*.csv *.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>外部標定要素 (*.csv *.txt)</translation>
     </message>
     <message>
         <source>CSV file image,x,y,z,omega,phi,kappa (metres, degrees).</source>
-        <translation type="unfinished"></translation>
+        <translation>CSVファイルです：image,x,y,z,omega,phi,kappa（m、度）。</translation>
     </message>
     <message>
         <source>Heights of the bare ground in metres; the mosaic has its coordinate system.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（m）です。モザイクの座標系はこれと同じになります。</translation>
     </message>
     <message>
         <source>Heights of the surface (DSM) in metres, with which hidden ground is told.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層（DSM）の標高（m）です。隠れた地表の判定に使います。</translation>
     </message>
     <message>
         <source>Ground inside them is masked too.</source>
-        <translation type="unfinished"></translation>
+        <translation>その内側の地表もマスクします。</translation>
     </message>
     <message>
         <source>Field with the buildings' height</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の高さのフィールド</translation>
     </message>
     <message>
         <source>Field of the outlines with the height above the ground in metres. Such buildings also hide what lies behind them, where the surface lacks them; without it only what the surface shows hides anything.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線のフィールドのうち、地表からの高さ（m）を持つものです。表層に建物が欠けていても、その建物の背後は隠れるものとします。指定しない場合、隠すのは表層にある物だけです。</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>解像度</translation>
     </message>
     <message>
         <source>Side of a pixel in metres; 0 for that of the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>画素の一辺（m）です。0の場合は写真の地上画素寸法とします。</translation>
     </message>
     <message>
         <source>Filter vehicles</source>
-        <translation type="unfinished"></translation>
+        <translation>車両の除去</translation>
     </message>
     <message>
         <source>Take each pixel so that moving vehicles go; otherwise from the frame that looks down most steeply.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行車両が消えるように各画素を選びます。無効の場合は、最も真下に近い向きで見る写真から選びます。</translation>
     </message>
     <message>
         <source>Majority vote: what most frames agree on, which also keeps dark vehicles from winning over paint. Darkest: the frame with the lowest sum of channels. Paper: as in the paper, darkest without gain compensation, of frames masked by their plain occlusion maps. (vote, darkest, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>vote：多数決で、大半の写真が一致する値をとります。暗い車両が塗装より優先されることも防ぎます。darkest：チャンネルの和が最小の写真をとります。paper：論文どおり、単純な遮蔽図でマスクした写真から、輝度補正なしで最も暗いものをとります。（vote, darkest, paper）</translation>
     </message>
     <message>
         <source>Bring all frames to one brightness and contrast before they are compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>比較の前に、すべての写真の明るさとコントラストをそろえます。</translation>
     </message>
     <message>
         <source>Hidden ground</source>
-        <translation type="unfinished"></translation>
+        <translation>隠れた地表</translation>
     </message>
     <message>
         <source>Ground: told by lines of sight from the ground to the frame. Frame: told by an occlusion map of each frame, which masks it before ground is taken from it, as in the paper. (ground, frame)</source>
-        <translation type="unfinished"></translation>
+        <translation>ground：地表から写真への視線で判定します。frame：論文どおり、各写真の遮蔽図で写真をマスクしてから地表を取り出します。（ground, frame）</translation>
     </message>
     <message>
         <source>Occlusion maps</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽図</translation>
     </message>
     <message>
         <source>Occlusion maps of the frames, from “Occlusion map of a frame”, one for each frame in the frames' order; they are then taken instead of being made.</source>
-        <translation type="unfinished"></translation>
+        <translation>「写真の遮蔽図」による各写真の遮蔽図です。写真と同じ順に1枚ずつ指定します。指定すると、新たに作成せずこれらを使います。</translation>
     </message>
     <message>
         <source>What stands higher than this above the ground, in metres, hides ground; vehicles should not.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表からこの高さ（m）を超える物が地表を隠します。車両は含めないようにしてください。</translation>
     </message>
     <message>
         <source>Papers: R_omega R_phi R_kappa. Usual: R_kappa R_phi R_omega, as most bundle adjustments write. (papers, usual)</source>
-        <translation type="unfinished"></translation>
+        <translation>papers：R_omega R_phi R_kappa。usual：多くのバンドル調整と同じR_kappa R_phi R_omega。（papers, usual）</translation>
     </message>
     <message>
         <source>Automatic: degrees, and an error where they look otherwise. (automatic, degrees, gon, radians)</source>
-        <translation type="unfinished"></translation>
+        <translation>automatic：度とみなし、そうでないと見られる場合はエラーとします。（automatic, degrees, gon, radians）</translation>
     </message>
     <message>
         <source>Mosaic of the frames; 0 where there is no data.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真のモザイクです。データのない所は0です。</translation>
     </message>
     <message>
         <source>Frames that see the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地表が写る写真の数</translation>
     </message>
     <message>
         <source>How many frames see each pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>各画素が写っている写真の枚数です。</translation>
     </message>
     <message>
         <source>Share of the ground in the frames, outside buildings, that has an image, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真の範囲内の建物以外の地表のうち、画像のある割合（0～1）です。</translation>
     </message>
     <message>
         <source>Visible share</source>
-        <translation type="unfinished"></translation>
+        <translation>可視の割合</translation>
     </message>
     <message>
         <source>Ground in the frames, outside buildings, that no frame sees.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真の範囲内の建物以外の地表のうち、どの写真にも写らない部分です。</translation>
     </message>
     <message>
         <source>Area of holes</source>
-        <translation type="unfinished"></translation>
+        <translation>欠損部の面積</translation>
     </message>
     <message>
         <source>m²</source>
-        <translation type="unfinished"></translation>
+        <translation>m²</translation>
     </message>
     <message>
         <source>Frames that gave pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>画素が採用された写真の数です。</translation>
     </message>
     <message>
         <source>Frames used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した写真</translation>
     </message>
     <message>
         <source>Aerial image on the ground, in a projected CRS (metres or feet).</source>
-        <translation type="unfinished"></translation>
+        <translation>地上に投影された空中写真画像です。投影座標参照系（mまたはフィート）を持つ必要があります。</translation>
     </message>
     <message>
         <source>No markings are looked for inside these polygons.</source>
-        <translation type="unfinished"></translation>
+        <translation>このポリゴンの内側では路面標示を探しません。</translation>
     </message>
     <message>
         <source>Hidden areas</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽域</translation>
     </message>
     <message>
         <source>Raster that is above 0 where the ground is not seen, such as an occlusion mask. Its cells may differ from the orthophoto's.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表が見えない所で0より大きいラスタです（遮蔽マスクなど）。セルはオルソ画像と異なってもかまいません。</translation>
     </message>
     <message>
         <source>Roads</source>
-        <translation type="unfinished"></translation>
+        <translation>道路</translation>
     </message>
     <message>
         <source>Markings are looked for only inside these polygons; without them, everywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>このポリゴンの内側だけで路面標示を探します。指定しない場合は全域で探します。</translation>
     </message>
     <message>
         <source>Ground heights in metres, in the orthophoto's CRS: gives the polygons their heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像の座標参照系での地表の標高（m）です。ポリゴンに標高を与えます。</translation>
     </message>
     <message>
         <source>Profile: paint must stand out from the road on both sides, and what is no paint is left out. Paper: the plain adaptive Gaussian threshold of the grey image after a level adjustment, as in the paper; only block size and contrast matter then. (profile, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>profile：塗装が両側の路面より明るいことを条件とし、塗装でないものを除きます。paper：論文どおり、レベル補正後のグレー画像に適応的閾値処理だけを行います。この場合はブロックサイズとコントラストだけが有効です。（profile, paper）</translation>
     </message>
     <message>
         <source>Block size</source>
-        <translation type="unfinished"></translation>
+        <translation>ブロックサイズ</translation>
     </message>
     <message>
         <source>Side of the block over which the mean is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>平均をとるブロックの一辺です。</translation>
     </message>
     <message>
         <source>Contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>コントラスト</translation>
     </message>
     <message>
         <source>grey values</source>
-        <translation type="unfinished"></translation>
+        <translation>階調</translation>
     </message>
     <message>
         <source>How much brighter than the mean paint is, in grey values of an image that goes from 0 to 255 after the level adjustment, whatever its bit depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>塗装が平均よりどれだけ明るいかを、画像のビット数によらず、レベル補正後の0～255の階調値で指定します。</translation>
     </message>
     <message>
         <source>Clean</source>
-        <translation type="unfinished"></translation>
+        <translation>塗装以外の除去</translation>
     </message>
     <message>
         <source>Leave out what is no paint by its width, contrast on both sides, shape and surroundings; without it all stays that is brighter by the contrast than the block.</source>
-        <translation type="unfinished"></translation>
+        <translation>幅、両側のコントラスト、形状、周囲の状況から、塗装でないものを除きます。無効の場合は、ブロックよりコントラスト分だけ明るいものをすべて残します。</translation>
     </message>
     <message>
         <source>Maximum stroke width</source>
-        <translation type="unfinished"></translation>
+        <translation>線の最大幅</translation>
     </message>
     <message>
         <source>What is wider than this in every direction is no paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>どの方向にもこれより幅の広いものは塗装とみなしません。</translation>
     </message>
     <message>
         <source>Minimum marking area</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の最小面積</translation>
     </message>
     <message>
         <source>Smaller pieces are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより小さいものは除きます。</translation>
     </message>
     <message>
         <source>Minimum confidence</source>
-        <translation type="unfinished"></translation>
+        <translation>最小信頼度</translation>
     </message>
     <message>
         <source>Markings (parts of long ones) with less confidence that they are paint on a road, 0 to 1, are left out: those on textured or coloured ground such as grass and earth, and faint ones. 0 keeps all. Where roads are given, the ground needs no proof.</source>
-        <translation type="unfinished"></translation>
+        <translation>路上の塗装としての信頼度（0～1）がこれより低い路面標示（長いものはその一部）を除きます。草地や土など模様や色のある地面の上のものと、薄いものが対象です。0の場合はすべて残します。道路を指定した所では、地面の確認は行いません。</translation>
     </message>
     <message>
         <source>Width of filled paint</source>
-        <translation type="unfinished"></translation>
+        <translation>塗りつぶし塗装の幅</translation>
     </message>
     <message>
         <source>Paint up to this width, such as arrow heads and letters, is filled between its edges; at most the maximum stroke width fills nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印の先端や文字など、この幅までの塗装は縁と縁の間を塗りつぶします。線の最大幅以下の値では塗りつぶしません。</translation>
     </message>
     <message>
         <source>Points of “Orthorectify frames” that tell how far the frames of this orthophoto disagree; shown in the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>「写真のオルソ補正」による点で、このオルソ画像の写真間の不一致の大きさを示します。報告書に表示します。</translation>
     </message>
     <message>
         <source>Raster of “Orthorectify frames”; shown in the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>「写真のオルソ補正」によるラスタです。報告書に表示します。</translation>
     </message>
     <message>
         <source>Note for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書の注記</translation>
     </message>
     <message>
         <source>Text that the report shows with its settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書に設定とともに表示する文章です。</translation>
     </message>
     <message>
         <source>Levels</source>
-        <translation type="unfinished"></translation>
+        <translation>レベル</translation>
     </message>
     <message>
         <source>Low, high, middle and noise of the brightness of the image that this one is a part of; a run over tiles gives them. Left out: of this image itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>この画像を含む元の画像の明るさの下限、上限、中央、ノイズです。タイル処理で設定されます。省略した場合はこの画像自体の値を使います。</translation>
     </message>
     <message>
         <source>Marking mask</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示マスク</translation>
     </message>
     <message>
         <source>255 where there is a marking, otherwise 0; pixels as the orthophoto's.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示のある所は255、それ以外は0です。画素はオルソ画像と同じです。</translation>
     </message>
     <message>
         <source>Road markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示</translation>
     </message>
     <message>
         <source>Outlines of the markings, with area (m2), length and width of the stroke (m), mean contrast (grey values), colour and confidence (0 to 1).</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の輪郭です。面積（m2）、線の長さと幅（m）、平均コントラスト（階調値）、色、信頼度（0～1）を持ちます。</translation>
     </message>
     <message>
         <source>Report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書</translation>
     </message>
     <message>
         <source>HTML report (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書 (*.html)</translation>
     </message>
     <message>
         <source>HTML report: numbers and areas, shifts between frames, coverage, pictures of the markings over the orthophoto, and what to distrust.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書です。個数と面積、写真間のずれ、被覆率、オルソ画像に重ねた路面標示の図、信頼できない箇所を示します。</translation>
     </message>
     <message>
         <source>Number of polygons.</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴンの数です。</translation>
     </message>
     <message>
         <source>Markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示</translation>
     </message>
     <message>
         <source>Area of the mask's markings.</source>
-        <translation type="unfinished"></translation>
+        <translation>マスクの路面標示の面積です。</translation>
     </message>
     <message>
         <source>Marked area</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の面積</translation>
     </message>
     <message>
         <source>Area in which markings could be found.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の検出が可能な範囲の面積です。</translation>
     </message>
     <message>
         <source>Searched area</source>
-        <translation type="unfinished"></translation>
+        <translation>探索面積</translation>
     </message>
     <message>
         <source>Point clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>点群</translation>
     </message>
     <message>
         <source>One or several LAS, LAZ or COPC files in one projected coordinate system, heights in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ投影座標系の1つまたは複数のLAS、LAZまたはCOPCファイルです。標高の単位はmです。</translation>
     </message>
     <message>
         <source>Side of a raster cell in metres. Finer than the distance between points shows nothing more.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタのセルの一辺（m）です。点間隔より細かくしても情報は増えません。</translation>
     </message>
     <message>
         <source>Ground points</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面点</translation>
     </message>
     <message>
         <source>How ground points are told. Automatic: by class where at least 1 % of the points have a ground class, otherwise by the cloth filter. (automatic, classes, cloth)</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面点の判定方法です。automaticは、1 %以上の点が地表面クラスを持つ場合はクラスにより、それ以外は布シミュレーションフィルタによります。（automatic, classes, cloth）</translation>
     </message>
     <message>
         <source>Cloth resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>布の解像度</translation>
     </message>
     <message>
         <source>Distance in metres between the nodes of the cloth. Smaller follows the ground closer; larger spans more.</source>
-        <translation type="unfinished"></translation>
+        <translation>布の節点の間隔（m）です。小さいほど地表によく沿い、大きいほど広い隙間をまたぎます。</translation>
     </message>
     <message>
         <source>Cloth threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>布のしきい値</translation>
     </message>
     <message>
         <source>Points within this height, in metres, above or below the cloth are ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>布の上下この高さ（m）以内の点を地表面点とします。</translation>
     </message>
     <message>
         <source>Cloth iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>布の反復回数</translation>
     </message>
     <message>
         <source>Maximum number of sweeps on each level of detail; the cloth stops earlier when it has converged.</source>
-        <translation type="unfinished"></translation>
+        <translation>各詳細度での最大反復回数です。収束すればそれより早く終わります。</translation>
     </message>
     <message>
         <source>Cloth rigidness</source>
-        <translation type="unfinished"></translation>
+        <translation>布の剛性</translation>
     </message>
     <message>
         <source>3 for towns and large buildings, 2 for hills, 1 for steep mountains.</source>
-        <translation type="unfinished"></translation>
+        <translation>市街地と大きな建物は3、丘陵は2、急峻な山地は1です。</translation>
     </message>
     <message>
         <source>Maximum edge length</source>
-        <translation type="unfinished"></translation>
+        <translation>辺の最大長</translation>
     </message>
     <message>
         <source>Triangles of the surface with a longer side in plan, in metres, are left out, so that water and gaps stay empty; 0 keeps all.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面でこれより長い辺（m）を持つ表層の三角形を除き、水面や欠測部を空けておきます。0の場合はすべて残します。</translation>
     </message>
     <message>
         <source>Ground in gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>欠測部の地表</translation>
     </message>
     <message>
         <source>Where triangles were left out, the surface takes the height of the ground instead of staying empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形を除いた所を空けずに、表層に地表の標高を与えます。</translation>
     </message>
     <message>
         <source>CRS of the point clouds</source>
-        <translation type="unfinished"></translation>
+        <translation>点群の座標参照系</translation>
     </message>
     <message>
         <source>Projected coordinate system in metres of files that state none; those that state one keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系の記載がないファイルの投影座標系（単位m）です。記載のあるファイルはそれに従います。</translation>
     </message>
     <message>
         <source>Heights of the surface (DSM) in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層（DSM）の標高（m）です。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres, without gaps inside the surface's outline.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（m）です。表層の範囲内に欠測はありません。</translation>
     </message>
     <message>
         <source>Surface mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>表層メッシュ</translation>
     </message>
     <message>
         <source>PLY mesh (*.ply)</source>
-        <translation type="unfinished"></translation>
+        <translation>PLYメッシュ (*.ply)</translation>
     </message>
     <message>
         <source>The triangles of the surface as binary PLY, which QGIS opens as a mesh layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層の三角形をバイナリPLYで出力します。QGISではメッシュレイヤとして開けます。</translation>
     </message>
     <message>
         <source>All points in the files.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル内のすべての点の数です。</translation>
     </message>
     <message>
         <source>Points read</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込んだ点</translation>
     </message>
     <message>
         <source>Points that are not noise or withheld.</source>
-        <translation type="unfinished"></translation>
+        <translation>ノイズおよび除外フラグのない点の数です。</translation>
     </message>
     <message>
         <source>Points used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した点</translation>
     </message>
     <message>
         <source>Ground points as a share of the points used, 0 to 1; no value without a ground raster.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した点のうち地表面点の割合（0～1）です。地表のラスタがない場合は値がありません。</translation>
     </message>
     <message>
         <source>Ground share</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面点の割合</translation>
     </message>
     <message>
         <source>Share of the surface's cells without a height, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層のセルのうち標高のないものの割合（0～1）です。</translation>
     </message>
     <message>
         <source>Empty share</source>
-        <translation type="unfinished"></translation>
+        <translation>空白の割合</translation>
     </message>
     <message>
         <source>Share of the cells in triangles with a side of 10 m or more, where the surface is a guess, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>10 m以上の辺を持つ三角形内のセルの割合（0～1）です。そこでは表層は推定にすぎません。</translation>
     </message>
     <message>
         <source>Share far from points</source>
-        <translation type="unfinished"></translation>
+        <translation>点から遠い割合</translation>
     </message>
     <message>
         <source>Triangles of the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層の三角形の数です。</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形</translation>
     </message>
     <message>
         <source>Those longer than the longest edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>辺の最大長を超える三角形の数です。</translation>
     </message>
     <message>
         <source>Triangles left out</source>
-        <translation type="unfinished"></translation>
+        <translation>除いた三角形</translation>
     </message>
     <message>
         <source>The drives: LAS, LAZ or COPC files with intensities and GPS times, or their markings as “Road markings of a mobile survey” writes them. Each file belongs to the trajectory along which it was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>各走行のデータです。反射強度とGPS時刻を持つLAS、LAZまたはCOPCファイル、または「移動計測の路面標示」が出力した路面標示を指定します。各ファイルは、計測時の軌跡に対応付けます。</translation>
     </message>
     <message>
         <source>Trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡</translation>
     </message>
     <message>
         <source>The trajectory of each drive, with which its points were placed: CSV time,x,y,z,roll,pitch,heading, SBET, or point layers.</source>
-        <translation type="unfinished"></translation>
+        <translation>各走行の点の座標付けに使った軌跡です。CSV time,x,y,z,roll,pitch,heading、SBET、または点レイヤを指定します。</translation>
     </message>
     <message>
         <source>Angles of the trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の角度</translation>
     </message>
     <message>
         <source>How roll, pitch and heading of tables and layers are counted: degrees or radians, headings clockwise from grid north or counter-clockwise from east. SBET says it itself. (degrees, radians, degrees_from_east, radians_from_east)</source>
-        <translation type="unfinished"></translation>
+        <translation>表とレイヤのroll、pitch、headingの表し方です。度またはラジアンで、方位は座標北から時計回り、または東から反時計回りです。SBETでは指定不要です。（degrees, radians, degrees_from_east, radians_from_east）</translation>
     </message>
     <message>
         <source>Geoid model</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイドモデル</translation>
     </message>
     <message>
         <source>Geoid model (*.tif *.tiff *.gtx *.asc *.isg);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイドモデル (*.tif *.tiff *.gtx *.asc *.isg);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights above the ellipsoid: with it the ellipsoidal heights of SBET become heights above sea level, as those of the points must be.</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円体からのジオイド高のGeoTIFF、GTX、または国土地理院のテキスト格子（.asc, .isg）です。これによりSBETの楕円体高を標高に変換します。点の高さも標高である必要があります。</translation>
     </message>
     <message>
         <source>Height of the geoid</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイド高</translation>
     </message>
     <message>
         <source>One height above the ellipsoid for all places, instead of a model.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの代わりに、すべての場所に適用する1つのジオイド高です。</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校正値</translation>
     </message>
     <message>
         <source>Calibration (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>校正値 (*.json)</translation>
     </message>
     <message>
         <source>JSON file of the scanners' (and cameras') lever arms and angles on the vehicle.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両上のスキャナ（およびカメラ）のレバーアームと取付角のJSONファイルです。</translation>
     </message>
     <message>
         <source>Control points</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点・検証点</translation>
     </message>
     <message>
         <source>CSV or layer with the columns id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when the survey measured it, GPS seconds, and where it lies in the survey). Heights may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>id,x,y,z（点の正しい位置、m）とtime,x_mms,y_mms,z_mms（計測時刻（GPS秒）と計測データ上の位置）の列を持つCSVまたはレイヤです。高さはなくてもかまいません。</translation>
     </message>
     <message>
         <source>Coordinate reference system</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系</translation>
     </message>
     <message>
         <source>Coordinate reference system of the control points, where their layer does not say it (CSV). It is needed for SBET trajectories.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点・検証点のレイヤに記載がない場合（CSV）の座標参照系です。SBETの軌跡では必須です。</translation>
     </message>
     <message>
         <source>Reference markings</source>
-        <translation type="unfinished"></translation>
+        <translation>基準の路面標示</translation>
     </message>
     <message>
         <source>The reference: a raster whose cells are above 0 where there is paint, or marking polygons. “Road markings from orthophoto” makes both.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準データです。塗装のある所でセルが0より大きいラスタ、または路面標示のポリゴンを指定します。どちらも「オルソ画像からの路面標示」で作成できます。</translation>
     </message>
     <message>
         <source>Ground elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高</translation>
     </message>
     <message>
         <source>Heights of the ground in metres, for the reference markings.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準の路面標示に与える地表の標高（m）です。</translation>
     </message>
     <message>
         <source>Accuracy of control in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点の水平精度</translation>
     </message>
     <message>
         <source>Standard deviation of control points and of their measurement in the survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点と、計測データ上でのその測定の標準偏差です。</translation>
     </message>
     <message>
         <source>Accuracy of control in height</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点の高さの精度</translation>
     </message>
     <message>
         <source>The same in height.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さについての同様の値です。</translation>
     </message>
     <message>
         <source>Maximum error</source>
-        <translation type="unfinished"></translation>
+        <translation>最大誤差</translation>
     </message>
     <message>
         <source>How far drives may lie apart in plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行間の水平位置のずれの最大値です。</translation>
     </message>
     <message>
         <source>Ties by planes</source>
-        <translation type="unfinished"></translation>
+        <translation>平面による結合</translation>
     </message>
     <message>
         <source>Facades and road that two drives saw tie them too, across the facades and in height. Markings alone carry no planes.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの走行の両方で計測された壁面と路面でも、壁面の法線方向と高さについて走行を結合します。路面標示だけの点群には平面がありません。</translation>
     </message>
     <message>
         <source>Corrected trajectories</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の軌跡</translation>
     </message>
     <message>
         <source>Folder in which each trajectory is written under its own name.</source>
-        <translation type="unfinished"></translation>
+        <translation>各軌跡を元の名称で書き出すフォルダです。</translation>
     </message>
     <message>
         <source>Ties</source>
-        <translation type="unfinished"></translation>
+        <translation>結合点</translation>
     </message>
     <message>
         <source>One point an observation: its residual (m), its standard deviation and the weight that it kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>観測ごとに1点です。残差（m）、標準偏差、最終的な重みを持ちます。</translation>
     </message>
     <message>
         <source>Corrections</source>
-        <translation type="unfinished"></translation>
+        <translation>補正量</translation>
     </message>
     <message>
         <source>Points along the corrected paths, with correction, standard deviations and status.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の軌跡に沿う点です。補正量、標準偏差、状態を持ちます。</translation>
     </message>
     <message>
         <source>Residuals by kind, corrections and their uncertainty, what to distrust.</source>
-        <translation type="unfinished"></translation>
+        <translation>種類別の残差、補正量とその不確かさ、信頼できない箇所を示します。</translation>
     </message>
     <message>
         <source>Number of ties between drives.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行間の結合点の数です。</translation>
     </message>
     <message>
         <source>Number of ties by facades and road.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面と路面による結合の数です。</translation>
     </message>
     <message>
         <source>Of their residuals.</source>
-        <translation type="unfinished"></translation>
+        <translation>結合の残差についての値です。</translation>
     </message>
     <message>
         <source>RMS of ties in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>結合の水平残差のRMS</translation>
     </message>
     <message>
         <source>In plan, over all drives.</source>
-        <translation type="unfinished"></translation>
+        <translation>全走行の水平位置についての値です。</translation>
     </message>
     <message>
         <source>Median standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>標準偏差の中央値</translation>
     </message>
     <message>
         <source>1 where nothing fixes the place of the drives, otherwise 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行の位置を固定するものがない場合は1、それ以外は0です。</translation>
     </message>
     <message>
         <source>Relative only</source>
-        <translation type="unfinished"></translation>
+        <translation>相対位置のみ</translation>
     </message>
     <message>
         <source>The survey: one or several LAS, LAZ or COPC files with GPS times, as the reported trajectory places it.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データです。GPS時刻を持ち、補正前の軌跡で座標付けされた1つまたは複数のLAS、LAZまたはCOPCファイルを指定します。</translation>
     </message>
     <message>
         <source>Reported trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の軌跡</translation>
     </message>
     <message>
         <source>Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡 (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>The trajectory with which the survey was placed: CSV time,x,y,z,roll,pitch,heading, SBET, or a point layer with these fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの座標付けに使った軌跡です。CSV time,x,y,z,roll,pitch,heading、SBET、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
         <source>Corrected trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の軌跡</translation>
     </message>
     <message>
         <source>The same after the correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の同じ軌跡です。</translation>
     </message>
     <message>
         <source>Image poses</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の位置姿勢</translation>
     </message>
     <message>
         <source>Image poses (*.csv *.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の位置姿勢 (*.csv *.txt)</translation>
     </message>
     <message>
         <source>CSV id,time,x,y,z,roll,pitch,heading of the survey's images.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測画像のCSV id,time,x,y,z,roll,pitch,headingです。</translation>
     </message>
     <message>
         <source>Points outside the trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の範囲外の点</translation>
     </message>
     <message>
         <source>What is done with points that were measured before the trajectory begins or after it ends: move them with its nearest pose, keep them where they are, or refuse to run. Their number is told. (move, keep, refuse)</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の開始前または終了後に計測された点の扱いです。move：最も近い位置姿勢で動かします。keep：そのままにします。refuse：処理を中止します。点の数は表示されます。（move, keep, refuse）</translation>
     </message>
     <message>
         <source>Corrected survey</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の計測データ</translation>
     </message>
     <message>
         <source>LAZ point cloud (*.laz);;LAS point cloud (*.las)</source>
-        <translation type="unfinished"></translation>
+        <translation>LAZ点群 (*.laz);;LAS点群 (*.las)</translation>
     </message>
     <message>
         <source>All points in their order, with all attributes.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての点を元の順序で、すべての属性とともに出力します。</translation>
     </message>
     <message>
         <source>Corrected image poses</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の画像の位置姿勢</translation>
     </message>
     <message>
         <source>The same rows with corrected poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ行に補正後の位置姿勢を入れたものです。</translation>
     </message>
     <message>
         <source>Points written.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出した点の数です。</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>Points measured outside the trajectory's time.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時間外に計測された点の数です。</translation>
     </message>
     <message>
         <source>Points outside</source>
-        <translation type="unfinished"></translation>
+        <translation>範囲外の点</translation>
     </message>
     <message>
         <source>Points measured in gaps of a trajectory of more than a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の1秒を超える欠測区間で計測された点の数です。</translation>
     </message>
     <message>
         <source>Points in gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>欠測区間の点</translation>
     </message>
     <message>
         <source>Mean length of the movements.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動量の平均です。</translation>
     </message>
     <message>
         <source>Mean movement</source>
-        <translation type="unfinished"></translation>
+        <translation>平均移動量</translation>
     </message>
     <message>
         <source>Maximum length of a movement.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動量の最大値です。</translation>
     </message>
     <message>
         <source>Maximum movement</source>
-        <translation type="unfinished"></translation>
+        <translation>最大移動量</translation>
     </message>
     <message>
         <source>The survey: LAS, LAZ or COPC files with GPS times and the number of the scanner as point source id. Each file belongs to the trajectory along which it was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データです。GPS時刻を持ち、スキャナ番号をpoint source idとするLAS、LAZまたはCOPCファイルを指定します。各ファイルは、計測時の軌跡に対応付けます。</translation>
     </message>
     <message>
         <source>Difference of tilts</source>
-        <translation type="unfinished"></translation>
+        <translation>傾きの差</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>度</translation>
     </message>
     <message>
         <source>Standard deviation by which roll and pitch of the trajectory differ from pass to pass.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行パス間での軌跡のrollとpitchの差の標準偏差です。</translation>
     </message>
     <message>
         <source>Difference of headings</source>
-        <translation type="unfinished"></translation>
+        <translation>方位の差</translation>
     </message>
     <message>
         <source>The same of the heading.</source>
-        <translation type="unfinished"></translation>
+        <translation>方位についての同様の値です。</translation>
     </message>
     <message>
         <source>Corrected calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の校正値</translation>
     </message>
     <message>
         <source>The calibration file with corrected values; for each its standard deviation, or that it is not determined.</source>
-        <translation type="unfinished"></translation>
+        <translation>値を補正した校正ファイルです。各値に、標準偏差、または決定できないことを記します。</translation>
     </message>
     <message>
         <source>Table: scanner, parameter, correction, standard deviation, status.</source>
-        <translation type="unfinished"></translation>
+        <translation>表：スキャナ、パラメータ、補正量、標準偏差、状態。</translation>
     </message>
     <message>
         <source>Corrections with their standard deviations, and how far planes lie apart before and after.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正量と標準偏差、および補正前後の平面間のずれを示します。</translation>
     </message>
     <message>
         <source>Planes that were compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>比較した平面の数です。</translation>
     </message>
     <message>
         <source>Pairs of planes</source>
-        <translation type="unfinished"></translation>
+        <translation>平面の組</translation>
     </message>
     <message>
         <source>Distance between planes before, trajectories corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の平面間の距離です（軌跡は補正済み）。</translation>
     </message>
     <message>
         <source>RMS before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前のRMS</translation>
     </message>
     <message>
         <source>Distance between planes after.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の平面間の距離です。</translation>
     </message>
     <message>
         <source>RMS after</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後のRMS</translation>
     </message>
     <message>
         <source>Number of values that are determined.</source>
-        <translation type="unfinished"></translation>
+        <translation>決定された値の数です。</translation>
     </message>
     <message>
         <source>Determined</source>
-        <translation type="unfinished"></translation>
+        <translation>決定された値</translation>
     </message>
     <message>
         <source>The same after a correction. Without it the survey is measured as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の同じ軌跡です。指定しない場合は、計測データをそのまま評価します。</translation>
     </message>
     <message>
         <source>Residuals</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
     <message>
         <source>One point at each control point, with the error before and after (m, east, north, up, in plan and in space).</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点ごとに1点です。補正前後の誤差（m、東・北・上、水平、3次元）を持ちます。</translation>
     </message>
     <message>
         <source>Figures, errors over time, the worst points.</source>
-        <translation type="unfinished"></translation>
+        <translation>数値、誤差の時間変化、誤差の大きい点を示します。</translation>
     </message>
     <message>
         <source>Mean error in plan at the control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での水平誤差の平均です。</translation>
     </message>
     <message>
         <source>Mean error in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平誤差の平均</translation>
     </message>
     <message>
         <source>Maximum error in plan at the control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での水平誤差の最大値です。</translation>
     </message>
     <message>
         <source>Maximum error in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平誤差の最大値</translation>
     </message>
     <message>
         <source>Standard deviation of errors in plan at the control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での水平誤差の標準偏差です。</translation>
     </message>
     <message>
         <source>Standard deviation of errors in plan</source>
-        <translation type="unfinished"></translation>
+        <translation>水平誤差の標準偏差</translation>
     </message>
     <message>
         <source>Mean error in space at the control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での3次元誤差の平均です。</translation>
     </message>
     <message>
         <source>Mean error in space</source>
-        <translation type="unfinished"></translation>
+        <translation>3次元誤差の平均</translation>
     </message>
     <message>
         <source>Maximum error in space at the control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での3次元誤差の最大値です。</translation>
     </message>
     <message>
         <source>Maximum error in space</source>
-        <translation type="unfinished"></translation>
+        <translation>3次元誤差の最大値</translation>
     </message>
     <message>
         <source>Standard deviation of errors in space at the control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での3次元誤差の標準偏差です。</translation>
     </message>
     <message>
         <source>Standard deviation of errors in space</source>
-        <translation type="unfinished"></translation>
+        <translation>3次元誤差の標準偏差</translation>
     </message>
     <message>
         <source>Those measured during the survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測時間中に観測された検証点の数です。</translation>
     </message>
     <message>
         <source>Control points used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した検証点</translation>
     </message>
     <message>
         <source>Distance in metres between the nodes of the cloth. Larger ones do not follow the ground well.</source>
-        <translation type="unfinished"></translation>
+        <translation>布の節点の間隔（m）です。大きすぎると地表によく沿いません。</translation>
     </message>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>反復回数</translation>
     </message>
     <message>
         <source>Maximum number of sweeps on each level of detail; it stops earlier when the cloth has converged.</source>
-        <translation type="unfinished"></translation>
+        <translation>各詳細度での最大反復回数です。布が収束すればそれより早く終わります。</translation>
     </message>
     <message>
         <source>Threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>しきい値</translation>
     </message>
     <message>
         <source>Minimum ground share</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面点の最小割合</translation>
     </message>
     <message>
         <source>A smaller share of ground among the points, 0 to 1, is refused: it shows that the filter has failed. 0 accepts every share.</source>
-        <translation type="unfinished"></translation>
+        <translation>点のうち地表面点の割合（0～1）がこれより小さい場合は、フィルタの失敗とみなして処理を中止します。0の場合はどの割合でも受け入れます。</translation>
     </message>
     <message>
         <source>Classified points</source>
-        <translation type="unfinished"></translation>
+        <translation>分類済みの点</translation>
     </message>
     <message>
         <source>All points; ground has class 2, what was undecided and is no ground class 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての点です。地表面はクラス2、判定されず地表面でないものはクラス1です。</translation>
     </message>
     <message>
         <source>Points of class 2 in the result.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果のうちクラス2の点の数です。</translation>
     </message>
     <message>
         <source>Ground points as a share of the points used, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した点のうち地表面点の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Passes through the same place that were filtered apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ場所を通り、別々にフィルタ処理した走行パスの数です。</translation>
     </message>
     <message>
         <source>Passes</source>
-        <translation type="unfinished"></translation>
+        <translation>走行パス</translation>
     </message>
     <message>
         <source>Trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡</translation>
     </message>
     <message>
         <source>Where the vehicle was: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees), Applanix SBET, or a point layer with these fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両の位置です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度）、Applanix SBET、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
         <source>The same epochs in the format of the trajectory given.</source>
-        <translation type="unfinished"></translation>
+        <translation>元の軌跡と同じ形式、同じエポックで出力します。</translation>
     </message>
     <message>
         <source>A survey (LAS, LAZ or COPC with intensities and GPS times) or, faster, its markings as “Road markings of a mobile survey” writes them.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データ（反射強度とGPS時刻を持つLAS、LAZまたはCOPC）です。「移動計測の路面標示」が出力した路面標示を指定すると、より速く処理できます。</translation>
     </message>
     <message>
         <source>Where the vehicle was: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees; with sd_roll,sd_pitch,sd_heading where their accuracy is known), Applanix SBET (with its smrmsg file beside it), or a point layer with these fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両の位置です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度。精度が分かる場合はsd_roll,sd_pitch,sd_headingも）、Applanix SBET（smrmsgファイルを同じ場所に置く）、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres, in the height system of the survey. With it the correction is in space.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データと同じ標高系での地表の標高（m）です。指定すると3次元で補正します。</translation>
     </message>
     <message>
         <source>Patch length</source>
-        <translation type="unfinished"></translation>
+        <translation>パッチ長</translation>
     </message>
     <message>
         <source>Length of path that counts as rigid.</source>
-        <translation type="unfinished"></translation>
+        <translation>剛体とみなす経路の長さです。</translation>
     </message>
     <message>
         <source>Minimum window length</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウの最小長</translation>
     </message>
     <message>
         <source>patches</source>
-        <translation type="unfinished"></translation>
+        <translation>パッチ</translation>
     </message>
     <message>
         <source>Patches of the shortest window. By default 60; 30 with the paper's method in space.</source>
-        <translation type="unfinished"></translation>
+        <translation>最も短いウィンドウのパッチ数です。既定値は60、論文の方法による3次元補正では30です。</translation>
     </message>
     <message>
         <source>Maximum window length</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウの最大長</translation>
     </message>
     <message>
         <source>Patches of the longest window, which is used as it is even where it has too few markings. By default 200; no limit with the paper's method.</source>
-        <translation type="unfinished"></translation>
+        <translation>最も長いウィンドウのパッチ数です。路面標示が足りない所でもこの長さのまま使います。既定値は200、論文の方法では無制限です。</translation>
     </message>
     <message>
         <source>Feature grid</source>
-        <translation type="unfinished"></translation>
+        <translation>特徴格子</translation>
     </message>
     <message>
         <source>Side of the cells in which markings are counted.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示を数えるセルの一辺です。</translation>
     </message>
     <message>
         <source>Feature count</source>
-        <translation type="unfinished"></translation>
+        <translation>特徴セル数</translation>
     </message>
     <message>
         <source>cells</source>
-        <translation type="unfinished"></translation>
+        <translation>セル</translation>
     </message>
     <message>
         <source>Cells with markings that a window should have. In space the paper's method counts marking points instead, 5 for each of these cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>ウィンドウに必要な、路面標示のあるセルの数です。論文の方法による3次元補正では、代わりに路面標示点を、1セルにつき5点として数えます。</translation>
     </message>
     <message>
         <source>NDT grid</source>
-        <translation type="unfinished"></translation>
+        <translation>NDT格子</translation>
     </message>
     <message>
         <source>Side of the cells of the normal distributions.</source>
-        <translation type="unfinished"></translation>
+        <translation>正規分布を求めるセルの一辺です。</translation>
     </message>
     <message>
         <source>Most steps of each adjustment.</source>
-        <translation type="unfinished"></translation>
+        <translation>各調整計算の最大反復回数です。</translation>
     </message>
     <message>
         <source>Subsampling</source>
-        <translation type="unfinished"></translation>
+        <translation>間引き</translation>
     </message>
     <message>
         <source>One point is used in each cell of this side. By default 0.1 m; 0.3 m with the paper's method.</source>
-        <translation type="unfinished"></translation>
+        <translation>この一辺のセルごとに1点を使います。既定値は0.1 m、論文の方法では0.3 mです。</translation>
     </message>
     <message>
         <source>How far off the survey may be in plan. Where the best place lies at the edge of it, or hardly beats others, twice as far is looked at. Wider than half the distance between dashes invites a slip by one dash.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの水平位置のずれの最大値です。最良の位置がその端にある場合や、他の位置との差がわずかな場合は、2倍の範囲まで調べます。破線の間隔の半分より広くすると、破線1本分ずれるおそれがあります。</translation>
     </message>
     <message>
         <source>Full, or as in the paper to the letter: windows as rigid bodies, each started from the one before, and each patch moved by the matrix of its own window; no model of the drift, no weights, no bridging. In plan as in 3.2.4, with ground heights as in chapter 4. (full, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>full：全機能を使います。paper：論文どおりで、ウィンドウを剛体とし、それぞれ直前のウィンドウの結果から始め、各パッチを自身のウィンドウの行列で動かします。ドリフトのモデル、重み、補間はありません。平面では3.2.4節、地表の標高がある場合は4章によります。（full, paper）</translation>
     </message>
     <message>
         <source>Accuracy of the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>基準の精度</translation>
     </message>
     <message>
         <source>Standard deviation of the error that all reference markings around a place share (orientation of the frames, for example): no survey can show it, so that it is part of every standard deviation. The default holds where the reference counts as true; otherwise give what control points say of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>ある場所の周囲の基準の路面標示すべてに共通する誤差（写真の標定など）の標準偏差です。計測データからは分からないため、すべての標準偏差に含めます。既定値は基準を真とみなす場合の値です。それ以外の場合は、検証点から得られた値を指定してください。</translation>
     </message>
     <message>
         <source>Accuracy of the ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の精度</translation>
     </message>
     <message>
         <source>Standard deviation of the errors that neighbouring heights of the ground share; they must not turn the vehicle. By default found from how the ground bends against the survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>隣り合う地表の標高に共通する誤差の標準偏差です。この誤差で車両の姿勢が変わらないようにします。既定では、計測データに対する地表の曲がりから求めます。</translation>
     </message>
     <message>
         <source>Accuracy of roll and pitch</source>
-        <translation type="unfinished"></translation>
+        <translation>roll・pitchの精度</translation>
     </message>
     <message>
         <source>Standard deviation of the reported roll and pitch; that of the heading is twice as large. Not used where the trajectory states its own (columns sd_roll, sd_pitch, sd_heading, or the smrmsg file beside an SBET).</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前のrollとpitchの標準偏差です。方位の標準偏差はその2倍とします。軌跡自体が精度を持つ場合（sd_roll、sd_pitch、sd_headingの列、またはSBETと同じ場所のsmrmsgファイル）は使いません。</translation>
     </message>
     <message>
         <source>Maximum trusted standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>信頼できる標準偏差の上限</translation>
     </message>
     <message>
         <source>A patch whose standard deviation in plan is larger is not to be trusted.</source>
-        <translation type="unfinished"></translation>
+        <translation>水平位置の標準偏差がこれより大きいパッチは信頼不可とします。</translation>
     </message>
     <message>
         <source>Aerial image</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真画像</translation>
     </message>
     <message>
         <source>Shown behind the markings in the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書で路面標示の背景に表示します。</translation>
     </message>
     <message>
         <source>Patches</source>
-        <translation type="unfinished"></translation>
+        <translation>パッチ</translation>
     </message>
     <message>
         <source>One point a patch at its corrected place, with correction (m, degrees), standard deviations, window, score, status and its reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>パッチごとに、補正後の位置に1点です。補正量（m、度）、標準偏差、ウィンドウ、スコア、状態とその理由を持ちます。</translation>
     </message>
     <message>
         <source>Correction and its uncertainty along the path, pictures before and after, what to distrust.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路に沿った補正量とその不確かさ、補正前後の図、信頼できない箇所を示します。</translation>
     </message>
     <message>
         <source>Length of the driven path.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行経路の長さです。</translation>
     </message>
     <message>
         <source>Path length</source>
-        <translation type="unfinished"></translation>
+        <translation>経路長</translation>
     </message>
     <message>
         <source>In plan, over the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路全体の水平位置についての値です。</translation>
     </message>
     <message>
         <source>Mean correction</source>
-        <translation type="unfinished"></translation>
+        <translation>平均補正量</translation>
     </message>
     <message>
         <source>In plan.</source>
-        <translation type="unfinished"></translation>
+        <translation>水平位置についての値です。</translation>
     </message>
     <message>
         <source>Maximum correction</source>
-        <translation type="unfinished"></translation>
+        <translation>最大補正量</translation>
     </message>
     <message>
         <source>Share of the path that is registered, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路のうち登録済みの割合（0～1）です。</translation>
     </message>
     <message>
         <source>Registered</source>
-        <translation type="unfinished"></translation>
+        <translation>登録済み</translation>
     </message>
     <message>
         <source>Share of the path that is bridged, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路のうち補間の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Bridged</source>
-        <translation type="unfinished"></translation>
+        <translation>補間</translation>
     </message>
     <message>
         <source>Share of the path not to be trusted, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路のうち信頼不可の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Not to be trusted</source>
-        <translation type="unfinished"></translation>
+        <translation>信頼不可</translation>
     </message>
     <message>
         <source>Maximum standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>標準偏差の最大値</translation>
     </message>
     <message>
         <source>The survey: LAS, LAZ or COPC files with intensities and GPS times, in one projected coordinate system.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データです。反射強度とGPS時刻を持ち、同じ投影座標系のLAS、LAZまたはCOPCファイルを指定します。</translation>
     </message>
     <message>
         <source>Maximum range</source>
-        <translation type="unfinished"></translation>
+        <translation>最大距離</translation>
     </message>
     <message>
         <source>Points farther from the scanner, in metres, are left out. The range up to which the curve holds (R2) may be shorter.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナからこれより遠い点（m）を除きます。補正曲線が有効な距離（R2）はこれより短いことがあります。</translation>
     </message>
     <message>
         <source>Side in metres of the block whose mean a marking exceeds.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の判定で平均をとるブロックの一辺（m）です。路面標示はこの平均より明るいものです。</translation>
     </message>
     <message>
         <source>Full, or as in the paper to the letter: the adaptive threshold of block and grey contrast alone, on an image of 12 cm; contrast, stroke width and length do not count then, and kerbs, feet of walls and specks stay. (full, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>full：全機能を使います。paper：論文どおりで、12 cmの画像にブロックとグレーコントラストによる適応的閾値処理だけを行います。この場合、コントラスト、線の幅、長さは無効で、縁石、壁の根元、小さな斑点も残ります。（full, paper）</translation>
     </message>
     <message>
         <source>Grey contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>グレーコントラスト</translation>
     </message>
     <message>
         <source>With the paper's method: by how many grey levels of 256 a marking exceeds the weighted mean of its block (c). White is the intensity that 0.1 % of the ground exceeds.</source>
-        <translation type="unfinished"></translation>
+        <translation>論文の方法で、路面標示がブロックの加重平均を上回る階調値（256階調、c）です。白は、地表面の0.1 %がそれを超える反射強度です。</translation>
     </message>
     <message>
         <source>How much brighter than the ground a marking is, as a share of the ground's intensity.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示が地面よりどれだけ明るいかを、地面の反射強度に対する割合で指定します。</translation>
     </message>
     <message>
         <source>What is wider in both directions, in metres, is no marking but ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>両方向ともこれより広いもの（m）は、路面標示ではなく地面とみなします。</translation>
     </message>
     <message>
         <source>Minimum length</source>
-        <translation type="unfinished"></translation>
+        <translation>最小長</translation>
     </message>
     <message>
         <source>Shorter pieces, in metres, are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより短いもの（m）は除きます。</translation>
     </message>
     <message>
         <source>Distance in metres between the nodes of the cloth.</source>
-        <translation type="unfinished"></translation>
+        <translation>布の節点の間隔（m）です。</translation>
     </message>
     <message>
         <source>Most sweeps on each level of detail; the cloth stops earlier when it has settled.</source>
-        <translation type="unfinished"></translation>
+        <translation>各詳細度での最大反復回数です。布が落ち着けばそれより早く終わります。</translation>
     </message>
     <message>
         <source>Marking points</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点</translation>
     </message>
     <message>
         <source>Points on markings with all their attributes, and calibrated_intensity (asphalt has the reference intensity) and marking_weight (0 to 1: how far above the middle between ground and paint).</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示上の点です。すべての属性に加え、calibrated_intensity（アスファルトが基準の反射強度になるよう補正した値）とmarking_weight（0～1、地面と塗装の中間をどれだけ上回るか）を持ちます。</translation>
     </message>
     <message>
         <source>Intensity over range</source>
-        <translation type="unfinished"></translation>
+        <translation>距離と反射強度の関係</translation>
     </message>
     <message>
         <source>Page with plot, table and quality of the fit of each scanner.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナごとの図、表、当てはめの品質を示すページです。</translation>
     </message>
     <message>
         <source>Ground points within range of the vehicle.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両から距離の範囲内にある地表面点の数です。</translation>
     </message>
     <message>
         <source>Points in the result.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果の点の数です。</translation>
     </message>
     <message>
         <source>Marking points as a share of the ground points that could be judged, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>判定できた地表面点のうち路面標示点の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Marking share</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の割合</translation>
     </message>
     <message>
         <source>Median intensity of marking points, in units of that of the ground beside them; no value without markings.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点の反射強度の中央値を、隣接する地面の反射強度を単位として表したものです。路面標示がない場合は値がありません。</translation>
     </message>
     <message>
         <source>Contrast of paint</source>
-        <translation type="unfinished"></translation>
+        <translation>塗装のコントラスト</translation>
     </message>
     <message>
         <source>By how much asphalt in bins of range departs from the curve, as a share of it (robust standard deviation; worst scanner).</source>
-        <translation type="unfinished"></translation>
+        <translation>距離区分ごとのアスファルトの反射強度と曲線との差を、曲線に対する割合で表したものです（ロバスト標準偏差、最も悪いスキャナ）。</translation>
     </message>
     <message>
         <source>Residual of the fit</source>
-        <translation type="unfinished"></translation>
+        <translation>当てはめの残差</translation>
     </message>
     <message>
         <source>Standard deviation of single asphalt points round the curve, as a share of it (of the same scanner).</source>
-        <translation type="unfinished"></translation>
+        <translation>曲線のまわりのアスファルトの個々の点の標準偏差を、曲線に対する割合で表したものです（同じスキャナ）。</translation>
     </message>
     <message>
         <source>Scatter of asphalt</source>
-        <translation type="unfinished"></translation>
+        <translation>アスファルトのばらつき</translation>
     </message>
     <message>
         <source>Scanners with a curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>曲線が得られたスキャナの数です。</translation>
     </message>
     <message>
         <source>Scanners</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ</translation>
     </message>
     <message>
         <source>R2: range up to which points are used.</source>
-        <translation type="unfinished"></translation>
+        <translation>R2：使用する点の最大距離です。</translation>
     </message>
     <message>
         <source>Maximum range used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した最大距離</translation>
     </message>
     <message>
         <source>Share of the path, by 20 m, with marking points, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路を20 mごとに区切ったとき、路面標示点のある割合（0～1）です。</translation>
     </message>
     <message>
         <source>Path with markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示のある経路</translation>
     </message>
     <message>
         <source>Points at times for which the trajectory has no place, or at which the vehicle stood.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡に位置がない時刻の点、または停車中の点の数です。</translation>
     </message>
     <message>
         <source>Points left out</source>
-        <translation type="unfinished"></translation>
+        <translation>除いた点</translation>
     </message>
     <message>
         <source>Line images</source>
-        <translation type="unfinished"></translation>
+        <translation>ライン画像</translation>
     </message>
     <message>
         <source>Strip images of line cameras, one column a time, each with the table of its columns' times beside it (column,time).</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインカメラのストリップ画像です。1列が1時刻にあたります。それぞれ、列の時刻の表（column,time）を同じ場所に置きます。</translation>
     </message>
     <message>
         <source>Perspective images, each named in the exterior orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>中心投影の画像です。それぞれの名称が外部標定要素にある必要があります。</translation>
     </message>
     <message>
         <source>JSON file of the frames' camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真のカメラのJSONファイルです。</translation>
     </message>
     <message>
         <source>CSV file image,x,y,z,omega,phi,kappa of the frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>写真のCSVファイルimage,x,y,z,omega,phi,kappaです。</translation>
     </message>
     <message>
         <source>Building models</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデル</translation>
     </message>
     <message>
         <source>MultiPolygonZ with all faces of each building, such as those of “Building models”; the field building_id names them.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物モデル」の出力など、建物ごとにすべての面を持つMultiPolygonZです。フィールドbuilding_idで識別します。</translation>
     </message>
     <message>
         <source>Laser points</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザ点</translation>
     </message>
     <message>
         <source>Points of the survey; what stands before a facade hides it.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの点です。壁面の手前にある物は壁面を隠します。</translation>
     </message>
     <message>
         <source>Side of a pixel on the facade.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面上での画素の一辺です。</translation>
     </message>
     <message>
         <source>Line images are used up to this distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>この距離までのライン画像を使います。</translation>
     </message>
     <message>
         <source>Minimum share seen</source>
-        <translation type="unfinished"></translation>
+        <translation>可視割合の下限</translation>
     </message>
     <message>
         <source>Facades of which images show less get no texture.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像に写る割合がこれより小さい壁面にはテクスチャを付けません。</translation>
     </message>
     <message>
         <source>Textured model</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャ付きモデル</translation>
     </message>
     <message>
         <source>glTF binary (*.glb);;Wavefront OBJ (*.obj);;CityJSON (*.city.json *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>glTFバイナリ (*.glb);;Wavefront OBJ (*.obj);;CityJSON (*.city.json *.json)</translation>
     </message>
     <message>
         <source>By its ending: .glb holds its images; .obj and .city.json have theirs in a folder beside.</source>
-        <translation type="unfinished"></translation>
+        <translation>形式は拡張子で決まります。.glbは画像を内部に持ち、.objと.city.jsonは同じ場所のフォルダに持ちます。</translation>
     </message>
     <message>
         <source>Folder of all kinds</source>
-        <translation type="unfinished"></translation>
+        <translation>全形式のフォルダ</translation>
     </message>
     <message>
         <source>The model as glTF, OBJ and CityJSON with its images.</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF、OBJ、CityJSONのモデルとその画像です。</translation>
     </message>
     <message>
         <source>Facades</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面</translation>
     </message>
     <message>
         <source>PolygonZ, one feature a facade: building_id, facade, area (m2), azimuth (degrees), seen (share), detail (m, size of the images' pixels), images, status, reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面ごとに1地物のPolygonZです：building_id、facade、area（m2）、azimuth（度）、seen（割合）、detail（m、画像の画素の大きさ）、images、status、reason。</translation>
     </message>
     <message>
         <source>Number of facades.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の数です。</translation>
     </message>
     <message>
         <source>Facades with a texture.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャのある壁面の数です。</translation>
     </message>
     <message>
         <source>Textured facades</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャ付きの壁面</translation>
     </message>
     <message>
         <source>Share of all facades' area that images show, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>全壁面の面積のうち画像に写る割合（0～1）です。</translation>
     </message>
     <message>
         <source>Share seen</source>
-        <translation type="unfinished"></translation>
+        <translation>可視の割合</translation>
     </message>
     <message>
         <source>Range scans</source>
-        <translation type="unfinished"></translation>
+        <translation>測距スキャン</translation>
     </message>
     <message>
         <source>One or several tables of time, angle, range, intensity and scanner (CSV, CSV.GZ, Parquet, LAS, LAZ).</source>
-        <translation type="unfinished"></translation>
+        <translation>時刻、角度、距離、反射強度、スキャナの1つまたは複数の表です（CSV、CSV.GZ、Parquet、LAS、LAZ）。</translation>
     </message>
     <message>
         <source>Of the trajectory, where its layer does not say it; it is written into the point cloud, and needed for SBET trajectories.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤに記載がない場合の軌跡の座標参照系です。点群に書き込まれ、SBETの軌跡では必須です。</translation>
     </message>
     <message>
         <source>Returns from farther away, in metres, are left out; 0 takes each scanner's own limit from the calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより遠い反射（m）を除きます。0の場合は、校正値にある各スキャナの上限を使います。</translation>
     </message>
     <message>
         <source>Minimum range</source>
-        <translation type="unfinished"></translation>
+        <translation>最小距離</translation>
     </message>
     <message>
         <source>Nearer returns, in metres, are left out, such as those of the vehicle itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両自体からの反射など、これより近い反射（m）を除きます。</translation>
     </message>
     <message>
         <source>Unit of the angles in the file. (degrees, radians)</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル中の角度の単位です。（degrees, radians）</translation>
     </message>
     <message>
         <source>Point cloud</source>
-        <translation type="unfinished"></translation>
+        <translation>点群</translation>
     </message>
     <message>
         <source>Points with gps_time, intensity, point_source_id, angle and range.</source>
-        <translation type="unfinished"></translation>
+        <translation>gps_time、intensity、point_source_id、角度、距離を持つ点です。</translation>
     </message>
     <message>
         <source>Returns in the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル中の反射の数です。</translation>
     </message>
     <message>
         <source>Returns</source>
-        <translation type="unfinished"></translation>
+        <translation>反射</translation>
     </message>
     <message>
         <source>Returns left out for want of a range or angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>距離または角度がないため除いた反射の数です。</translation>
     </message>
     <message>
         <source>Without a range</source>
-        <translation type="unfinished"></translation>
+        <translation>距離なし</translation>
     </message>
     <message>
         <source>Returns left out because they are too near or far.</source>
-        <translation type="unfinished"></translation>
+        <translation>近すぎる、または遠すぎるため除いた反射の数です。</translation>
     </message>
     <message>
         <source>Beyond the range</source>
-        <translation type="unfinished"></translation>
+        <translation>距離の範囲外</translation>
     </message>
     <message>
         <source>Returns left out because they were measured outside the trajectory or in a gap of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時間外または欠測区間で計測されたため除いた反射の数です。</translation>
     </message>
     <message>
         <source>Outside the time</source>
-        <translation type="unfinished"></translation>
+        <translation>時間外</translation>
     </message>
     <message>
         <source>Laser points of the survey, LAS, LAZ or COPC, placed by the same trajectory.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ軌跡で座標付けされた計測データのレーザ点（LAS、LAZまたはCOPC）です。</translation>
     </message>
     <message>
         <source>Outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線</translation>
     </message>
     <message>
         <source>Polygons, lines or points drawn on the images, in pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像上に描いたポリゴン、線または点です（画素座標）。</translation>
     </message>
     <message>
         <source>Laser points farther from the camera are not used (line images).</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラからこれより遠いレーザ点は使いません（ライン画像）。</translation>
     </message>
     <message>
         <source>Objects</source>
-        <translation type="unfinished"></translation>
+        <translation>地物</translation>
     </message>
     <message>
         <source>One feature an outline, with z: the fields of the outlines and width, height (m), azimuth (degrees, where the surface faces), area (m2), z_low, z_high, distance (m, from the camera), points, rmse, sigma (m), status, reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線ごとに1地物で、zを持ちます：外周線のフィールドと、width、height（m）、azimuth（度、面の向き）、area（m2）、z_low、z_high、distance（m、カメラから）、points、rmse、sigma（m）、status、reason。</translation>
     </message>
     <message>
         <source>Number of outlines.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線の数です。</translation>
     </message>
     <message>
         <source>Outlines that became features with a place.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置の決まった地物になった外周線の数です。</translation>
     </message>
     <message>
         <source>Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>計測できた外周線</translation>
     </message>
     <message>
         <source>Median standard deviation of the corners' places against the laser points.</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザ点に対する角の位置の標準偏差の中央値です。</translation>
     </message>
     <message>
         <source>Median sigma</source>
-        <translation type="unfinished"></translation>
+        <translation>σの中央値</translation>
     </message>
     <message>
         <source>Image of the map, in the CRS of points and lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>点と線の座標参照系での地図画像です。</translation>
     </message>
     <message>
         <source>Laser points to draw, LAS, LAZ or COPC.</source>
-        <translation type="unfinished"></translation>
+        <translation>描画するレーザ点（LAS、LAZまたはCOPC）です。</translation>
     </message>
     <message>
         <source>Models or lines</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルまたは線</translation>
     </message>
     <message>
         <source>Building models (MultiPolygonZ with all faces) or lines with heights; their edges are drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデル（すべての面を持つMultiPolygonZ）または高さを持つ線です。その辺を描きます。</translation>
     </message>
     <message>
         <source>Colour points by</source>
-        <translation type="unfinished"></translation>
+        <translation>点の色分け</translation>
     </message>
     <message>
         <source>What the colours of points tell (height, intensity, class, one)</source>
-        <translation type="unfinished"></translation>
+        <translation>点の色が表す内容です。（height, intensity, class, one）</translation>
     </message>
     <message>
         <source>Laser points before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前のレーザ点</translation>
     </message>
     <message>
         <source>The same points before a correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の同じ点です。</translation>
     </message>
     <message>
         <source>Models or lines before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前のモデルまたは線</translation>
     </message>
     <message>
         <source>The same models or lines before a correction.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の同じモデルまたは線です。</translation>
     </message>
     <message>
         <source>Trajectory before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の軌跡</translation>
     </message>
     <message>
         <source>Line images show things up to this distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライン画像に写る物を描く最大距離です。</translation>
     </message>
     <message>
         <source>Pictures on the page</source>
-        <translation type="unfinished"></translation>
+        <translation>ページの図の数</translation>
     </message>
     <message>
         <source>At most so many; the fullest windows are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>最大数です。描かれる物の最も多い範囲から選びます。</translation>
     </message>
     <message>
         <source>Folder of images</source>
-        <translation type="unfinished"></translation>
+        <translation>画像のフォルダ</translation>
     </message>
     <message>
         <source>Each image with the overlay as JPEG, and the pictures of the page before and after beside each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>重ね描きした各画像のJPEGと、ページ用の補正前後を並べた図です。</translation>
     </message>
     <message>
         <source>Page</source>
-        <translation type="unfinished"></translation>
+        <translation>ページ</translation>
     </message>
     <message>
         <source>Page that switches between plain image, before and after.</source>
-        <translation type="unfinished"></translation>
+        <translation>元の画像、補正前、補正後を切り替えて表示するページです。</translation>
     </message>
     <message>
         <source>Images in which points or edges lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>点または辺がある画像の数です。</translation>
     </message>
     <message>
         <source>Images drawn on</source>
-        <translation type="unfinished"></translation>
+        <translation>描画した画像</translation>
     </message>
     <message>
         <source>Images in which nothing lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>何もない画像の数です。</translation>
     </message>
     <message>
         <source>Images without</source>
-        <translation type="unfinished"></translation>
+        <translation>描画のない画像</translation>
     </message>
     <message>
         <source>The reported trajectory: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees), Applanix SBET, or a point layer with these fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の軌跡です。CSV time,x,y,z,roll,pitch,heading（GPS秒、m、度）、Applanix SBET、またはこれらのフィールドを持つ点レイヤを指定します。</translation>
     </message>
     <message>
         <source>Tie points</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイント</translation>
     </message>
     <message>
         <source>CSV or layer with set,time,x_mms,y_mms,x_ref,y_ref: name of the set, when the survey measured the place (s), where it lies in the survey and in the reference (m). In a line layer with set and time each line may run from survey to reference instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>set,time,x_mms,y_mms,x_ref,y_ref（組の名称、計測時刻（s）、計測データ上と基準上の位置（m））を持つCSVまたはレイヤです。setとtimeを持つ線レイヤでは、代わりに各線を計測データから基準へ引いてもかまいません。</translation>
     </message>
     <message>
         <source>Heights of the ground, or a surface, along the course: then heights are corrected too.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行軌跡に沿う地表または表層の標高です。指定すると高さも補正します。</translation>
     </message>
     <message>
         <source>Height of the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>原点の高さ</translation>
     </message>
     <message>
         <source>Height of the trajectory's origin above the ground, in metres. Without it the mean height stays as reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表から軌跡の原点までの高さ（m）です。指定しない場合、平均の高さは補正前のままです。</translation>
     </message>
     <message>
         <source>Best estimate of the drift from all tie points; or relative motions adjusted between sets in closed form; or the same by the paper's iteration; or the whole paper to the letter. (drift, relative, iterative, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>drift：すべてのタイポイントによるドリフトの最適推定。relative：組の間で相対運動を閉じた式で調整。iterative：同じ調整を論文の反復法で実行。paper：全体を論文どおりに実行。（drift, relative, iterative, paper）</translation>
     </message>
     <message>
         <source>Sigma of tie points</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントのσ</translation>
     </message>
     <message>
         <source>Standard deviation of a tie point's coordinate in metres; 0 finds it from the tie points.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントの座標の標準偏差（m）です。0の場合はタイポイントから求めます。</translation>
     </message>
     <message>
         <source>Expected error of the heading</source>
-        <translation type="unfinished"></translation>
+        <translation>方位の予想誤差</translation>
     </message>
     <message>
         <source>Standard deviation in degrees: what is known of the heading where the pairs of a set lie close together.</source>
-        <translation type="unfinished"></translation>
+        <translation>標準偏差（度）です。組の中の対応点が互いに近い場合の、方位に関する既知の精度です。</translation>
     </message>
     <message>
         <source>Keep doubtful sets</source>
-        <translation type="unfinished"></translation>
+        <translation>疑わしい組の使用</translation>
     </message>
     <message>
         <source>Use sets even though the other sets put them elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>他の組と位置が合わない組も使います。</translation>
     </message>
     <message>
         <source>Of trajectory and tie points, where no layer says it; needed for SBET trajectories.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤに記載がない場合の、軌跡とタイポイントの座標参照系です。SBETの軌跡では必須です。</translation>
     </message>
     <message>
         <source>Line images for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書用のライン画像</translation>
     </message>
     <message>
         <source>Strip images of line cameras: the report shows the models or lines over them, before and after.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインカメラのストリップ画像です。報告書に、モデルまたは線を補正前後で重ねて表示します。</translation>
     </message>
     <message>
         <source>Models or lines for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書用のモデルまたは線</translation>
     </message>
     <message>
         <source>Building models (MultiPolygonZ) or lines with heights, drawn over the line images.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライン画像に重ねて描く建物モデル（MultiPolygonZ）または高さを持つ線です。</translation>
     </message>
     <message>
         <source>Rectified trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の軌跡</translation>
     </message>
     <message>
         <source>Sets</source>
-        <translation type="unfinished"></translation>
+        <translation>対応点の組</translation>
     </message>
     <message>
         <source>One point a set: distance from the reference before and after, correction, misfit within the set, how far off it would lie without itself (predicted), and its status.</source>
-        <translation type="unfinished"></translation>
+        <translation>組ごとに1点です。補正前後の基準との距離、補正量、組内の不符合値、その組を使わない場合のずれ（predicted）、状態を持ちます。</translation>
     </message>
     <message>
         <source>Epochs</source>
-        <translation type="unfinished"></translation>
+        <translation>エポック</translation>
     </message>
     <message>
         <source>One point an epoch: correction, sigma and status (between sets, or carried on (extrapolated) before the first or after the last).</source>
-        <translation type="unfinished"></translation>
+        <translation>エポックごとに1点です。補正量、σ、状態（組の間、または最初の組の前・最後の組の後の外挿（extrapolated））を持ちます。</translation>
     </message>
     <message>
         <source>Before and after, set by set, as HTML.</source>
-        <translation type="unfinished"></translation>
+        <translation>組ごとの補正前後の比較をHTMLで示します。</translation>
     </message>
     <message>
         <source>Sets of tie points within the trajectory's time.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時間内にあるタイポイントの組の数です。</translation>
     </message>
     <message>
         <source>Sets that were not left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>除かれなかった組の数です。</translation>
     </message>
     <message>
         <source>Sets used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した組</translation>
     </message>
     <message>
         <source>Mean distance of the tie points from the reference as reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前のタイポイントと基準との平均距離です。</translation>
     </message>
     <message>
         <source>Distance before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の距離</translation>
     </message>
     <message>
         <source>The same after the rectification.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の同様の値です。</translation>
     </message>
     <message>
         <source>Distance after</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の距離</translation>
     </message>
     <message>
         <source>Mean over the sets of how far a set would lie off if it were not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>ある組を使わない場合にその組がどれだけずれるかの、全組の平均です。</translation>
     </message>
     <message>
         <source>Off without itself</source>
-        <translation type="unfinished"></translation>
+        <translation>一つ抜き残差</translation>
     </message>
     <message>
         <source>Mean standard deviation of a plan coordinate between the sets.</source>
-        <translation type="unfinished"></translation>
+        <translation>組の間の平面座標の標準偏差の平均です。</translation>
     </message>
     <message>
         <source>Mean sigma</source>
-        <translation type="unfinished"></translation>
+        <translation>σの平均</translation>
     </message>
     <message>
         <source>Largest of all epochs.</source>
-        <translation type="unfinished"></translation>
+        <translation>全エポックの最大値です。</translation>
     </message>
     <message>
         <source>Maximum sigma</source>
-        <translation type="unfinished"></translation>
+        <translation>σの最大値</translation>
     </message>
     <message>
         <source>Share of the epochs before the first or after the last set, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>エポックのうち、最初の組の前または最後の組の後の割合（0～1）です。</translation>
     </message>
     <message>
         <source>Share extrapolated</source>
-        <translation type="unfinished"></translation>
+        <translation>外挿の割合</translation>
     </message>
     <message>
         <source>Root mean square distance from the ground as reported; no value without a ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の地表との高さの差の二乗平均平方根です。地表がない場合は値がありません。</translation>
     </message>
     <message>
         <source>Height before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の高さの差</translation>
     </message>
     <message>
         <source>Height after</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の高さの差</translation>
     </message>
     <message>
         <source>The survey, placed with the trajectory: one or several LAS, LAZ or COPC files with GPS times.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡で座標付けされた計測データです。GPS時刻を持つ1つまたは複数のLAS、LAZまたはCOPCファイルを指定します。</translation>
     </message>
     <message>
         <source>Outlines of the walls in the survey's coordinate system.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの座標系での壁の外周線です。</translation>
     </message>
     <message>
         <source>Maximum distance</source>
-        <translation type="unfinished"></translation>
+        <translation>最大距離</translation>
     </message>
     <message>
         <source>Corners farther from the course, in metres, are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行軌跡からこれより遠い角（m）を除きます。</translation>
     </message>
     <message>
         <source>Search range</source>
-        <translation type="unfinished"></translation>
+        <translation>探索範囲</translation>
     </message>
     <message>
         <source>How far survey and outlines may lie apart, in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データと外周線のずれの最大値（m）です。</translation>
     </message>
     <message>
         <source>Agreement</source>
-        <translation type="unfinished"></translation>
+        <translation>一致の許容差</translation>
     </message>
     <message>
         <source>Shifts of neighbouring corners that differ by less, in metres, agree: as good as the outlines are.</source>
-        <translation type="unfinished"></translation>
+        <translation>隣り合う角のずれの差がこれ（m）より小さければ一致とみなします。外周線の精度に合わせます。</translation>
     </message>
     <message>
         <source>Lines from the survey to the reference with set, time (s), length (m), support (other corners shifted likewise) and fit of the walls (m).</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データから基準への線です。set、time（s）、length（m）、support（同様にずれている他の角）、壁の当てはまり（m）を持ちます。</translation>
     </message>
     <message>
         <source>Corners of outlines near the course.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行軌跡の近くにある外周線の角の数です。</translation>
     </message>
     <message>
         <source>Corners</source>
-        <translation type="unfinished"></translation>
+        <translation>角</translation>
     </message>
     <message>
         <source>Corners that the survey shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データに現れた角の数です。</translation>
     </message>
     <message>
         <source>Corners found</source>
-        <translation type="unfinished"></translation>
+        <translation>検出した角</translation>
     </message>
     <message>
         <source>Sets of two tie points.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つのタイポイントからなる組の数です。</translation>
     </message>
     <message>
         <source>Mean distance between survey and reference.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データと基準との平均距離です。</translation>
     </message>
     <message>
         <source>Mean length</source>
-        <translation type="unfinished"></translation>
+        <translation>平均長</translation>
     </message>
     <message>
         <source>Roof polygons</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根ポリゴン</translation>
     </message>
     <message>
         <source>Polygons from “Roof polygons” with the fields building_id, roof_id and height (m).</source>
-        <translation type="unfinished"></translation>
+        <translation>「屋根ポリゴン」によるポリゴンです。フィールドbuilding_id、roof_id、height（m）を持ちます。</translation>
     </message>
     <message>
         <source>Outlines from “Segment buildings”. Each gets a row in the result. A field ground gives the height of the ground in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物の抽出」による外周線です。それぞれが結果の1行になります。フィールドgroundは地表の標高（m）です。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres; the lowest along an outline is the base of its walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（m）です。外周線に沿う最低値を壁の下端とします。</translation>
     </message>
     <message>
         <source>Base height field</source>
-        <translation type="unfinished"></translation>
+        <translation>基準高のフィールド</translation>
     </message>
     <message>
         <source>Field of the buildings with the height of the base of the walls in metres; used where there is no ground elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁の下端の標高（m）を持つ建物のフィールドです。地表の標高がない場合に使います。</translation>
     </message>
     <message>
         <source>Roof points</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根の点</translation>
     </message>
     <message>
         <source>Points with building_id and roof_id, from “Segment roofs”, for the figures of fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>「屋根の分割」による、building_idとroof_idを持つ点です。当てはまりの数値を求めるのに使います。</translation>
     </message>
     <message>
         <source>Roofs</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根</translation>
     </message>
     <message>
         <source>planes: roofs as the polygons' heights have them (LoD2.2 where any is sloped); levels: every roof at its one height (LoD1.3). (planes, levels)</source>
-        <translation type="unfinished"></translation>
+        <translation>planes：ポリゴンの高さどおりの屋根（傾斜屋根があればLoD2.2）。levels：すべての屋根をそれぞれ1つの高さとします（LoD1.3）。（planes, levels）</translation>
     </message>
     <message>
         <source>Text that the report shows with its settings, such as the name of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書に設定とともに表示する文章です（業務名など）。</translation>
     </message>
     <message>
         <source>MultiPolygonZ, one feature a building with all faces of its solids; status, reason, roofs, base, height (m), area (m2), volume (m3), points, density (points a m2), rmse_z, rmse_z95, median_dz, rmse_3d, p95 (m), coverage, unseen (shares), lod, roof_type, not_explained (share of the points that can be roof and lie far from the model), quality (0 to 1), roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_roof_flat, area_roof_sloped (m2), storeys_estimated.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物ごとに1地物で、立体のすべての面を持つMultiPolygonZです：status、reason、roofs、base、height（m）、area（m2）、volume（m3）、points、density（点/m2）、rmse_z、rmse_z95、median_dz、rmse_3d、p95（m）、coverage、unseen（割合）、lod、roof_type、not_explained（屋根でありうる点のうちモデルから遠いものの割合）、quality（0～1）、roof_min、roof_50、roof_70、roof_max（地表からのm）、volume_lod12、volume_lod13、volume_lod22（m3）、area_roof_flat、area_roof_sloped（m2）、storeys_estimated。</translation>
     </message>
     <message>
         <source>Surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>面</translation>
     </message>
     <message>
         <source>MultiPolygonZ, one feature a surface, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>面ごとに1地物のMultiPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面）を持ちます。</translation>
     </message>
     <message>
         <source>CityJSON</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSON</translation>
     </message>
     <message>
         <source>CityJSON (*.city.json *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSON (*.city.json *.json)</translation>
     </message>
     <message>
         <source>CityJSON 2.0 file with outlines and solids at the levels of detail 0, 1.2, 1.3 and 2.2, surface types, the fields of the outlines and the figures of each building.</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSON 2.0ファイルです。外周線、詳細度0、1.2、1.3、2.2の立体、面の種別、外周線のフィールド、各建物の数値を持ちます。</translation>
     </message>
     <message>
         <source>OBJ mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>OBJメッシュ</translation>
     </message>
     <message>
         <source>Wavefront OBJ (*.obj)</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavefront OBJ (*.obj)</translation>
     </message>
     <message>
         <source>Wavefront OBJ file, a group for each building.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wavefront OBJファイルです。建物ごとに1グループです。</translation>
     </message>
     <message>
         <source>HTML report: counts, quality, the worst buildings with reasons.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書です。個数、品質、評価の低い建物とその理由を示します。</translation>
     </message>
     <message>
         <source>Buildings with a model.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルのある建物の数です。</translation>
     </message>
     <message>
         <source>Modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>モデル化した建物</translation>
     </message>
     <message>
         <source>Mean over the buildings, where points were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>点を与えた建物についての平均です。</translation>
     </message>
     <message>
         <source>Mean RMSE of height, best 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>高さのRMSEの平均（良い方から95 %）</translation>
     </message>
     <message>
         <source>LAS, LAZ or COPC files; they become one.</source>
-        <translation type="unfinished"></translation>
+        <translation>LAS、LAZまたはCOPCファイルです。1つにまとめて出力します。</translation>
     </message>
     <message>
         <source>Raster of heights</source>
-        <translation type="unfinished"></translation>
+        <translation>標高のラスタ</translation>
     </message>
     <message>
         <source>Such as a ground elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高などです。</translation>
     </message>
     <message>
         <source>Layer with heights</source>
-        <translation type="unfinished"></translation>
+        <translation>標高を持つレイヤ</translation>
     </message>
     <message>
         <source>Features with z, such as building models.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデルなど、zを持つ地物です。</translation>
     </message>
     <message>
         <source>Height system of the data</source>
-        <translation type="unfinished"></translation>
+        <translation>データの標高系</translation>
     </message>
     <message>
         <source>JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical system; needed where the data do not state it.</source>
-        <translation type="unfinished"></translation>
+        <translation>JGD2000、JGD2011、JGD2024、ellipsoidal（楕円体高）、または鉛直座標系のEPSGコードです。データに記載がない場合に必要です。</translation>
     </message>
     <message>
         <source>Height system of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>結果の標高系</translation>
     </message>
     <message>
         <source>Likewise.</source>
-        <translation type="unfinished"></translation>
+        <translation>データの標高系と同様に指定します。</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>格子</translation>
     </message>
     <message>
         <source>Corrections (added to the older system's heights) or a geoid model: GSI's text grid (.isg, .asc), GeoTIFF or GTX, in latitude and longitude, m.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正量（旧標高系の標高に加える値）またはジオイドモデルです。国土地理院のテキスト格子（.isg, .asc）、GeoTIFFまたはGTXで、緯度・経度の格子、単位はmです。</translation>
     </message>
     <message>
         <source>One value</source>
-        <translation type="unfinished"></translation>
+        <translation>単一の値</translation>
     </message>
     <message>
         <source>Instead of a grid, one correction or geoid height for all places.</source>
-        <translation type="unfinished"></translation>
+        <translation>格子の代わりに、すべての場所に適用する1つの補正量またはジオイド高です。</translation>
     </message>
     <message>
         <source>Against the grid</source>
-        <translation type="unfinished"></translation>
+        <translation>格子の逆方向</translation>
     </message>
     <message>
         <source>The corrections of the grid lead from the result's system to that of the data.</source>
-        <translation type="unfinished"></translation>
+        <translation>格子の補正量が、結果の標高系からデータの標高系への変換である場合に指定します。</translation>
     </message>
     <message>
         <source>With converted heights, all attributes kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高を変換し、すべての属性を保持します。</translation>
     </message>
     <message>
         <source>Raster</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタ</translation>
     </message>
     <message>
         <source>With converted heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高を変換したものです。</translation>
     </message>
     <message>
         <source>Layer</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤ</translation>
     </message>
     <message>
         <source>The features with converted z. Heights in fields, such as base or ground, stay as they are: a warning names them.</source>
-        <translation type="unfinished"></translation>
+        <translation>zを変換した地物です。baseやgroundなど、フィールドにある標高はそのままで、該当するものを警告で示します。</translation>
     </message>
     <message>
         <source>Of all heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての標高についての値です。</translation>
     </message>
     <message>
         <source>Least change</source>
-        <translation type="unfinished"></translation>
+        <translation>最小の変化</translation>
     </message>
     <message>
         <source>Mean change</source>
-        <translation type="unfinished"></translation>
+        <translation>平均の変化</translation>
     </message>
     <message>
         <source>Largest change</source>
-        <translation type="unfinished"></translation>
+        <translation>最大の変化</translation>
     </message>
     <message>
         <source>MultiPolygonZ with all faces of each building, such as those of “Building models”. Without it give a city model.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物モデル」の出力など、建物ごとにすべての面を持つMultiPolygonZです。指定しない場合は都市モデルを指定してください。</translation>
     </message>
     <message>
         <source>City model</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデル</translation>
     </message>
     <message>
         <source>CityGML (.gml, .zip) or CityJSON file instead of the layer: its buildings are written with all that they hold, and nothing is added.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤの代わりのCityGML（.gml, .zip）またはCityJSONファイルです。建物は持っている内容をすべて含めて書き出し、何も追加しません。</translation>
     </message>
     <message>
         <source>Surfaces of “Building models”, for the roofs' ids and the types of walls; without them types are told by the faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物モデル」による面です。屋根のidと壁の種別に使います。指定しない場合、種別は面から判定します。</translation>
     </message>
     <message>
         <source>CityJSON file of “Facade textures” of the same buildings: its images go along.</source>
-        <translation type="unfinished"></translation>
+        <translation>「壁面テクスチャ」による同じ建物のCityJSONファイルです。その画像も出力します。</translation>
     </message>
     <message>
         <source>Id field</source>
-        <translation type="unfinished"></translation>
+        <translation>IDフィールド</translation>
     </message>
     <message>
         <source>Field with the source's own ids. Without it gml_id or building_id is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>元データのidを持つフィールドです。指定しない場合はgml_idまたはbuilding_idを使います。</translation>
     </message>
     <message>
         <source>Height system</source>
-        <translation type="unfinished"></translation>
+        <translation>標高系</translation>
     </message>
     <message>
         <source>What heights count from, where the layer's CRS does not say it: JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical system.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤの座標参照系に記載がない場合の標高の基準です：JGD2011、JGD2024、ellipsoidal（楕円体高）、または鉛直座標系のEPSGコード。</translation>
     </message>
     <message>
         <source>GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights above the ellipsoid: 3D Tiles then have ellipsoidal heights, as globes want them.</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円体からのジオイド高のGeoTIFF、GTX、または国土地理院のテキスト格子（.asc, .isg）です。これにより、3D Tilesは地球儀型ビューアが必要とする楕円体高になります。</translation>
     </message>
     <message>
         <source>Municipality's code</source>
-        <translation type="unfinished"></translation>
+        <translation>市区町村コード</translation>
     </message>
     <message>
         <source>Five digits, such as 13101: CityGML then has the buildings' ids as PLATEAU asks for them.</source>
-        <translation type="unfinished"></translation>
+        <translation>13101のような5桁の数字です。CityGMLの建物のidがPLATEAUの求める形式になります。</translation>
     </message>
     <message>
         <source>Date of the data</source>
-        <translation type="unfinished"></translation>
+        <translation>データの日付</translation>
     </message>
     <message>
         <source>Day on which the buildings were measured, such as 2026-04-01.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を計測した日です（例：2026-04-01）。</translation>
     </message>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>タイトル</translation>
     </message>
     <message>
         <source>Title of the data set.</source>
-        <translation type="unfinished"></translation>
+        <translation>データセットのタイトルです。</translation>
     </message>
     <message>
         <source>Buildings with figures</source>
-        <translation type="unfinished"></translation>
+        <translation>数値付きの建物</translation>
     </message>
     <message>
         <source>The models with the fields of the layer, city_id, ground_height, roof_min, roof_50, roof_70, roof_max (m above the ground), volume_lod12, volume_lod13, volume_lod22 (m3), area_ground, area_roof_flat, area_roof_sloped, area_outer_walls, area_party_walls (m2), storeys_estimated, data_date, problems. A name ending in .parquet gives GeoParquet where GDAL has it.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルに、レイヤのフィールド、city_id、ground_height、roof_min、roof_50、roof_70、roof_max（地表からのm）、volume_lod12、volume_lod13、volume_lod22（m3）、area_ground、area_roof_flat、area_roof_sloped、area_outer_walls、area_party_walls（m2）、storeys_estimated、data_date、problemsを付けたものです。名称が.parquetで終わる場合、GDALが対応していればGeoParquetになります。</translation>
     </message>
     <message>
         <source>CityJSON 2.0 file.</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSON 2.0ファイルです。</translation>
     </message>
     <message>
         <source>CityJSONSeq</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSONSeq</translation>
     </message>
     <message>
         <source>CityJSONSeq (*.city.jsonl *.jsonl)</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSONSeq (*.city.jsonl *.jsonl)</translation>
     </message>
     <message>
         <source>CityJSON sequence, a line a building, for large areas.</source>
-        <translation type="unfinished"></translation>
+        <translation>1行に1建物のCityJSONシーケンスです。広い範囲に適します。</translation>
     </message>
     <message>
         <source>CityGML</source>
-        <translation type="unfinished"></translation>
+        <translation>CityGML</translation>
     </message>
     <message>
         <source>Folder of CityGML 2.0: in Japan udx/bldg with a file a mesh, EPSG:6697, and codelists; elsewhere one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>CityGML 2.0のフォルダです。日本ではudx/bldgにメッシュごとのファイル（EPSG:6697）とcodelistsを、それ以外では1つのファイルを出力します。</translation>
     </message>
     <message>
         <source>3D Tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Tiles</translation>
     </message>
     <message>
         <source>Folder with tileset.json and its tiles.</source>
-        <translation type="unfinished"></translation>
+        <translation>tileset.jsonとそのタイルのフォルダです。</translation>
     </message>
     <message>
         <source>Buildings of which a solid is not closed or not valid.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体が閉じていない、または正しくない建物の数です。</translation>
     </message>
     <message>
         <source>Not closed</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じていない建物</translation>
     </message>
     <message>
         <source>City models (*.gml *.GML *.zip *.json *.jsonl *.xml);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデル (*.gml *.GML *.zip *.json *.jsonl *.xml);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>CityGML (.gml, or a .zip of them), CityJSON (.json) or CityJSONSeq (.jsonl). The path of a folder, such as that of a PLATEAU data set, can be typed here as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>CityGML（.gml、またはそれらの.zip）、CityJSON（.json）またはCityJSONSeq（.jsonl）です。PLATEAUのデータセットなどのフォルダのパスも入力できます。</translation>
     </message>
     <message>
         <source>Folder of city models</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルのフォルダ</translation>
     </message>
     <message>
         <source>All city models in this folder and its subfolders; instead of the file or beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフォルダとサブフォルダにあるすべての都市モデルです。ファイルの代わりに、またはファイルと併せて指定します。</translation>
     </message>
     <message>
         <source>Projected system of the result. If none is chosen, that of the model, or for degrees in Japan the zone of the Japan Plane Rectangular CS in which the first building lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果の投影座標系です。選択しない場合はモデルの座標系とし、日本の経緯度座標の場合は最初の建物がある平面直角座標系の系とします。</translation>
     </message>
     <message>
         <source>CRS of the city model</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルの座標参照系</translation>
     </message>
     <message>
         <source>Of files that name none.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系の記載がないファイルに適用します。</translation>
     </message>
     <message>
         <source>MultiPolygon outlines (footprint, else roof edge, else the plan of the solid) with building_id (the model's own id), lod (levels there are), ground and top (heights in m), height (m, measuredHeight where it is given), parts, note (what is wrong), attributes (all, as JSON), and simple attributes as fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>MultiPolygonの外周線（フットプリント、なければ屋根の縁、なければ立体の平面形）です。building_id（モデル自体のid）、lod（含まれる詳細度）、groundとtop（標高、m）、height（m、あればmeasuredHeight）、parts、note（問題点）、attributes（すべての属性、JSON）と、フィールドにした単純な属性を持ちます。</translation>
     </message>
     <message>
         <source>MultiPolygonZ, one feature a building with all faces of its most detailed solid, as “Building models” writes them.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物ごとに1地物のMultiPolygonZです。「建物モデル」の出力と同じく、最も詳細な立体のすべての面を持ちます。</translation>
     </message>
     <message>
         <source>PolygonZ, one feature a face, with building_id, roof_id and surface_type: roof, outer wall, inner wall, ground, overhang.</source>
-        <translation type="unfinished"></translation>
+        <translation>面ごとに1地物のPolygonZです。building_id、roof_id、surface_type（roof 屋根、outer wall 外壁、inner wall 内壁、ground 地面、overhang 張り出し）を持ちます。</translation>
     </message>
     <message>
         <source>Number of buildings written.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出した建物の数です。</translation>
     </message>
     <message>
         <source>Number of buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の数</translation>
     </message>
     <message>
         <source>Buildings in which something is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>何らかの問題がある建物の数です。</translation>
     </message>
     <message>
         <source>Buildings with a note</source>
-        <translation type="unfinished"></translation>
+        <translation>注記のある建物</translation>
     </message>
     <message>
         <source>As the model says it: unknown, JGD2011, JGD2024, ...</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの記載によるもの：unknown（不明）、JGD2011、JGD2024など。</translation>
     </message>
     <message>
         <source>File of building outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線のファイル</translation>
     </message>
     <message>
         <source>GSI building outlines (*.xml *.XML *.zip *.ZIP);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院の建物外周線 (*.xml *.XML *.zip *.ZIP);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>FG-GML-...-BldA or -BldL .xml, or a .zip as downloaded (zips inside are opened too). The path of a folder can be typed here as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>FG-GML-...-BldAまたは-BldLの.xml、またはダウンロードしたままの.zipです（内部のzipも開きます）。フォルダのパスも入力できます。</translation>
     </message>
     <message>
         <source>Folder of building outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線のフォルダ</translation>
     </message>
     <message>
         <source>All .xml and .zip files in this folder and its subfolders; instead of the file or beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフォルダとサブフォルダにあるすべての.xmlと.zipファイルです。ファイルの代わりに、またはファイルと併せて指定します。</translation>
     </message>
     <message>
         <source>Of the result. If none is chosen, the zone of the Japan Plane Rectangular CS (JGD2011, EPSG:6669 to 6687) in which most buildings lie; close to the border of a prefecture, check it.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果の座標参照系です。選択しない場合は、大半の建物がある平面直角座標系の系（JGD2011、EPSG:6669～6687）とします。都道府県の境界付近では確認してください。</translation>
     </message>
     <message>
         <source>Footprints</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線</translation>
     </message>
     <message>
         <source>Polygons with building_id (1, 2, 3, ... in the order of the files), the GSI's attributes as text (its fid as gsi_fid) and the file's name as source.</source>
-        <translation type="unfinished"></translation>
+        <translation>building_id（ファイルの順に1, 2, 3, ...）、国土地理院の属性（テキスト。fidはgsi_fid）、ファイル名（source）を持つポリゴンです。</translation>
     </message>
     <message>
         <source>Number of footprints written.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出した建物外周線の数です。</translation>
     </message>
     <message>
         <source>Coordinate reference system of the result, such as EPSG:6677.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果の座標参照系です（例：EPSG:6677）。</translation>
     </message>
     <message>
         <source>Name of the coordinate reference system</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系の名称</translation>
     </message>
     <message>
         <source>File of an elevation model</source>
-        <translation type="unfinished"></translation>
+        <translation>標高モデルのファイル</translation>
     </message>
     <message>
         <source>GSI elevation models (*.xml *.XML *.zip *.ZIP);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院の標高モデル (*.xml *.XML *.zip *.ZIP);;すべてのファイル (*)</translation>
     </message>
     <message>
         <source>FG-GML-...-DEM5A-... .xml (or 1A, 5B, 5C, 10A, 10B), or a .zip as downloaded (zips inside are opened too). The path of a folder can be typed here as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>FG-GML-...-DEM5A-... .xml（または1A、5B、5C、10A、10B）、またはダウンロードしたままの.zip（内側のzipも開きます）。フォルダのパスを入力することもできます。</translation>
     </message>
     <message>
         <source>Folder of elevation models</source>
-        <translation type="unfinished"></translation>
+        <translation>標高モデルのフォルダ</translation>
     </message>
     <message>
         <source>Of the raster. If none is chosen, the zone of the Japan Plane Rectangular CS in which most meshes lie. In degrees (EPSG:6668) the cells stay as they are in the files.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタの座標参照系です。選択しない場合は、最も多くのメッシュが入る平面直角座標系の系とします。度単位（EPSG:6668）の場合、セルはファイルのままです。</translation>
     </message>
     <message>
         <source>Cell size</source>
-        <translation type="unfinished"></translation>
+        <translation>セルサイズ</translation>
     </message>
     <message>
         <source>Side of a cell in units of the coordinate reference system; if none is given, that of the finest product: 1, 5 or 10 m, or its fraction of a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>セルの一辺で、座標参照系の単位によります。指定しない場合は最も細かい製品の値です: 1、5、10 m、またはそれに当たる秒の分数。</translation>
     </message>
     <message>
         <source>GeoTIFF of heights in metres; cells without height are no data.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高（メートル）のGeoTIFF。標高のないセルはノーデータです。</translation>
     </message>
     <message>
         <source>Number of files that the raster was made of.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタの作成に用いたファイルの数です。</translation>
     </message>
     <message>
         <source>Number of meshes</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ数</translation>
     </message>
     <message>
         <source>Cells without height (sea, or no mesh), 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高のないセル（海、またはメッシュなし）の割合、0～1。</translation>
     </message>
     <message>
         <source>Share of empty cells</source>
-        <translation type="unfinished"></translation>
+        <translation>空のセルの割合</translation>
     </message>
     <message>
         <source>JGD2000, JGD2011 or JGD2024, as the files say.</source>
-        <translation type="unfinished"></translation>
+        <translation>JGD2000、JGD2011またはJGD2024（ファイルの記載による）。</translation>
     </message>
     <message>
         <source>MultiPolygonZ of “Building models”: level roofs, upright walls. Without them give a CityJSON file.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物モデル」のMultiPolygonZ: 水平な屋根と鉛直な壁面。ない場合はCityJSONファイルを指定してください。</translation>
     </message>
     <message>
         <source>Building models (CityJSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデル（CityJSON）</translation>
     </message>
     <message>
         <source>CityJSON file with solids, in the coordinate system of the walls, instead of the layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤの代わりに用いる、立体を含むCityJSONファイル。座標系は壁面と同じとします。</translation>
     </message>
     <message>
         <source>Walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面</translation>
     </message>
     <message>
         <source>PolygonZ of “Walls from a mobile survey”. Walls of few points, rough ones and those inside the outlines are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>「移動計測の壁面」のPolygonZ。点の少ない壁面、粗い壁面、外周線の内側にある壁面は除かれます。</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>Height in metres above the ground of each model up to which measured walls are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測壁面を採用する範囲の上限で、各モデルの地盤からの高さ（メートル）です。</translation>
     </message>
     <message>
         <source>Maximum offset</source>
-        <translation type="unfinished"></translation>
+        <translation>最大オフセット</translation>
     </message>
     <message>
         <source>Maximum distance in metres by which a wall moves to the measured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面を計測壁面へ移動する距離の上限（メートル）です。</translation>
     </message>
     <message>
         <source>Maximum rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>最大回転角</translation>
     </message>
     <message>
         <source>°</source>
-        <translation type="unfinished"></translation>
+        <translation>°</translation>
     </message>
     <message>
         <source>Maximum angle between a wall and the measured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面と計測壁面のなす角の上限です。</translation>
     </message>
     <message>
         <source>Minimum share measured</source>
-        <translation type="unfinished"></translation>
+        <translation>最小計測割合</translation>
     </message>
     <message>
         <source>Minimum share of a wall's length, 0 to 1, that must have been measured for it to move.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面を移動するために計測されていなければならない、壁面の長さに対する割合の下限（0～1）です。</translation>
     </message>
     <message>
         <source>Minimum overhang</source>
-        <translation type="unfinished"></translation>
+        <translation>最小張り出し</translation>
     </message>
     <message>
         <source>A roof that stands out further than this over the measured wall stays where it is, in metres; others follow the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測壁面からこの値（メートル）を超えて張り出す屋根はそのままの位置に残り、それ以外は壁面に追随します。</translation>
     </message>
     <message>
         <source>Merged models</source>
-        <translation type="unfinished"></translation>
+        <translation>統合後のモデル</translation>
     </message>
     <message>
         <source>MultiPolygonZ, one feature a building with all faces of its solids; status, reason, valid, walls, walls_moved, measured (share of the walls' length), mean_offset, max_offset, base, height (m), volume, volume_change (m3).</source>
-        <translation type="unfinished"></translation>
+        <translation>MultiPolygonZ、建物ごとに1地物で立体の全面を含みます: status、reason、valid、walls、walls_moved、measured（壁面長に対する割合）、mean_offset、max_offset、base、height（m）、volume、volume_change（m3）。</translation>
     </message>
     <message>
         <source>Walls of the models</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの壁面</translation>
     </message>
     <message>
         <source>PolygonZ, one feature an outer wall below the height, with what became of it: building_id, edge, status, note, wall (row of the measured wall), length, offset (m), turn (degrees), seen (share), rmse, sigma (m).</source>
-        <translation type="unfinished"></translation>
+        <translation>PolygonZ、指定の高さより下の外壁ごとに1地物で、その処理結果を示します: building_id、edge、status、note、wall（計測壁面の行）、length、offset（m）、turn（度）、seen（割合）、rmse、sigma（m）。</translation>
     </message>
     <message>
         <source>CityJSON 2.0 file with the solids.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体を含むCityJSON 2.0ファイル。</translation>
     </message>
     <message>
         <source>Orthophoto for the report</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書用のオルソ画像</translation>
     </message>
     <message>
         <source>The report shows edges before and after over it; it changes nothing else.</source>
-        <translation type="unfinished"></translation>
+        <translation>報告書で、統合前後の辺をこの上に表示します。ほかには影響しません。</translation>
     </message>
     <message>
         <source>What was merged and what not, and edges before and after over the orthophoto, as HTML.</source>
-        <translation type="unfinished"></translation>
+        <translation>統合したものとしなかったもの、およびオルソ画像上の統合前後の辺（HTML）。</translation>
     </message>
     <message>
         <source>Number of models.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの数です。</translation>
     </message>
     <message>
         <source>Buildings with a wall that moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面が移動した建物です。</translation>
     </message>
     <message>
         <source>Merged</source>
-        <translation type="unfinished"></translation>
+        <translation>統合済み</translation>
     </message>
     <message>
         <source>Buildings that could not be merged.</source>
-        <translation type="unfinished"></translation>
+        <translation>統合できなかった建物です。</translation>
     </message>
     <message>
         <source>Not merged</source>
-        <translation type="unfinished"></translation>
+        <translation>統合不可</translation>
     </message>
     <message>
         <source>Buildings whose solids passed the check.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体が検査に合格した建物です。</translation>
     </message>
     <message>
         <source>Valid</source>
-        <translation type="unfinished"></translation>
+        <translation>有効</translation>
     </message>
     <message>
         <source>Outer walls that lie on measured ones now.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測壁面上に位置するようになった外壁です。</translation>
     </message>
     <message>
         <source>Walls moved</source>
-        <translation type="unfinished"></translation>
+        <translation>移動した壁面</translation>
     </message>
     <message>
         <source>Points with building_id from “Segment buildings”, or any points of airborne scanning.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物の抽出」によるbuilding_id付きの点、または航空レーザ測量の任意の点。</translation>
     </message>
     <message>
         <source>One feature a building, where it stands. A field ground gives the height of the ground in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の位置に、建物ごとに1地物。フィールドgroundは地盤の標高（メートル）を示します。</translation>
     </message>
     <message>
         <source>Distance in metres from the mesh within which at least 95 % of a building's uppermost points shall lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の最上部の点の95 %以上が収まるべき、メッシュからの距離（メートル）です。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres; the lowest along an outline is the foot of its walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（メートル）。外周線に沿った最低値を壁面の下端とします。</translation>
     </message>
     <message>
         <source>Height step</source>
-        <translation type="unfinished"></translation>
+        <translation>段差の高さ</translation>
     </message>
     <message>
         <source>Steps of the roof higher than this, in metres, become upright walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>これ（メートル）より高い屋根の段差を鉛直な壁面とします。</translation>
     </message>
     <message>
         <source>Minimum area of a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>面の最小面積</translation>
     </message>
     <message>
         <source>Smaller pieces between steps become part of what is beside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>段差に挟まれたこれより小さい部分は、隣の部分に併合されます。</translation>
     </message>
     <message>
         <source>Meshes</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ</translation>
     </message>
     <message>
         <source>MultiPolygonZ, one feature a building with all triangles; status, reason, triangles, surfaces, base, height (m), points, rmse, p95, max_error (m), within (share of the uppermost points), watertight, valid.</source>
-        <translation type="unfinished"></translation>
+        <translation>MultiPolygonZ、建物ごとに1地物で全三角形を含みます: status、reason、triangles、surfaces、base、height（m）、points、rmse、p95、max_error（m）、within（最上部の点に占める割合）、watertight、valid。</translation>
     </message>
     <message>
         <source>PLY mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>PLYメッシュ</translation>
     </message>
     <message>
         <source>All meshes in one binary PLY file, which QGIS opens as a mesh layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのメッシュを1つのバイナリPLYファイルにまとめたもの。QGISではメッシュレイヤとして開けます。</translation>
     </message>
     <message>
         <source>Buildings with a mesh.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュを作成した建物です。</translation>
     </message>
     <message>
         <source>Meshed</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ作成済み</translation>
     </message>
     <message>
         <source>Meshes that are closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>閉じたメッシュの数です。</translation>
     </message>
     <message>
         <source>Watertight</source>
-        <translation type="unfinished"></translation>
+        <translation>水密</translation>
     </message>
     <message>
         <source>Share of the uppermost points within the stated error.</source>
-        <translation type="unfinished"></translation>
+        <translation>最上部の点のうち、指定した誤差に収まるものの割合です。</translation>
     </message>
     <message>
         <source>Points within the error</source>
-        <translation type="unfinished"></translation>
+        <translation>誤差内の点</translation>
     </message>
     <message>
         <source>Of all points from their meshes.</source>
-        <translation type="unfinished"></translation>
+        <translation>全点のメッシュからの値です。</translation>
     </message>
     <message>
         <source>RMSE</source>
-        <translation type="unfinished"></translation>
+        <translation>RMSE</translation>
     </message>
     <message>
         <source>Number of all triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>全三角形の数です。</translation>
     </message>
     <message>
         <source>Points with the attributes building_id and roof_id, from “Segment roofs”.</source>
-        <translation type="unfinished"></translation>
+        <translation>「屋根の分割」による、属性building_idとroof_idをもつ点。</translation>
     </message>
     <message>
         <source>Outlines from “Segment buildings”.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物の抽出」による外周線。</translation>
     </message>
     <message>
         <source>How the polygons are drawn. (partition, points, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴンの描き方です。(partition, points, paper)</translation>
     </message>
     <message>
         <source>planes: polygons on the planes of their points, with edges where planes meet (LoD2.2); levels: level polygons (LoD1.3). The paper's method has levels always. (planes, levels)</source>
-        <translation type="unfinished"></translation>
+        <translation>planes: 点群の平面上のポリゴンで、平面どうしの交線を辺とします（LoD2.2）。levels: 水平なポリゴン（LoD1.3）。論文の方法では常にlevelsです。(planes, levels)</translation>
     </message>
     <message>
         <source>Roof height</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根の高さ</translation>
     </message>
     <message>
         <source>Height of a level roof from its points: the median, or the highest point as in the paper (the top of the parapet). The paper's method always takes the highest point. (robust, maximum)</source>
-        <translation type="unfinished"></translation>
+        <translation>水平な屋根の高さの点群からの決め方: 中央値、または論文のとおり最高点（パラペットの上端）。論文の方法では常に最高点です。(robust, maximum)</translation>
     </message>
     <message>
         <source>Minimum points of an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>辺の最小点数</translation>
     </message>
     <message>
         <source>points</source>
-        <translation type="unfinished"></translation>
+        <translation>点</translation>
     </message>
     <message>
         <source>Boundary points that a line must have to be an edge, in the paper's method (its n).</source>
-        <translation type="unfinished"></translation>
+        <translation>論文の方法で、線を辺とするために必要な境界点の数（論文のn）です。</translation>
     </message>
     <message>
         <source>PolygonZ at the roofs' heights: building_id, roof_id (0: plain block), height, height_max (m), points, density (points a m2), rmse (m), coverage (share of the area with points), boundary_rms (m), slope (degrees), azimuth (degrees from north, where it falls to), status.</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根の高さにあるPolygonZ: building_id、roof_id（0: 単純ブロック）、height、height_max（m）、points、density（点/m2）、rmse（m）、coverage（点のある面積の割合）、boundary_rms（m）、slope（度）、azimuth（北からの度、下り方向）、status。</translation>
     </message>
     <message>
         <source>Outlines that got no polygon.</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴンが得られなかった外周線です。</translation>
     </message>
     <message>
         <source>Buildings without a roof</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根のない建物</translation>
     </message>
     <message>
         <source>Rough outlines, one feature a building, in the same coordinate system as the points. A field building_id, of any type, names the buildings and comes back in every result; ids that a point cloud cannot hold get a number beside them (bldg_no). Without it, buildings are numbered from 1 in the layer's order.</source>
-        <translation type="unfinished"></translation>
+        <translation>概略の外周線。建物ごとに1地物で、座標系は点群と同じとします。フィールドbuilding_id（型は任意）が建物の名称となり、すべての結果に引き継がれます。点群に格納できないidには番号（bldg_no）が併記されます。このフィールドがない場合は、レイヤの順に1から番号を付けます。</translation>
     </message>
     <message>
         <source>Expansion</source>
-        <translation type="unfinished"></translation>
+        <translation>拡張幅</translation>
     </message>
     <message>
         <source>Distance in metres by which outlines are expanded before they take their points.</source>
-        <translation type="unfinished"></translation>
+        <translation>点を取り込む前に外周線を拡張する距離（メートル）です。</translation>
     </message>
     <message>
         <source>The full method adjusts the outlines and chooses the points that can be building. The paper's takes all points in the expanded outlines as they are given; a point in several is written once for each. (full, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>fullは外周線の位置を合わせ、建物になり得る点を選びます。paperは、与えられたままの外周線を拡張した範囲の全点を取り、複数の範囲に入る点はそれぞれに1回ずつ書き出します。(full, paper)</translation>
     </message>
     <message>
         <source>Heights of the ground in metres. Without it the ground is made from the points.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（メートル）。ない場合は点群から地表を作成します。</translation>
     </message>
     <message>
         <source>Maximum displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>最大変位</translation>
     </message>
     <message>
         <source>Distance in metres by which an outline may be moved to its points; 0 leaves all outlines in their places.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線を点群に合わせて移動する距離の上限（メートル）です。0ではすべての外周線をそのままの位置に残します。</translation>
     </message>
     <message>
         <source>Minimum building height</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の最小高さ</translation>
     </message>
     <message>
         <source>Height in metres above the ground from which points without a class can belong to a building.</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスのない点を建物の点とみなす、地表からの高さの下限（メートル）です。</translation>
     </message>
     <message>
         <source>Building points</source>
-        <translation type="unfinished"></translation>
+        <translation>建物点群</translation>
     </message>
     <message>
         <source>The points of the buildings with the attribute building_id, building after building; all other attributes are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>属性building_idを付けた建物の点群（建物順）。その他の属性はすべて保持されます。</translation>
     </message>
     <message>
         <source>The outlines at their found places, with building_id, points, density (points a m2), ground (m), shift_x, shift_y, shift_sigma (m), shift_status, status and open_share (share of the outline cut out as open ground).</source>
-        <translation type="unfinished"></translation>
+        <translation>位置合わせ後の外周線: building_id、points、density（点/m2）、ground（m）、shift_x、shift_y、shift_sigma（m）、shift_status、status、open_share（空地として切り取った外周線内の割合）。</translation>
     </message>
     <message>
         <source>Outlines with too few points for a model.</source>
-        <translation type="unfinished"></translation>
+        <translation>点が少なくモデルを作成できない外周線です。</translation>
     </message>
     <message>
         <source>Buildings without points</source>
-        <translation type="unfinished"></translation>
+        <translation>点のない建物</translation>
     </message>
     <message>
         <source>Points given to buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物に割り当てた点です。</translation>
     </message>
     <message>
         <source>Points with the attribute building_id, from “Segment buildings”.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物の抽出」による、属性building_idをもつ点。</translation>
     </message>
     <message>
         <source>Outlines from “Segment buildings”; their fields ground and density are used where they are there.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物の抽出」による外周線。フィールドgroundとdensityがあれば使用します。</translation>
     </message>
     <message>
         <source>The full method segments roofs in the histogram and in plan. The paper's has the histogram alone: all points in the expanded outline, maxima of at least the minimum roof area times the density; it uses bin width, bin shift, minimum roof area and parapet threshold only. (full, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>fullはヒストグラムと平面の両方で屋根を分割します。paperはヒストグラムのみで、拡張した外周線内の全点を用い、最小屋根面積×点密度以上の極大を採用します。使用するのはビン幅、ビンの移動量、最小屋根面積、パラペットしきい値だけです。(full, paper)</translation>
     </message>
     <message>
         <source>planes: level and sloped roof planes (LoD2.2); levels: level roofs, sloped ones cut into steps (LoD1.3). The paper's method has levels always. (planes, levels)</source>
-        <translation type="unfinished"></translation>
+        <translation>planes: 水平および傾斜した屋根面（LoD2.2）。levels: 水平な屋根とし、傾斜屋根は段に分けます（LoD1.3）。論文の方法では常にlevelsです。(planes, levels)</translation>
     </message>
     <message>
         <source>Bin width</source>
-        <translation type="unfinished"></translation>
+        <translation>ビン幅</translation>
     </message>
     <message>
         <source>Width of a histogram bin in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>ヒストグラムのビンの幅（メートル）です。</translation>
     </message>
     <message>
         <source>Bin shift</source>
-        <translation type="unfinished"></translation>
+        <translation>ビンの移動量</translation>
     </message>
     <message>
         <source>Distance in metres from one bin to the next; smaller than the width, so that bins overlap.</source>
-        <translation type="unfinished"></translation>
+        <translation>ビンから次のビンまでの距離（メートル）です。幅より小さくして、ビンを重複させます。</translation>
     </message>
     <message>
         <source>Minimum roof area</source>
-        <translation type="unfinished"></translation>
+        <translation>最小屋根面積</translation>
     </message>
     <message>
         <source>Area in square metres that a maximum of the histogram must hold to be a roof (times the density: the paper's alpha).</source>
-        <translation type="unfinished"></translation>
+        <translation>ヒストグラムの極大を屋根とするために必要な面積（平方メートル）です（点密度を掛けると論文のα）。</translation>
     </message>
     <message>
         <source>Parapet threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>パラペットしきい値</translation>
     </message>
     <message>
         <source>Two maxima are one roof where the histogram between them stays above this number of points (the paper's beta). Without it, 0.3 of the smaller maximum; with the paper's method, 0.3 of alpha.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの極大の間のヒストグラムがこの点数を上回る場合、1つの屋根とします（論文のβ）。指定しない場合は小さい方の極大の0.3倍、論文の方法ではαの0.3倍です。</translation>
     </message>
     <message>
         <source>Minimum roof share</source>
-        <translation type="unfinished"></translation>
+        <translation>最小屋根割合</translation>
     </message>
     <message>
         <source>The minimum roof area is no more than this share of the outline's area, so that small buildings have roofs too; 1 asks for the minimum roof area everywhere but in buildings smaller than that.</source>
-        <translation type="unfinished"></translation>
+        <translation>小さな建物にも屋根が得られるよう、最小屋根面積を外周線の面積に対するこの割合までに抑えます。1では、最小屋根面積より小さい建物を除き、常に最小屋根面積を求めます。</translation>
     </message>
     <message>
         <source>Minimum area of a small roof</source>
-        <translation type="unfinished"></translation>
+        <translation>小屋根の最小面積</translation>
     </message>
     <message>
         <source>Area in square metres of the smallest part that stands out in height and becomes a roof of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さが周囲と異なり、独立した屋根とする部分の最小面積（平方メートル）です。</translation>
     </message>
     <message>
         <source>Height error of sloped roofs</source>
-        <translation type="unfinished"></translation>
+        <translation>傾斜屋根の高さ誤差</translation>
     </message>
     <message>
         <source>Sloped roofs are cut into level ones until the building's root mean square height error in metres is below this; 0 keeps the roofs of the paper whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の高さのRMSE（メートル）がこの値を下回るまで、傾斜屋根を水平な屋根に分けます。0では論文の屋根を分けません。</translation>
     </message>
     <message>
         <source>Minimum roof height</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根の最小高さ</translation>
     </message>
     <message>
         <source>Height in metres above the ground below which nothing is a roof.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより低い部分を屋根としない、地表からの高さ（メートル）です。</translation>
     </message>
     <message>
         <source>Plane tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>平面の許容距離</translation>
     </message>
     <message>
         <source>Largest distance in metres of a point from its roof plane; three to four times the noise of the heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>点の屋根面からの距離の上限（メートル）です。高さのノイズの3～4倍とします。</translation>
     </message>
     <message>
         <source>Minimum area of a plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面の最小面積</translation>
     </message>
     <message>
         <source>Area in square metres of the smallest roof plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>最小の屋根面の面積（平方メートル）です。</translation>
     </message>
     <message>
         <source>The buildings' points with the attribute roof_id: the number of the roof in its building, 0 for trees, walls and roof furniture.</source>
-        <translation type="unfinished"></translation>
+        <translation>属性roof_idを付けた建物の点群: 建物内での屋根の番号。樹木、壁面、屋上設備は0です。</translation>
     </message>
     <message>
         <source>Table of the roofs: building_id, roof_id, height (robust, m), height_max (highest point as in the paper, m), points, area (m2), density (points a m2), rmse (m), slope (degrees), azimuth (degrees from north, where it falls to), status.</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根の表: building_id、roof_id、height（ロバスト推定、m）、height_max（論文のとおり最高点、m）、points、area（m2）、density（点/m2）、rmse（m）、slope（度）、azimuth（北からの度、下り方向）、status。</translation>
     </message>
     <message>
         <source>Number of roofs found.</source>
-        <translation type="unfinished"></translation>
+        <translation>見つかった屋根の数です。</translation>
     </message>
     <message>
         <source>Buildings in whose points no roof was found.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に屋根が見つからなかった建物です。</translation>
     </message>
     <message>
         <source>Mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測</translation>
     </message>
     <message>
         <source>One or several LAS, LAZ or COPC files of a survey that lies on the map, such as from “Apply corrected trajectory”.</source>
-        <translation type="unfinished"></translation>
+        <translation>「補正軌跡の適用」の結果など、地図に合った計測のLAS、LAZまたはCOPCファイル（1つまたは複数）。</translation>
     </message>
     <message>
         <source>Outlines, or models with their heights (MultiPolygonZ of “Building models”). A field building_id, of any type, names the buildings; without it, buildings are numbered from 1 in the layer's order.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線、または高さをもつモデル（「建物モデル」のMultiPolygonZ）。フィールドbuilding_id（型は任意）が建物の名称となり、ない場合はレイヤの順に1から番号を付けます。</translation>
     </message>
     <message>
         <source>Maximum height</source>
-        <translation type="unfinished"></translation>
+        <translation>最大高さ</translation>
     </message>
     <message>
         <source>Height in metres above the ground up to which points are used.</source>
-        <translation type="unfinished"></translation>
+        <translation>点を使用する、地表からの高さの上限（メートル）です。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres. Without it the ground is taken from the lowest points round each building.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（メートル）。ない場合は各建物の周囲の最も低い点から求めます。</translation>
     </message>
     <message>
         <source>Tolerance of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線の許容誤差</translation>
     </message>
     <message>
         <source>How far the outlines may be off, in metres: walls are looked for up to this far from the edges. Inside, setbacks are found at any distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線のずれの許容値（メートル）です。辺からこの距離までの範囲で壁面を探します。内側のセットバックは距離にかかわらず検出します。</translation>
     </message>
     <message>
         <source>Minimum area of a wall</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の最小面積</translation>
     </message>
     <message>
         <source>Tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>許容距離</translation>
     </message>
     <message>
         <source>Maximum distance in metres of a wall's points, on the mean of 30 cm, from its plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の点（30 cmごとの平均）の平面からの距離の上限（メートル）です。</translation>
     </message>
     <message>
         <source>Maximum gap</source>
-        <translation type="unfinished"></translation>
+        <translation>最大間隔</translation>
     </message>
     <message>
         <source>A wall may be interrupted by up to so many metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の途切れをこのメートル数まで許容します。</translation>
     </message>
     <message>
         <source>Minimum opening</source>
-        <translation type="unfinished"></translation>
+        <translation>最小開口部</translation>
     </message>
     <message>
         <source>Smaller holes in a contour are filled, and their share is reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭内のこれより小さい穴は埋め、その割合を報告します。</translation>
     </message>
     <message>
         <source>PolygonZ, one feature a contour: building_id, wall_id, status, note, area (m2), height, length (m), azimuth and tilt (degrees), normal_x, normal_y, normal_z, points, passes, rmse, sigma, pass_spread (m), coverage, hidden, unseen, openings, filled (shares), edge and offset (outline edge, and m before it).</source>
-        <translation type="unfinished"></translation>
+        <translation>PolygonZ、輪郭ごとに1地物: building_id、wall_id、status、note、area（m2）、height、length（m）、azimuthとtilt（度）、normal_x、normal_y、normal_z、points、passes、rmse、sigma、pass_spread（m）、coverage、hidden、unseen、openings、filled（割合）、edgeとoffset（外周線の辺と、その前方へのm）。</translation>
     </message>
     <message>
         <source>Number of contours.</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭の数です。</translation>
     </message>
     <message>
         <source>Buildings of which a wall was found.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面が見つかった建物です。</translation>
     </message>
     <message>
         <source>Buildings with walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面のある建物</translation>
     </message>
     <message>
         <source>Buildings near points of the survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測の点に近い建物です。</translation>
     </message>
     <message>
         <source>Buildings reached</source>
-        <translation type="unfinished"></translation>
+        <translation>計測範囲の建物</translation>
     </message>
     <message>
         <source>Area of all contours.</source>
-        <translation type="unfinished"></translation>
+        <translation>全輪郭の面積です。</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>面積</translation>
     </message>
     <message>
         <source>Median over the walls of the standard deviation of their place in the survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測における壁面位置の標準偏差の、全壁面についての中央値です。</translation>
     </message>
     <message>
         <source>Building models (MultiPolygonZ, such as those of “Building models”) or outlines with heights, in a projected CRS in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデル（「建物モデル」によるMultiPolygonZなど）、または高さをもつ外周線。メートル単位の投影座標系とします。</translation>
     </message>
     <message>
         <source>Where the receiver was, in the CRS of the buildings: one or several files (CSV time,x,y,z,roll,pitch,heading, SBET, or point layers).</source>
-        <translation type="unfinished"></translation>
+        <translation>受信機の位置。座標参照系は建物と同じとします。1つまたは複数のファイル（CSV time,x,y,z,roll,pitch,heading、SBET、または点レイヤ）。</translation>
     </message>
     <message>
         <source>Observations</source>
-        <translation type="unfinished"></translation>
+        <translation>観測データ</translation>
     </message>
     <message>
         <source>RINEX 2.11 or 3.x observation files, plain or gzipped; each file is a pass.</source>
-        <translation type="unfinished"></translation>
+        <translation>RINEX 2.11または3.xの観測ファイル（非圧縮またはgzip）。1ファイルを1回の走行とします。</translation>
     </message>
     <message>
         <source>Navigation</source>
-        <translation type="unfinished"></translation>
+        <translation>航法データ</translation>
     </message>
     <message>
         <source>RINEX navigation files or SP3 orbits of the same days.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ日のRINEX航法ファイルまたはSP3軌道。</translation>
     </message>
     <message>
         <source>Geoid separation</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイド高</translation>
     </message>
     <message>
         <source>Ellipsoidal height minus the trajectory's height; 0 where the trajectory has ellipsoidal heights. Left empty, it is estimated from the satellites.</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円体高から軌跡の高さを引いた値です。軌跡が楕円体高の場合は0とします。空欄の場合は衛星から推定します。</translation>
     </message>
     <message>
         <source>Elevation mask</source>
-        <translation type="unfinished"></translation>
+        <translation>仰角マスク</translation>
     </message>
     <message>
         <source>Satellites lower than this are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより低い衛星は除きます。</translation>
     </message>
     <message>
         <source>Lever arm of the antenna</source>
-        <translation type="unfinished"></translation>
+        <translation>アンテナのレバーアーム</translation>
     </message>
     <message>
         <source>Antenna in the vehicle's body: forward, right, down, in metres from the trajectory's origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>車体座標系でのアンテナ位置: 軌跡の原点からの前方、右、下（メートル）。</translation>
     </message>
     <message>
         <source>Field with the building</source>
-        <translation type="unfinished"></translation>
+        <translation>建物のフィールド</translation>
     </message>
     <message>
         <source>Features with the same value are one building. Left empty, building_id or building is taken where it exists.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ値の地物を1つの建物とします。空欄の場合、building_idまたはbuildingがあれば使用します。</translation>
     </message>
     <message>
         <source>Field with the height of the top</source>
-        <translation type="unfinished"></translation>
+        <translation>上端の高さのフィールド</translation>
     </message>
     <message>
         <source>Height of the top of the walls, m, in the trajectory's heights. Needed for outlines without heights; z_top is found by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面上端の高さ（m）で、軌跡と同じ高さの基準とします。高さのない外周線に必要です。z_topは自動的に検出します。</translation>
     </message>
     <message>
         <source>Field with the height of the foot</source>
-        <translation type="unfinished"></translation>
+        <translation>下端の高さのフィールド</translation>
     </message>
     <message>
         <source>Height of the foot of the walls, m; without it the walls of outlines reach down without end. z_base is found by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面下端の高さ（m）です。ない場合、外周線の壁面は下方に限りなく延びるものとします。z_baseは自動的に検出します。</translation>
     </message>
     <message>
         <source>Maximum range of reflections</source>
-        <translation type="unfinished"></translation>
+        <translation>反射の最大距離</translation>
     </message>
     <message>
         <source>Walls farther from the antenna than this reflect nothing that is received, m.</source>
-        <translation type="unfinished"></translation>
+        <translation>アンテナからこれ（m）より遠い壁面からの反射信号は受信されないものとします。</translation>
     </message>
     <message>
         <source>Satellite systems</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星システム</translation>
     </message>
     <message>
         <source>Letters of those that are used: G GPS, R GLONASS, E Galileo, C BeiDou, J QZSS.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用するシステムの文字: G GPS、R GLONASS、E Galileo、C BeiDou、J QZSS。</translation>
     </message>
     <message>
         <source>Minimum number of passes</source>
-        <translation type="unfinished"></translation>
+        <translation>最小走行数</translation>
     </message>
     <message>
         <source>Walls seen in fewer observation files stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより少ない観測ファイルにしか現れない壁面は動かしません。</translation>
     </message>
     <message>
         <source>Minimum number of observations</source>
-        <translation type="unfinished"></translation>
+        <translation>最小観測数</translation>
     </message>
     <message>
         <source>Walls with fewer independent observations stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>独立な観測がこれより少ない壁面は動かしません。</translation>
     </message>
     <message>
         <source>Minimum number of satellites</source>
-        <translation type="unfinished"></translation>
+        <translation>最小衛星数</translation>
     </message>
     <message>
         <source>Walls seen by fewer satellites stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより少ない衛星でしか観測されない壁面は動かしません。</translation>
     </message>
     <message>
         <source>Walls whose offset has a larger standard deviation stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>オフセットの標準偏差がこれより大きい壁面は動かしません。</translation>
     </message>
     <message>
         <source>Expected offset</source>
-        <translation type="unfinished"></translation>
+        <translation>想定オフセット</translation>
     </message>
     <message>
         <source>How far walls are off before anything is measured (standard deviation).</source>
-        <translation type="unfinished"></translation>
+        <translation>計測前に想定する壁面のずれ（標準偏差）です。</translation>
     </message>
     <message>
         <source>Adjusted buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>調整後の建物</translation>
     </message>
     <message>
         <source>The buildings with their fields, and walls_adjusted (number of walls moved by their own observations) and walls_moved_by (m, largest).</source>
-        <translation type="unfinished"></translation>
+        <translation>元のフィールドに、walls_adjusted（自身の観測で移動した壁面の数）とwalls_moved_by（最大移動量、m）を加えた建物。</translation>
     </message>
     <message>
         <source>LineStringZ where each wall now stands: building, edge, status (adjusted, not observable, held), reason, offset and sigma (m, outwards), applied (m moved), observations, signals, satellites, passes, on_time (share of the observations that are neither NLOS-delayed nor outliers), distance (m to the nearest antenna), length, low, top (m).</source>
-        <translation type="unfinished"></translation>
+        <translation>調整後の各壁面の位置を示すLineStringZ: building、edge、status（adjusted 調整済み、not observable 観測不能、held 保持）、reason、offsetとsigma（m、外向き）、applied（移動量、m）、observations、signals、satellites、passes、on_time（NLOS遅延でも外れ値でもない観測の割合）、distance（最も近いアンテナまで、m）、length、low、top（m）。</translation>
     </message>
     <message>
         <source>HTML report: sky plot, residuals by class against prediction, walls before and after, what to distrust.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書: 天空図、予測に対する区分別の残差、調整前後の壁面、注意すべき点。</translation>
     </message>
     <message>
         <source>Number of walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の数です。</translation>
     </message>
     <message>
         <source>Walls that were moved by their own observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>自身の観測によって移動した壁面です。</translation>
     </message>
     <message>
         <source>Adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>調整済み</translation>
     </message>
     <message>
         <source>Independent observations of all walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>全壁面の独立な観測です。</translation>
     </message>
     <message>
         <source>Observations used</source>
-        <translation type="unfinished"></translation>
+        <translation>使用した観測</translation>
     </message>
     <message>
         <source>Observation files with usable signals.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用可能な信号を含む観測ファイルです。</translation>
     </message>
     <message>
         <source>Of the offsets of the adjusted walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>調整した壁面のオフセットの値です。</translation>
     </message>
     <message>
         <source>Size of the offsets of the adjusted walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>調整した壁面のオフセットの大きさです。</translation>
     </message>
     <message>
         <source>Median offset</source>
-        <translation type="unfinished"></translation>
+        <translation>オフセットの中央値</translation>
     </message>
     <message>
         <source>Seconds between lines</source>
-        <translation type="unfinished"></translation>
+        <translation>線の時間間隔</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished"></translation>
+        <translation>s</translation>
     </message>
     <message>
         <source>Lines are drawn of epochs this far apart; figures are those of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>この間隔のエポックについて線を描きます。数値は全エポックのものです。</translation>
     </message>
     <message>
         <source>Length of the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>線の長さ</translation>
     </message>
     <message>
         <source>Of the part towards the satellite.</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星に向かう部分の長さです。</translation>
     </message>
     <message>
         <source>Rays</source>
-        <translation type="unfinished"></translation>
+        <translation>信号経路</translation>
     </message>
     <message>
         <source>LineStringZ: time, pass, satellite, system, kind (LOS, NLOS, reflected), sure, elevation, azimuth (degrees, from grid north), cn0, excess (predicted excess path, m), residual (m), difference (residual minus excess), reflections (number of walls that can have reflected it), building, edge (of the wall).</source>
-        <translation type="unfinished"></translation>
+        <translation>LineStringZ: time、pass、satellite、system、kind（LOS、NLOS、reflected）、sure、elevation、azimuth（度、座標北から）、cn0、excess（予測した過剰経路長、m）、residual（m）、difference（residualからexcessを引いた値）、reflections（反射した可能性のある壁面の数）、building、edge（壁面の辺）。</translation>
     </message>
     <message>
         <source>HTML report: sky plot, residuals by class against prediction, what to distrust.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書: 天空図、予測に対する区分別の残差、注意すべき点。</translation>
     </message>
     <message>
         <source>Number of signals.</source>
-        <translation type="unfinished"></translation>
+        <translation>信号の数です。</translation>
     </message>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>信号</translation>
     </message>
     <message>
         <source>In line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)</translation>
     </message>
     <message>
         <source>Number of signals without a single wall to reflect them.</source>
-        <translation type="unfinished"></translation>
+        <translation>反射し得る壁面が1つもない信号の数です。</translation>
     </message>
     <message>
         <source>Blocked</source>
-        <translation type="unfinished"></translation>
+        <translation>遮断</translation>
     </message>
     <message>
         <source>Reflected</source>
-        <translation type="unfinished"></translation>
+        <translation>反射</translation>
     </message>
     <message>
         <source>After the receiver's clock.</source>
-        <translation type="unfinished"></translation>
+        <translation>受信機時計誤差を除いた後の値です。</translation>
     </message>
     <message>
         <source>Median residual in line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)の残差の中央値</translation>
     </message>
     <message>
         <source>Of the residuals.</source>
-        <translation type="unfinished"></translation>
+        <translation>残差の値です。</translation>
     </message>
     <message>
         <source>Quartile range in line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)の四分位範囲</translation>
     </message>
     <message>
         <source>Share of the reflected signals within 5 m of prediction.</source>
-        <translation type="unfinished"></translation>
+        <translation>反射信号のうち、予測との差が5 m以内のものの割合です。</translation>
     </message>
     <message>
         <source>Within 5 m</source>
-        <translation type="unfinished"></translation>
+        <translation>5 m以内</translation>
     </message>
     <message>
         <source>Share of the reflected signals within 10 m of prediction.</source>
-        <translation type="unfinished"></translation>
+        <translation>反射信号のうち、予測との差が10 m以内のものの割合です。</translation>
     </message>
     <message>
         <source>Within 10 m</source>
-        <translation type="unfinished"></translation>
+        <translation>10 m以内</translation>
     </message>
     <message>
         <source>RINEX navigation files or SP3 orbits of the day.</source>
-        <translation type="unfinished"></translation>
+        <translation>当日のRINEX航法ファイルまたはSP3軌道。</translation>
     </message>
     <message>
         <source>Drives along which to count, in the CRS of the buildings: CSV time,x,y,z,roll,pitch,heading, SBET, or point layers. Left empty, an area is filled.</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星数を求める走行。座標参照系は建物と同じとします: CSV time,x,y,z,roll,pitch,heading、SBET、または点レイヤ。空欄の場合は領域全体について求めます。</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>時刻</translation>
     </message>
     <message>
         <source>Time in UTC for an area, such as 2024-04-18 02:30:00; a trajectory has times of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>領域について求める場合の時刻（UTC）です（例: 2024-04-18 02:30:00）。軌跡の場合は軌跡自身の時刻を用います。</translation>
     </message>
     <message>
         <source>Area to fill where no trajectory is given; left empty, that of the buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡を指定しない場合に対象とする領域です。空欄の場合は建物の範囲とします。</translation>
     </message>
     <message>
         <source>Distance in metres between the places in an area.</source>
-        <translation type="unfinished"></translation>
+        <translation>領域内の地点の間隔（メートル）です。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres, for an area. Without it the ground is level at the feet of the buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>領域について求める場合の地表の標高（メートル）。ない場合は、地表を建物の下端の高さで水平とします。</translation>
     </message>
     <message>
         <source>Height of the antenna</source>
-        <translation type="unfinished"></translation>
+        <translation>アンテナ高</translation>
     </message>
     <message>
         <source>Above the ground, in metres, for an area.</source>
-        <translation type="unfinished"></translation>
+        <translation>領域について求める場合の、地表からの高さ（メートル）です。</translation>
     </message>
     <message>
         <source>Seconds between places</source>
-        <translation type="unfinished"></translation>
+        <translation>地点の時間間隔</translation>
     </message>
     <message>
         <source>Along a trajectory.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡に沿った間隔です。</translation>
     </message>
     <message>
         <source>Satellites lower than this are not counted.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより低い衛星は数えません。</translation>
     </message>
     <message>
         <source>Letters of those that are counted: G GPS, R GLONASS, E Galileo, C BeiDou, J QZSS.</source>
-        <translation type="unfinished"></translation>
+        <translation>数えるシステムの文字: G GPS、R GLONASS、E Galileo、C BeiDou、J QZSS。</translation>
     </message>
     <message>
         <source>Visible satellites</source>
-        <translation type="unfinished"></translation>
+        <translation>可視衛星</translation>
     </message>
     <message>
         <source>PointZ: time (of the trajectory, or GPS seconds), satellites (in line of sight), gps, glonass, galileo, beidou, qzss (of them), above (satellites above the mask, hidden ones too), pdop.</source>
-        <translation type="unfinished"></translation>
+        <translation>PointZ: time（軌跡の時刻、またはGPS秒）、satellites（見通し内(LOS)の数）、gps、glonass、galileo、beidou、qzss（その内訳）、above（マスクより上の衛星、遮蔽されたものを含む）、pdop。</translation>
     </message>
     <message>
         <source>Visible satellites over the area</source>
-        <translation type="unfinished"></translation>
+        <translation>領域の可視衛星</translation>
     </message>
     <message>
         <source>Number of satellites in line of sight; no value inside buildings. Only without a trajectory.</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)の衛星数。建物内は値なし。軌跡を指定しない場合に限ります。</translation>
     </message>
     <message>
         <source>Satellites in line of sight, mean over the places.</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)の衛星数の、全地点の平均です。</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished"></translation>
+        <translation>平均</translation>
     </message>
     <message>
         <source>Share of the places with fewer than four satellites in line of sight, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)の衛星が4機未満の地点の割合、0～1。</translation>
     </message>
     <message>
         <source>Share below four</source>
-        <translation type="unfinished"></translation>
+        <translation>4機未満の割合</translation>
     </message>
     <message>
         <source>Share of the places where the satellites in line of sight fix no position, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し内(LOS)の衛星では位置が決まらない地点の割合、0～1。</translation>
     </message>
     <message>
         <source>Share without a position</source>
-        <translation type="unfinished"></translation>
+        <translation>測位不能の割合</translation>
     </message>
     <message>
         <source>Number of different satellites above the mask.</source>
-        <translation type="unfinished"></translation>
+        <translation>マスクより上の異なる衛星の数です。</translation>
     </message>
     <message>
         <source>Satellites</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星</translation>
     </message>
     <message>
         <source>Lanelet2 file</source>
-        <translation type="unfinished"></translation>
+        <translation>Lanelet2ファイル</translation>
     </message>
     <message>
         <source>Lanelet2 (*.osm)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lanelet2 (*.osm)</translation>
     </message>
     <message>
         <source>OSM file, such as that of “Lane map”.</source>
-        <translation type="unfinished"></translation>
+        <translation>「車線地図」で出力したものなどのOSMファイル。</translation>
     </message>
     <message>
         <source>Faults of the map</source>
-        <translation type="unfinished"></translation>
+        <translation>地図の不備</translation>
     </message>
     <message>
         <source>Points (longitude, latitude): rule, severity (error, warning, info), text, element. Faults without a place have no geometry.</source>
-        <translation type="unfinished"></translation>
+        <translation>点（経度、緯度）: rule、severity（error、warning、info）、text、element。位置のない不備にはジオメトリがありません。</translation>
     </message>
     <message>
         <source>HTML report: numbers by rule, and the faults.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書: 規則別の件数と不備の一覧。</translation>
     </message>
     <message>
         <source>Number of lanelets in the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイル内のlaneletの数です。</translation>
     </message>
     <message>
         <source>Lanelets</source>
-        <translation type="unfinished"></translation>
+        <translation>lanelet</translation>
     </message>
     <message>
         <source>Number of errors.</source>
-        <translation type="unfinished"></translation>
+        <translation>エラーの件数です。</translation>
     </message>
     <message>
         <source>Errors</source>
-        <translation type="unfinished"></translation>
+        <translation>エラー</translation>
     </message>
     <message>
         <source>Number of warnings.</source>
-        <translation type="unfinished"></translation>
+        <translation>警告の件数です。</translation>
     </message>
     <message>
         <source>Warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>Building models (MultiPolygonZ, such as those of “Building models”) or outlines with heights, in a projected CRS in metres. Leave them out to ask for markings alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデル（「建物モデル」によるMultiPolygonZなど）、または高さをもつ外周線。メートル単位の投影座標系とします。路面標示だけで評価する場合は指定しません。</translation>
     </message>
     <message>
         <source>Walls with sigma</source>
-        <translation type="unfinished"></translation>
+        <translation>σ付きの壁面</translation>
     </message>
     <message>
         <source>Walls whose accuracy was measured (field sigma), such as those of “Merge building models” or “Adjust walls by GNSS”: walls of the buildings that run along them take their sigma.</source>
-        <translation type="unfinished"></translation>
+        <translation>「建物モデルと計測壁面の統合」や「GNSSによる壁面の調整」の結果など、精度（フィールドsigma）が求められた壁面。これに沿う建物の壁面はそのσを引き継ぎます。</translation>
     </message>
     <message>
         <source>Sigma of walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面のσ</translation>
     </message>
     <message>
         <source>Standard deviation of the place of a wall across itself, where neither a field nor WALLS tell it.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィールドにもWALLSにも値がない場合の、壁面に直交する方向の位置の標準偏差です。</translation>
     </message>
     <message>
         <source>Polygons or lines of markings, such as those of “Lines from road markings” (field sigma).</source>
-        <translation type="unfinished"></translation>
+        <translation>「路面標示からの線」の結果など、路面標示のポリゴンまたは線（フィールドsigma）。</translation>
     </message>
     <message>
         <source>Sigma of markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示のσ</translation>
     </message>
     <message>
         <source>Standard deviation of the place of a marking, where no field sigma tells it.</source>
-        <translation type="unfinished"></translation>
+        <translation>フィールドsigmaに値がない場合の、路面標示の位置の標準偏差です。</translation>
     </message>
     <message>
         <source>Common sigma of markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の共通σ</translation>
     </message>
     <message>
         <source>Standard deviation of a displacement that the markings around a place share, such as that of the aerial block.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真のブロックのずれなど、ある地点の周囲の路面標示に共通するずれの標準偏差です。</translation>
     </message>
     <message>
         <source>Lines along which vehicles drive, such as centre lines of lanes. A field tunnel (yes, 1) is heeded.</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の中心線など、車両の走行する線。フィールドtunnel（yes、1）を考慮します。</translation>
     </message>
     <message>
         <source>Drives in the CRS of the buildings instead of roads.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路の代わりに用いる走行。座標参照系は建物と同じとします。</translation>
     </message>
     <message>
         <source>Area to fill where neither roads nor trajectories are given; left empty, that of the map. Along is then north.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路も軌跡も指定しない場合に対象とする領域です。空欄の場合は地図の範囲とします。このとき縦方向は北とします。</translation>
     </message>
     <message>
         <source>Spacing</source>
-        <translation type="unfinished"></translation>
+        <translation>間隔</translation>
     </message>
     <message>
         <source>Distance between the places.</source>
-        <translation type="unfinished"></translation>
+        <translation>地点間の距離です。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres. Without it the roads' heights are taken, or the feet of the buildings beside them.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（メートル）。ない場合は道路の高さ、または道路脇の建物の下端の高さを用います。</translation>
     </message>
     <message>
         <source>Features with the same value are one building.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ値の地物を1つの建物とします。</translation>
     </message>
     <message>
         <source>m; z_top and top are found by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>m。z_topとtopは自動的に検出します。</translation>
     </message>
     <message>
         <source>m; z_base and ground are found by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>m。z_baseとgroundは自動的に検出します。</translation>
     </message>
     <message>
         <source>Field with the sigma of walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面のσのフィールド</translation>
     </message>
     <message>
         <source>Of a building's walls, m; wall_sigma and sigma_xy are found by themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の壁面のσ（m）です。wall_sigmaとsigma_xyは自動的に検出します。</translation>
     </message>
     <message>
         <source>RINEX navigation files or SP3 orbits: then satellites count too.</source>
-        <translation type="unfinished"></translation>
+        <translation>RINEX航法ファイルまたはSP3軌道。指定すると衛星も考慮します。</translation>
     </message>
     <message>
         <source>Time in UTC for roads and areas, such as 2024-04-18 02:30:00; left empty, six times over the hours of the navigation files. A trajectory has times of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路または領域の場合の時刻（UTC）です（例: 2024-04-18 02:30:00）。空欄の場合は、航法ファイルの時間帯にわたる6時刻とします。軌跡の場合は軌跡自身の時刻を用います。</translation>
     </message>
     <message>
         <source>Satellites lower than this are not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより低い衛星は使用しません。</translation>
     </message>
     <message>
         <source>G GPS, R GLONASS, E Galileo, C BeiDou, J QZSS.</source>
-        <translation type="unfinished"></translation>
+        <translation>G GPS、R GLONASS、E Galileo、C BeiDou、J QZSS。</translation>
     </message>
     <message>
         <source>Scanner</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ</translation>
     </message>
     <message>
         <source>Of the vehicle to be localised. (2D, multi-layer)</source>
-        <translation type="unfinished"></translation>
+        <translation>自己位置を推定する車両のスキャナです。(2D, multi-layer)</translation>
     </message>
     <message>
         <source>Range of the scanner</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナの測距範囲</translation>
     </message>
     <message>
         <source>Walls farther away are not seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより遠い壁面は見えないものとします。</translation>
     </message>
     <message>
         <source>Height of the scanner</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナの高さ</translation>
     </message>
     <message>
         <source>Above the road.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面からの高さです。</translation>
     </message>
     <message>
         <source>Matching</source>
-        <translation type="unfinished"></translation>
+        <translation>照合方法</translation>
     </message>
     <message>
         <source>How scans are matched to the map. (NDT, ICP)</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャンを地図に照合する方法です。(NDT, ICP)</translation>
     </message>
     <message>
         <source>Angular resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>角度分解能</translation>
     </message>
     <message>
         <source>Between rays of a layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>1つの層の中の光線の間隔です。</translation>
     </message>
     <message>
         <source>Noise of ranges</source>
-        <translation type="unfinished"></translation>
+        <translation>測距ノイズ</translation>
     </message>
     <message>
         <source>Standard deviation.</source>
-        <translation type="unfinished"></translation>
+        <translation>標準偏差です。</translation>
     </message>
     <message>
         <source>Layers</source>
-        <translation type="unfinished"></translation>
+        <translation>層数</translation>
     </message>
     <message>
         <source>Of a multi-layer scanner.</source>
-        <translation type="unfinished"></translation>
+        <translation>多層スキャナの層の数です。</translation>
     </message>
     <message>
         <source>Lowest layer</source>
-        <translation type="unfinished"></translation>
+        <translation>最下層</translation>
     </message>
     <message>
         <source>Its elevation.</source>
-        <translation type="unfinished"></translation>
+        <translation>その仰角です。</translation>
     </message>
     <message>
         <source>Highest layer</source>
-        <translation type="unfinished"></translation>
+        <translation>最上層</translation>
     </message>
     <message>
         <source>Share of hidden rays</source>
-        <translation type="unfinished"></translation>
+        <translation>遮られる光線の割合</translation>
     </message>
     <message>
         <source>Rays that end at vehicles, trees or people.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両、樹木、人などで止まる光線です。</translation>
     </message>
     <message>
         <source>Cells of the NDT</source>
-        <translation type="unfinished"></translation>
+        <translation>NDTのセル</translation>
     </message>
     <message>
         <source>Common sigma of a building</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の共通σ</translation>
     </message>
     <message>
         <source>Standard deviation of a displacement that all walls of a building share.</source>
-        <translation type="unfinished"></translation>
+        <translation>1棟の建物の全壁面に共通するずれの標準偏差です。</translation>
     </message>
     <message>
         <source>Sigma before matching</source>
-        <translation type="unfinished"></translation>
+        <translation>照合前のσ</translation>
     </message>
     <message>
         <source>What is known before, of east and of north: a direction without evidence keeps it.</source>
-        <translation type="unfinished"></translation>
+        <translation>照合前に分かっている東方向と北方向の精度です。手がかりのない方向ではこの値のままとなります。</translation>
     </message>
     <message>
         <source>Sigma of the heading before matching</source>
-        <translation type="unfinished"></translation>
+        <translation>照合前の方位角のσ</translation>
     </message>
     <message>
         <source>Search for repetitions</source>
-        <translation type="unfinished"></translation>
+        <translation>類似地点の探索範囲</translation>
     </message>
     <message>
         <source>Places that look alike are searched for within this distance; 0: not at all.</source>
-        <translation type="unfinished"></translation>
+        <translation>この距離の範囲で、よく似た地点を探します。0の場合は探しません。</translation>
     </message>
     <message>
         <source>Range of markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の検出距離</translation>
     </message>
     <message>
         <source>Markings farther away are not seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより遠い路面標示は見えないものとします。</translation>
     </message>
     <message>
         <source>View of markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の視野角</translation>
     </message>
     <message>
         <source>Angle ahead in which markings are seen: 360 for the intensity of a scanner around, about 100 for a camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示が見える前方の角度です。全周スキャナの反射強度では360、カメラでは約100とします。</translation>
     </message>
     <message>
         <source>Detection rate of markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の検出率</translation>
     </message>
     <message>
         <source>Share of the markings within sight that are found.</source>
-        <translation type="unfinished"></translation>
+        <translation>視野内の路面標示のうち、検出されるものの割合です。</translation>
     </message>
     <message>
         <source>Sigma of satellite ranges</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星測距のσ</translation>
     </message>
     <message>
         <source>Standard deviation of a code range at the zenith.</source>
-        <translation type="unfinished"></translation>
+        <translation>天頂でのコード距離の標準偏差です。</translation>
     </message>
     <message>
         <source>Share of reflected signals</source>
-        <translation type="unfinished"></translation>
+        <translation>反射信号の割合</translation>
     </message>
     <message>
         <source>Of the hidden satellites those that are received by reflection and used.</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽された衛星のうち、反射により受信され使用されるものの割合です。</translation>
     </message>
     <message>
         <source>Limit of good</source>
-        <translation type="unfinished"></translation>
+        <translation>「良」の限界値</translation>
     </message>
     <message>
         <source>Largest sigma of the weakest direction of a good place.</source>
-        <translation type="unfinished"></translation>
+        <translation>「良」とする地点での、最も弱い方向のσの上限です。</translation>
     </message>
     <message>
         <source>Limit of usable</source>
-        <translation type="unfinished"></translation>
+        <translation>「可」の限界値</translation>
     </message>
     <message>
         <source>The same of a usable place.</source>
-        <translation type="unfinished"></translation>
+        <translation>「可」とする地点での同じ値です。</translation>
     </message>
     <message>
         <source>Simulate scans</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャンのシミュレーション</translation>
     </message>
     <message>
         <source>Scans are simulated at some places and registered to the map: observed against predicted accuracy in the report and among the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>いくつかの地点でスキャンをシミュレートして地図に位置合わせし、実際の精度と予測精度の比較を報告書と結果に示します。</translation>
     </message>
     <message>
         <source>Simulate every</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションの間隔</translation>
     </message>
     <message>
         <source>At every so many places that see walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の見える地点について、この数ごとに行います。</translation>
     </message>
     <message>
         <source>Scans a place</source>
-        <translation type="unfinished"></translation>
+        <translation>1地点当たりのスキャン数</translation>
     </message>
     <message>
         <source>Each in another true city, as the sigmas of the walls allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャンごとに、壁面のσの範囲で異なる真の都市を用います。</translation>
     </message>
     <message>
         <source>True buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>真の建物</translation>
     </message>
     <message>
         <source>The true city to simulate in, with heights as BUILDINGS has them; without it the map is displaced by its sigmas.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションに用いる真の都市で、高さはBUILDINGSと同じ形式とします。ない場合は地図をそのσに従ってずらします。</translation>
     </message>
     <message>
         <source>Of the simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションの値です。</translation>
     </message>
     <message>
         <source>Localisation accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>自己位置推定の精度</translation>
     </message>
     <message>
         <source>Points along the roads: sigma_along, sigma_across (m), sigma_heading (degrees) together, and of each source (…_walls, …_markings, …_satellites); major, minor (m) and weakest (bearing of the major axis) of the error ellipse; alias_share, alias_distance, alias_bearing; points, n_walls, horizon and sky (share with walls), cell_rms, two_surfaces, satellites, pdop; class and status.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路に沿った点: すべてを合わせたsigma_along、sigma_across（m）、sigma_heading（度）と、情報源ごとの値（…_walls、…_markings、…_satellites）。誤差楕円のmajor、minor（m）とweakest（長軸の方位角）。alias_share、alias_distance、alias_bearing。points、n_walls、horizonとsky（壁面のある割合）、cell_rms、two_surfaces、satellites、pdop。classとstatus。</translation>
     </message>
     <message>
         <source>Localisation accuracy, raster</source>
-        <translation type="unfinished"></translation>
+        <translation>自己位置推定の精度（ラスタ）</translation>
     </message>
     <message>
         <source>Sigma of the weakest direction, m, in cells of the spacing.</source>
-        <translation type="unfinished"></translation>
+        <translation>最も弱い方向のσ（m）。セルの大きさは地点の間隔と同じです。</translation>
     </message>
     <message>
         <source>Road by class, the worst stretches with pictures, and what was simulated.</source>
-        <translation type="unfinished"></translation>
+        <translation>区分別の道路、最も精度の悪い区間とその図、シミュレーションの結果。</translation>
     </message>
     <message>
         <source>Number of places.</source>
-        <translation type="unfinished"></translation>
+        <translation>地点の数です。</translation>
     </message>
     <message>
         <source>Places</source>
-        <translation type="unfinished"></translation>
+        <translation>地点</translation>
     </message>
     <message>
         <source>Of the weakest direction, over the places that have one.</source>
-        <translation type="unfinished"></translation>
+        <translation>最も弱い方向の値で、値のある全地点についてのものです。</translation>
     </message>
     <message>
         <source>Road of class good.</source>
-        <translation type="unfinished"></translation>
+        <translation>区分good（良）の道路です。</translation>
     </message>
     <message>
         <source>Length of good road</source>
-        <translation type="unfinished"></translation>
+        <translation>「良」の道路の延長</translation>
     </message>
     <message>
         <source>Road of class usable.</source>
-        <translation type="unfinished"></translation>
+        <translation>区分usable（可）の道路です。</translation>
     </message>
     <message>
         <source>Length of usable road</source>
-        <translation type="unfinished"></translation>
+        <translation>「可」の道路の延長</translation>
     </message>
     <message>
         <source>Road of class poor.</source>
-        <translation type="unfinished"></translation>
+        <translation>区分poor（不良）の道路です。</translation>
     </message>
     <message>
         <source>Length of poor road</source>
-        <translation type="unfinished"></translation>
+        <translation>「不良」の道路の延長</translation>
     </message>
     <message>
         <source>Road of which nothing can be said.</source>
-        <translation type="unfinished"></translation>
+        <translation>精度を判定できない道路です。</translation>
     </message>
     <message>
         <source>Length of road without</source>
-        <translation type="unfinished"></translation>
+        <translation>判定不能の道路の延長</translation>
     </message>
     <message>
         <source>Number of places that look like others.</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかの地点とよく似た地点の数です。</translation>
     </message>
     <message>
         <source>Repeated places</source>
-        <translation type="unfinished"></translation>
+        <translation>類似地点</translation>
     </message>
     <message>
         <source>Of observed and predicted errors, where scans were simulated.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャンをシミュレートした場合の、実際の誤差と予測誤差との相関です。</translation>
     </message>
     <message>
         <source>Spearman's coefficient</source>
-        <translation type="unfinished"></translation>
+        <translation>スピアマンの順位相関係数</translation>
     </message>
     <message>
         <source>Of simulated errors within the 95 % ellipse.</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーションの誤差のうち、95 %楕円に入るものの割合です。</translation>
     </message>
     <message>
         <source>Share within the ellipse</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円内の割合</translation>
     </message>
     <message>
         <source>Polygons of the markings, such as those of “Road markings from orthophoto”, in a projected CRS in metres. A field colour (white, yellow) is used where there is one.</source>
-        <translation type="unfinished"></translation>
+        <translation>「オルソ画像からの路面標示」の結果など、路面標示のポリゴン。メートル単位の投影座標系とします。フィールドcolour（white、yellow）があれば使用します。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres, in the CRS of the markings: gives lines and areas their heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高（メートル）。座標参照系は路面標示と同じとします。線と面に高さを与えます。</translation>
     </message>
     <message>
         <source>Standard deviation of the markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の標準偏差</translation>
     </message>
     <message>
         <source>How well the places of the markings are known as a whole, in metres; it enters the lines' sigma.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示全体の位置の精度（メートル）です。線のσに含まれます。</translation>
     </message>
     <message>
         <source>Minimum line length</source>
-        <translation type="unfinished"></translation>
+        <translation>線の最小長</translation>
     </message>
     <message>
         <source>Shorter lines are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより短い線は除きます。</translation>
     </message>
     <message>
         <source>Maximum line width</source>
-        <translation type="unfinished"></translation>
+        <translation>線の最大幅</translation>
     </message>
     <message>
         <source>Wider strokes are no part of a line.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより幅の広いものは線の一部としません。</translation>
     </message>
     <message>
         <source>Marking lines</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の線</translation>
     </message>
     <message>
         <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it).</source>
-        <translation type="unfinished"></translation>
+        <translation>線（地表を指定した場合は高さ付き）: class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour、width（m）、sigma（m、横断方向）、length（m）、bridged（あるべき塗装のない部分、m）、periodとdash（m）、dashes（線に沿った始点と終点、m）、chain（1本の線の区間）、partner（二重線をなす相手のchain）、confidence（0～1: あるべき塗装のうち見えるものの割合。線の端または横断歩道だけから分かる停止線ではこれより低い値）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の面</translation>
     </message>
     <message>
         <source>Polygons: class (crosswalk; arrow straight, ..., or arrow, kind unknown; diamond; unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴン: class（crosswalk 横断歩道、arrow straight 直進矢印 ...、種類不明の場合はarrow、diamond ひし形、unknown 不明）、colour、heading（読む向き、座標北からの度）、score（0～1: 形状との一致度。横断歩道では縞の位置の塗装から縞の間の塗装を引いた値）。</translation>
     </message>
     <message>
         <source>Number of lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の数です。</translation>
     </message>
     <message>
         <source>Lines</source>
-        <translation type="unfinished"></translation>
+        <translation>線</translation>
     </message>
     <message>
         <source>Length of all lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>全線の延長です。</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>長さ</translation>
     </message>
     <message>
         <source>Number of crosswalks.</source>
-        <translation type="unfinished"></translation>
+        <translation>横断歩道の数です。</translation>
     </message>
     <message>
         <source>Crosswalks</source>
-        <translation type="unfinished"></translation>
+        <translation>横断歩道</translation>
     </message>
     <message>
         <source>Share of the area of the markings that is neither line nor known shape, 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の面積のうち、線でも既知の形状でもないものの割合、0～1。</translation>
     </message>
     <message>
         <source>Unknown paint</source>
-        <translation type="unfinished"></translation>
+        <translation>不明な塗装</translation>
     </message>
     <message>
         <source>The survey, placed by the trajectory: LAS, LAZ or COPC files with GPS times, in one projected coordinate system.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡により座標付けした計測: GPS時刻をもつLAS、LAZまたはCOPCファイル。1つの投影座標系とします。</translation>
     </message>
     <message>
         <source>Heights of the ground in metres, from which those of the points are counted. Without it the ground is found among the points; where the raster has no value no edge is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>点の高さの基準とする地表の標高（メートル）。ない場合は点群から地表を求めます。ラスタに値のない場所では道路端を検出しません。</translation>
     </message>
     <message>
         <source>Half width</source>
-        <translation type="unfinished"></translation>
+        <translation>片側の幅</translation>
     </message>
     <message>
         <source>Edges up to so far from the path, in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行経路からこの距離（メートル）までの道路端を対象とします。</translation>
     </message>
     <message>
         <source>Lowest kerb</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石の最小高さ</translation>
     </message>
     <message>
         <source>Lower steps, in metres, are no kerbs; between two parts of a kerb they are its lowered places.</source>
-        <translation type="unfinished"></translation>
+        <translation>これ（メートル）より低い段差は縁石としません。ただし縁石と縁石の間では、切下げ部とみなします。</translation>
     </message>
     <message>
         <source>Highest kerb</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石の最大高さ</translation>
     </message>
     <message>
         <source>Higher steps, in metres, are no kerbs.</source>
-        <translation type="unfinished"></translation>
+        <translation>これ（メートル）より高い段差は縁石としません。</translation>
     </message>
     <message>
         <source>Shorter edges, in metres, are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>これ（メートル）より短い道路端は除きます。</translation>
     </message>
     <message>
         <source>Standard deviation of the survey</source>
-        <translation type="unfinished"></translation>
+        <translation>計測の標準偏差</translation>
     </message>
     <message>
         <source>How well the survey is placed as a whole, in metres; it enters the sigma of all edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測全体の位置の精度（メートル）です。すべての道路端のσに含まれます。</translation>
     </message>
     <message>
         <source>Objects of “Objects from images” for the GeoPackage.</source>
-        <translation type="unfinished"></translation>
+        <translation>GeoPackageに入れる「画像からの地物」の地物。</translation>
     </message>
     <message>
         <source>Walls of “Walls of the mobile survey” for the GeoPackage.</source>
-        <translation type="unfinished"></translation>
+        <translation>GeoPackageに入れる「移動計測の壁面」の壁面。</translation>
     </message>
     <message>
         <source>Road edges</source>
-        <translation type="unfinished"></translation>
+        <translation>道路端</translation>
     </message>
     <message>
         <source>LineStringZ along the foot: edge_id, kind (kerb, lowered kerb, road border, guard rail, wall), height, sigma (across), sigma_z, length (m), points, passes, completeness (share of the line that was measured), chain (parts of one edge), gap (m to the next part), status (measured, doubtful), reason.</source>
-        <translation type="unfinished"></translation>
+        <translation>下端に沿ったLineStringZ: edge_id、kind（kerb 縁石、lowered kerb 縁石の切下げ部、road border 道路境界、guard rail ガードレール、wall 壁面）、height、sigma（横断方向）、sigma_z、length（m）、points、passes、completeness（線のうち計測された割合）、chain（1つの道路端の各部分）、gap（次の部分まで、m）、status（measured 計測済み、doubtful 疑わしい）、reason。</translation>
     </message>
     <message>
         <source>Upper edges</source>
-        <translation type="unfinished"></translation>
+        <translation>上端線</translation>
     </message>
     <message>
         <source>The same along the top: edge_id, kind, height, sigma, sigma_z, status.</source>
-        <translation type="unfinished"></translation>
+        <translation>上端に沿った同様の線: edge_id、kind、height、sigma、sigma_z、status。</translation>
     </message>
     <message>
         <source>All features</source>
-        <translation type="unfinished"></translation>
+        <translation>全地物</translation>
     </message>
     <message>
         <source>GeoPackage (*.gpkg)</source>
-        <translation type="unfinished"></translation>
+        <translation>GeoPackage (*.gpkg)</translation>
     </message>
     <message>
         <source>One GeoPackage with the layers edges, upper_edges and, where given, objects and walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤedges、upper_edgesと、指定した場合はobjects、wallsを含む1つのGeoPackage。</translation>
     </message>
     <message>
         <source>Edges</source>
-        <translation type="unfinished"></translation>
+        <translation>道路端</translation>
     </message>
     <message>
         <source>Kerbs and lowered kerbs.</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石とその切下げ部です。</translation>
     </message>
     <message>
         <source>Length of kerbs</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石の延長</translation>
     </message>
     <message>
         <source>Without a kerb.</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石のない道路端です。</translation>
     </message>
     <message>
         <source>Length of road borders</source>
-        <translation type="unfinished"></translation>
+        <translation>道路境界の延長</translation>
     </message>
     <message>
         <source>Measured and doubtful ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測済みのものと疑わしいものです。</translation>
     </message>
     <message>
         <source>Length of guard rails</source>
-        <translation type="unfinished"></translation>
+        <translation>ガードレールの延長</translation>
     </message>
     <message>
         <source>Walls at the road.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路際の壁面です。</translation>
     </message>
     <message>
         <source>Length of walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の延長</translation>
     </message>
     <message>
         <source>Median standard deviation of measured kerbs across; no value without kerbs.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測された縁石の横断方向の標準偏差の中央値。縁石がない場合は値なし。</translation>
     </message>
     <message>
         <source>Lines of “Lines from road markings” (fields class, colour, width, sigma, chain, partner; class alone is enough), in a projected CRS in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>「路面標示からの線」の線（フィールドclass、colour、width、sigma、chain、partner。classだけでも可）。メートル単位の投影座標系とします。</translation>
     </message>
     <message>
         <source>Crosswalks and arrows of “Lines from road markings” (fields class, heading).</source>
-        <translation type="unfinished"></translation>
+        <translation>「路面標示からの線」の横断歩道と矢印（フィールドclass、heading）。</translation>
     </message>
     <message>
         <source>Lines of kerbs, road borders or rails, in the CRS of the lines: they are bounds of lanes too.</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石、道路境界またはガードレールの線。座標参照系は路面標示の線と同じとします。これらも車線の境界となります。</translation>
     </message>
     <message>
         <source>Corrected trajectories of drives in the CRS of the lines: they show directions and ways through junctions.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行の補正軌跡。座標参照系は路面標示の線と同じとします。通行方向と交差点内の経路を示します。</translation>
     </message>
     <message>
         <source>Road axes</source>
-        <translation type="unfinished"></translation>
+        <translation>道路中心線</translation>
     </message>
     <message>
         <source>Axes of roads of another map, in the CRS of the lines, with any of the fields oneway, lanes and speed_limit or maxspeed as OpenStreetMap has them: they tell directions where nothing else does, and speed limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>別の地図の道路中心線。座標参照系は路面標示の線と同じとし、OpenStreetMapと同様のフィールドoneway、lanes、speed_limitまたはmaxspeedをもつことができます。ほかに情報がない場合の通行方向と、制限速度を与えます。</translation>
     </message>
     <message>
         <source>Side of the traffic</source>
-        <translation type="unfinished"></translation>
+        <translation>通行側</translation>
     </message>
     <message>
         <source>Auto: the side that drives in both directions show, left where they do not. (auto, left, right)</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto: 両方向の走行から分かる側。分からない場合は左側。(auto, left, right)</translation>
     </message>
     <message>
         <source>Minimum lane width</source>
-        <translation type="unfinished"></translation>
+        <translation>最小車線幅</translation>
     </message>
     <message>
         <source>Narrower strips are no lanes.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより狭い帯は車線としません。</translation>
     </message>
     <message>
         <source>Maximum lane width</source>
-        <translation type="unfinished"></translation>
+        <translation>最大車線幅</translation>
     </message>
     <message>
         <source>Wider strips are no lanes.</source>
-        <translation type="unfinished"></translation>
+        <translation>これより広い帯は車線としません。</translation>
     </message>
     <message>
         <source>Longest unseen bound</source>
-        <translation type="unfinished"></translation>
+        <translation>見えない境界の最大長</translation>
     </message>
     <message>
         <source>A bound is drawn through gaps of its line up to this length, which are told.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の途切れがこの長さまでの場合、境界をつないで描き、その旨を示します。</translation>
     </message>
     <message>
         <source>Speed limit</source>
-        <translation type="unfinished"></translation>
+        <translation>制限速度</translation>
     </message>
     <message>
         <source>km/h</source>
-        <translation type="unfinished"></translation>
+        <translation>km/h</translation>
     </message>
     <message>
         <source>Of lanes for which road axes tell none; left empty, they have none.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路中心線に値のない車線の制限速度です。空欄の場合は設定しません。</translation>
     </message>
     <message>
         <source>Projector</source>
-        <translation type="unfinished"></translation>
+        <translation>投影法</translation>
     </message>
     <message>
         <source>Of the local coordinates in the Lanelet2 file, for Autoware. (TransverseMercator, MGRS)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lanelet2ファイルのAutoware用ローカル座標の投影法です。(TransverseMercator, MGRS)</translation>
     </message>
     <message>
         <source>Vertical datum</source>
-        <translation type="unfinished"></translation>
+        <translation>高さの基準</translation>
     </message>
     <message>
         <source>Of the lines' heights, for Autoware's projector file. (not stated, WGS84, EGM2008)</source>
-        <translation type="unfinished"></translation>
+        <translation>Autowareの投影ファイルに記す、線の高さの基準です。(not stated, WGS84, EGM2008)</translation>
     </message>
     <message>
         <source>Lanes</source>
-        <translation type="unfinished"></translation>
+        <translation>車線</translation>
     </message>
     <message>
         <source>Polygons: lane_id, kind (lane, virtual), direction's evidence, width and narrowest (m), turn, arrows, successors, left, right and opposite (ids of neighbours), stop_lines and crosswalks (numbers).</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴン: lane_id、kind（lane 車線、virtual 仮想車線）、方向の根拠、widthとnarrowest（m）、turn、arrows、successors、left、right、opposite（隣接車線のid）、stop_linesとcrosswalks（番号）。</translation>
     </message>
     <message>
         <source>Centre lines of lanes</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の中心線</translation>
     </message>
     <message>
         <source>Lines in the direction of traffic: lane_id, width (m).</source>
-        <translation type="unfinished"></translation>
+        <translation>通行方向の線: lane_id、width（m）。</translation>
     </message>
     <message>
         <source>Bounds of lanes</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の境界</translation>
     </message>
     <message>
         <source>Lines: bound_id, class, colour, width, sigma (m), double, unseen (m without a line), lanes (number of lanes that have it).</source>
-        <translation type="unfinished"></translation>
+        <translation>線: bound_id、class、colour、width、sigma（m）、double、unseen（線のない部分、m）、lanes（この境界をもつ車線の数）。</translation>
     </message>
     <message>
         <source>Lanes, stop lines and crosswalks with Autoware's tags.</source>
-        <translation type="unfinished"></translation>
+        <translation>Autowareのタグを付けた車線、停止線、横断歩道。</translation>
     </message>
     <message>
         <source>Projector file</source>
-        <translation type="unfinished"></translation>
+        <translation>投影ファイル</translation>
     </message>
     <message>
         <source>YAML (*.yaml)</source>
-        <translation type="unfinished"></translation>
+        <translation>YAML (*.yaml)</translation>
     </message>
     <message>
         <source>Autoware's map_projector_info.yaml of the Lanelet2 file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lanelet2ファイルに対応するAutowareのmap_projector_info.yaml。</translation>
     </message>
     <message>
         <source>OpenDRIVE file</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenDRIVEファイル</translation>
     </message>
     <message>
         <source>OpenDRIVE (*.xodr)</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenDRIVE (*.xodr)</translation>
     </message>
     <message>
         <source>Roads, junctions, road marks, stop lines and crosswalks as ASAM OpenDRIVE 1.7; coordinates are those of the CRS less the header's offset.</source>
-        <translation type="unfinished"></translation>
+        <translation>ASAM OpenDRIVE 1.7形式の道路、交差点、路面標示、停止線、横断歩道。座標は座標参照系の値からヘッダのオフセットを引いたものです。</translation>
     </message>
     <message>
         <source>Findings</source>
-        <translation type="unfinished"></translation>
+        <translation>指摘事項</translation>
     </message>
     <message>
         <source>Points: kind and a sentence on what is missing or contradicts.</source>
-        <translation type="unfinished"></translation>
+        <translation>点: 種類と、不足または矛盾を説明する文。</translation>
     </message>
     <message>
         <source>HTML report: verdict, figures, pictures of the junctions and findings with their places.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書: 判定、数値、交差点の図、位置付きの指摘事項。</translation>
     </message>
     <message>
         <source>Number of lanes, virtual ones included.</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の数です（仮想車線を含む）。</translation>
     </message>
     <message>
         <source>Of their centre lines, virtual ones not counted.</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の中心線の値です（仮想車線を除く）。</translation>
     </message>
     <message>
         <source>Length of lanes</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の延長</translation>
     </message>
     <message>
         <source>Number of findings.</source>
-        <translation type="unfinished"></translation>
+        <translation>指摘事項の件数です。</translation>
     </message>
     <message>
         <source>Airborne laser points</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点群</translation>
     </message>
     <message>
         <source>Vote and darkest: our way, with that vehicle filter. Paper: as in the paper, frames masked by their occlusion maps, the darkest of them, and the plain adaptive threshold (in the model set the method of the markings too). (vote, darkest, paper)</source>
-        <translation type="unfinished"></translation>
+        <translation>voteとdarkest: 本プラグインの方法で、指定した車両除去を行います。paper: 論文のとおり、写真を遮蔽マップでマスクし、最も暗い画素を採用して、単純な適応的閾値処理を行います（モデルでは路面標示の方法も設定してください）。(vote, darkest, paper)</translation>
     </message>
     <message>
         <source>Method of the markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の方法</translation>
     </message>
     <message>
         <source>Resolution of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表層の解像度</translation>
     </message>
     <message>
         <source>partition: outlines divided among their roofs; points: outlines drawn from the points, then divided; paper: the paper's method in every step.</source>
-        <translation type="unfinished"></translation>
+        <translation>partition: 外周線を屋根ごとに分割します。points: 点群から外形を描いて分割します。paper: すべての段階を論文の方法で行います。</translation>
     </message>
     <message>
         <source>Georeferenced survey</source>
-        <translation type="unfinished"></translation>
+        <translation>位置合わせ後の移動計測</translation>
     </message>
     <message>
         <source>Algorithm</source>
-        <translation type="unfinished"></translation>
+        <translation>アルゴリズム</translation>
     </message>
     <message>
         <source>What is run on each tile. (buildingsfromals, surfacefromals, roadmarkingsfromorthophoto, groundfrommms, mesh25d, wallsfrommms, orthorectifyframes, aerialmarkings, roadmarkingsfrommms, mergebuildingmodels)</source>
-        <translation type="unfinished"></translation>
+        <translation>各タイルで実行する処理です。(buildingsfromals, surfacefromals, roadmarkingsfromorthophoto, groundfrommms, mesh25d, wallsfrommms, orthorectifyframes, aerialmarkings, roadmarkingsfrommms, mergebuildingmodels)</translation>
     </message>
     <message>
         <source>LAS, LAZ or COPC files of the whole area, in any pieces.</source>
-        <translation type="unfinished"></translation>
+        <translation>全域のLAS、LAZまたはCOPCファイル（分割は任意）。</translation>
     </message>
     <message>
         <source>Outlines of the whole area.</source>
-        <translation type="unfinished"></translation>
+        <translation>全域の外周線。</translation>
     </message>
     <message>
         <source>For road markings: the orthophoto of the whole area.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の場合: 全域のオルソ画像。</translation>
     </message>
     <message>
         <source>Settings of the algorithm</source>
-        <translation type="unfinished"></translation>
+        <translation>アルゴリズムの設定</translation>
     </message>
     <message>
         <source>Lines NAME=VALUE, with the algorithm's own names, such as GROUND=ground.tif or MIN_ROOF_AREA=20. An output is made where it is by default, or where a line such as OUTPUT_GROUND=yes asks for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>NAME=VALUEの形式の行で、アルゴリズム自身のパラメータ名を用います（例: GROUND=ground.tif、MIN_ROOF_AREA=20）。出力は、既定で作成されるものと、OUTPUT_GROUND=yesのような行で求めたものを作成します。</translation>
     </message>
     <message>
         <source>Tile</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル</translation>
     </message>
     <message>
         <source>Side of a tile, whole metres; corners lie on its multiples.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイルの一辺（メートルの整数）です。四隅はその倍数の位置となります。</translation>
     </message>
     <message>
         <source>Squares of the side above; or Japan's standard regional meshes (JIS X 0410) of about 1 km, 500 m or 250 m; or the sheets of public survey maps of level 5000 (4 by 3 km), 2500 (2 by 1.5 km), 1000 (800 by 600 m) or 500 (400 by 300 m), in a plane rectangular system. Tiles are then named by their codes. (squares, mesh1km, mesh500m, mesh250m, sheet5000, sheet2500, sheet1000, sheet500)</source>
-        <translation type="unfinished"></translation>
+        <translation>上記の辺長の正方形。または標準地域メッシュ（JIS X 0410）の約1 km、500 m、250 m。または平面直角座標系による公共測量の国土基本図図郭の地図情報レベル5000（4×3 km）、2500（2×1.5 km）、1000（800×600 m）、500（400×300 m）。この場合、タイル名はそのコードとなります。(squares, mesh1km, mesh500m, mesh250m, sheet5000, sheet2500, sheet1000, sheet500)</translation>
     </message>
     <message>
         <source>Buffer</source>
-        <translation type="unfinished"></translation>
+        <translation>バッファ</translation>
     </message>
     <message>
         <source>Width of the surroundings that a tile reads: more than the largest building, and than the reach of ground under buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイルの周囲で読み込む幅です。最大の建物や、建物の下の地表を求めるのに必要な範囲より大きくします。</translation>
     </message>
     <message>
         <source>Tiles to try</source>
-        <translation type="unfinished"></translation>
+        <translation>試行タイル数</translation>
     </message>
     <message>
         <source>Only this many tiles, spread over the area, to say what all will take in time, memory and disk; 0 does all.</source>
-        <translation type="unfinished"></translation>
+        <translation>領域に分散したこの数のタイルだけを処理し、全体に要する時間、メモリ、ディスクを見積もります。0ではすべて処理します。</translation>
     </message>
     <message>
         <source>Tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル</translation>
     </message>
     <message>
         <source>One square a tile with status, reason, time, memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイルごとに1つの正方形: status、reason、time、memory。</translation>
     </message>
     <message>
         <source>Folder of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>実行フォルダ</translation>
     </message>
     <message>
         <source>Results by tile, merged results, and what a later run needs to go on.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル別の結果、統合した結果、および後で処理を続けるために必要なもの。</translation>
     </message>
     <message>
         <source>HTML report: what was done, what failed and why, time, memory, disk, a map of the tiles.</source>
-        <translation type="unfinished"></translation>
+        <translation>HTML報告書: 処理したもの、失敗とその理由、時間、メモリ、ディスク、タイルの地図。</translation>
     </message>
     <message>
         <source>Number of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイルの数です。</translation>
     </message>
     <message>
         <source>Tiles done</source>
-        <translation type="unfinished"></translation>
+        <translation>処理済みタイル</translation>
     </message>
     <message>
         <source>Empty tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>空のタイル</translation>
     </message>
     <message>
         <source>Failed tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>失敗したタイル</translation>
     </message>
     <message>
         <source>Tiles kept from an earlier run</source>
-        <translation type="unfinished"></translation>
+        <translation>前回の結果を用いたタイル</translation>
     </message>
     <message>
         <source>Workflows</source>
-        <translation type="unfinished"></translation>
+        <translation>一連の処理</translation>
     </message>
     <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.&lt;/p&gt;&lt;p&gt;This is the same chain as “Road markings from aerial frames”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真と航空レーザ点群から、移動計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。&lt;/p&gt;&lt;p&gt;「空中写真からの路面標示」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
     </message>
     <message>
         <source>Points on road markings that two overlapping images show, with the shift of the second against the first in metres (east, north; sigma of one place), and the median of the pair with its sigma. Pairs that lie more than a pixel apart have the status “apart”.</source>
-        <translation type="unfinished"></translation>
+        <translation>重複する2枚の画像に写る路面標示上の点。1枚目に対する2枚目のずれ（東、北、メートル。1箇所のσ）と、写真の組の中央値とそのσを含みます。1画素を超えてずれた組は、ステータスが「apart」となります。</translation>
     </message>
     <message>
         <source>Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment buildings, segment roofs, roof polygons, building models.&lt;/p&gt;&lt;p&gt;This is the same chain as “Buildings from ALS”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。&lt;/p&gt;&lt;p&gt;「航空レーザ点群からの建物」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
     </message>
     <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.&lt;/p&gt;&lt;p&gt;This is the same chain as “Georeference mobile survey”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測を空中写真の基準に合わせるまでを一度に行います: 反射強度による路面標示の抽出、基準の路面標示への位置合わせ、補正軌跡による点群の再配置。&lt;/p&gt;&lt;p&gt;「移動計測の位置合わせ」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
     </message>
     <message>
         <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準の路面標示と補正済みの走行から、車線地図までを一度に作成します: 路面標示の線、次に境界、方向、接続をもつ車線を、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。&lt;/p&gt;&lt;p&gt;「路面標示と走行からの車線地図」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
     </message>
     <message>
         <source>Polygons: class (crosswalk, arrow straight, ..., diamond, unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴン: class（crosswalk 横断歩道、arrow straight 直進矢印 ...、diamond ひし形、unknown 不明）、colour、heading（読む向き、座標北からの度）、score（0～1: 形状との一致度。横断歩道では縞の位置の塗装から縞の間の塗装を引いた値）。</translation>
     </message>
     <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
-        <translation type="unfinished"></translation>
+        <translation>UrbanMap: 移動計測と3次元都市モデル</translation>
     </message>
     <message>
         <source>Adjust several drives</source>
-        <translation type="unfinished"></translation>
+        <translation>複数走行の調整</translation>
     </message>
     <message>
         <source>Mobile mapping</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測</translation>
     </message>
     <message>
         <source>MMS</source>
-        <translation type="unfinished"></translation>
+        <translation>MMS</translation>
     </message>
     <message>
         <source>mobile</source>
-        <translation type="unfinished"></translation>
+        <translation>移動体</translation>
     </message>
     <message>
         <source>adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation>調整</translation>
     </message>
     <message>
         <source>network</source>
-        <translation type="unfinished"></translation>
+        <translation>ネットワーク</translation>
     </message>
     <message>
         <source>tie</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイント</translation>
     </message>
     <message>
         <source>control</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点</translation>
     </message>
     <message>
         <source>trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡</translation>
     </message>
     <message>
         <source>strip</source>
-        <translation type="unfinished"></translation>
+        <translation>コース</translation>
     </message>
     <message>
         <source>Corrects several drives of a mobile survey at once. Road markings that two drives saw, or one drive twice, tie them to each other, and so do facades and road as planes; control points and reference markings place them. All go into one least-squares adjustment, in which each trajectory drifts as GNSS and inertial units do.
 Without control points and reference markings the drives agree with each other, but their place is only relative: the result says so.
 The corrected trajectories keep the names, formats and epochs of those given; apply them with “Apply corrected trajectory”.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の複数の走行を同時に補正します。2つの走行で、または1つの走行で2回見えた路面標示が走行どうしを結び付け、平面としての壁面と路面も同様に働きます。基準点と基準の路面標示がその位置を定めます。すべてを1つの最小二乗法による調整に入れ、各軌跡はGNSSと慣性装置に応じてドリフトするものとします。
+基準点と基準の路面標示がない場合、走行どうしは一致しますが、位置は相対的なものにとどまり、結果にその旨を示します。
+補正軌跡は、入力した軌跡の名称、形式、エポックを保持します。「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
         <source> Default: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation> 既定値: {0}。</translation>
     </message>
     <message>
         <source>Input</source>
-        <translation type="unfinished"></translation>
+        <translation>入力</translation>
     </message>
     <message>
         <source>Output</source>
-        <translation type="unfinished"></translation>
+        <translation>出力</translation>
     </message>
     <message>
         <source>Adjust walls by GNSS</source>
-        <translation type="unfinished"></translation>
+        <translation>GNSSによる壁面の調整</translation>
     </message>
     <message>
         <source>GNSS</source>
-        <translation type="unfinished"></translation>
+        <translation>GNSS</translation>
     </message>
     <message>
         <source>GPS</source>
-        <translation type="unfinished"></translation>
+        <translation>GPS</translation>
     </message>
     <message>
         <source>RINEX</source>
-        <translation type="unfinished"></translation>
+        <translation>RINEX</translation>
     </message>
     <message>
         <source>wall</source>
-        <translation type="unfinished"></translation>
+        <translation>壁</translation>
     </message>
     <message>
         <source>facade</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面</translation>
     </message>
     <message>
         <source>parapet</source>
-        <translation type="unfinished"></translation>
+        <translation>パラペット</translation>
     </message>
     <message>
         <source>multipath</source>
-        <translation type="unfinished"></translation>
+        <translation>マルチパス</translation>
     </message>
     <message>
         <source>reflection</source>
-        <translation type="unfinished"></translation>
+        <translation>反射</translation>
     </message>
     <message>
         <source>ray tracing</source>
-        <translation type="unfinished"></translation>
+        <translation>レイトレーシング</translation>
     </message>
     <message>
         <source>Puts walls of building models where reflected satellite signals say they are: models made from roofs have their walls at the parapets, about a metre off.
 The code measurement of a signal that a wall has reflected is too long by twice the distance to the wall times a cosine. Only signals that are blocked for sure and that exactly one wall can have reflected are used; those of a satellite within half a minute count as one. A wall is adjusted if there are enough of them, of several satellites and passes, with one answer. All other walls stay where they are, with the reason. Buildings stay closed: neighbouring edges follow.
 Give as many passes as there are: with one or two nothing is moved, about ten are needed for a wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデルの壁面を、反射した衛星信号が示す位置に移動します。屋根から作成したモデルでは壁面がパラペットの位置にあり、1 mほどずれています。
+壁面で反射した信号のコード距離は、壁面までの距離の2倍に余弦を掛けた分だけ長くなります。確実に遮断され、かつ反射し得る壁面がちょうど1つである信号だけを用い、1つの衛星の30秒以内のものは1観測とします。壁面は、複数の衛星と走行による十分な数の観測があり、それらが一致する場合に調整します。ほかの壁面はすべて元の位置に残し、その理由を示します。隣接する辺が追随するので、建物は閉じたままです。
+走行はできるだけ多く指定してください。1～2回では何も動かず、1つの壁面に約10回が必要です。</translation>
     </message>
     <message>
         <source>Road markings from aerial frames</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真からの路面標示</translation>
     </message>
     <message>
         <source>road</source>
-        <translation type="unfinished"></translation>
+        <translation>道路</translation>
     </message>
     <message>
         <source>marking</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示</translation>
     </message>
     <message>
         <source>aerial</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真</translation>
     </message>
     <message>
         <source>frames</source>
-        <translation type="unfinished"></translation>
+        <translation>写真</translation>
     </message>
     <message>
         <source>orthophoto</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像</translation>
     </message>
     <message>
         <source>ALS</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ</translation>
     </message>
     <message>
         <source>reference</source>
-        <translation type="unfinished"></translation>
+        <translation>基準</translation>
     </message>
     <message>
         <source>workflow</source>
-        <translation type="unfinished"></translation>
+        <translation>一連の処理</translation>
     </message>
     <message>
         <source>Goes from aerial frames and airborne laser points to the reference that mobile surveys are tied to, in one run: surface and ground from ALS, orthophoto of the ground that the frames see, without moving vehicles, and road markings with their heights.
 Frames, points and outlines must be in one projected coordinate system in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真と航空レーザ点群から、移動計測の位置の基準となる成果までを一度に作成します: 航空レーザからの表層と地表、写真に写る地表のオルソ画像（移動車両なし）、高さ付きの路面標示。
+写真、点群、外周線は、メートル単位の同じ投影座標系としてください。</translation>
     </message>
     <message>
         <source>Apply corrected trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>補正軌跡の適用</translation>
     </message>
     <message>
         <source>correction</source>
-        <translation type="unfinished"></translation>
+        <translation>補正</translation>
     </message>
     <message>
         <source>georeferencing</source>
-        <translation type="unfinished"></translation>
+        <translation>座標付け</translation>
     </message>
     <message>
         <source>survey</source>
-        <translation type="unfinished"></translation>
+        <translation>測量</translation>
     </message>
     <message>
         <source>LAZ</source>
-        <translation type="unfinished"></translation>
+        <translation>LAZ</translation>
     </message>
     <message>
         <source>images</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>Moves the points of a survey, and the poses of its images, from the trajectory with which they were placed to the corrected one.
 Only coordinates change: attributes, extra dimensions, header records and the order of the points are kept. Several files are written as one, one after the other. The files may be larger than memory. The GPS times of the points may be seconds of the week or adjusted standard time.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測の点群とその画像の位置姿勢を、座標付けに用いた軌跡から補正軌跡へ移します。
+変わるのは座標だけで、属性、追加次元、ヘッダのレコード、点の順序は保持されます。複数のファイルは順につないで1つに書き出します。ファイルはメモリより大きくても構いません。点のGPS時刻は、週内秒でも補正標準時（adjusted standard time）でも構いません。</translation>
     </message>
     <message>
         <source>building</source>
-        <translation type="unfinished"></translation>
+        <translation>建物</translation>
     </message>
     <message>
         <source>3D</source>
-        <translation type="unfinished"></translation>
+        <translation>3次元</translation>
     </message>
     <message>
         <source>solid</source>
-        <translation type="unfinished"></translation>
+        <translation>立体</translation>
     </message>
     <message>
         <source>LOD1</source>
-        <translation type="unfinished"></translation>
+        <translation>LOD1</translation>
     </message>
     <message>
         <source>OBJ</source>
-        <translation type="unfinished"></translation>
+        <translation>OBJ</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>モデル</translation>
     </message>
     <message>
         <source>Joins roof polygons at their heights to closed solids that stand on the ground.
 Each solid is checked: closed, planar, oriented outwards, no self-intersection. Where points are given, every building carries how well its model fits them. A building that cannot be modelled keeps its row, with the reason in words.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さをもつ屋根ポリゴンから、地面の上に立つ閉じた立体を作成します。
+各立体について、閉合、平面性、外向きの面、自己交差のないことを検査します。点群を指定した場合は、建物ごとにモデルの適合度を示します。モデルを作成できない建物も行を残し、理由を文で示します。</translation>
     </message>
     <message>
         <source>Buildings from ALS</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点群からの建物</translation>
     </message>
     <message>
         <source>lidar</source>
-        <translation type="unfinished"></translation>
+        <translation>ライダー</translation>
     </message>
     <message>
         <source>LOD2</source>
-        <translation type="unfinished"></translation>
+        <translation>LOD2</translation>
     </message>
     <message>
         <source>Goes from airborne laser points and rough outlines to closed 3D building models in one run: segment buildings, segment roofs, roof polygons, building models.
 The method “paper” runs the paper's way whole: all points in the expanded outlines, the histogram alone, alpha shape and Hough lines, the highest point.
 The same chain is there as a model that can be changed in the modeller.</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ点群と概略の外周線から、閉じた3次元建物モデルまでを一度に作成します: 建物の抽出、屋根の分割、屋根ポリゴン、建物モデル。
+方法paperでは、全体を論文のとおりに処理します: 拡張した外周線内の全点、ヒストグラムのみ、アルファシェイプとハフ変換による線、最高点。
+同じ一連の処理は、モデルデザイナーで変更できるモデルとしても用意されています。</translation>
     </message>
     <message>
         <source>Calibrate scanners</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナの校正</translation>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>校正</translation>
     </message>
     <message>
         <source>boresight</source>
-        <translation type="unfinished"></translation>
+        <translation>ボアサイト</translation>
     </message>
     <message>
         <source>lever arm</source>
-        <translation type="unfinished"></translation>
+        <translation>レバーアーム</translation>
     </message>
     <message>
         <source>scanner</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ</translation>
     </message>
     <message>
         <source>Corrects boresight angles and lever arms of scanners on a vehicle. Small planes of road and walls that two scanners saw, or one scanner in passes of different directions, must coincide; the trajectory of each pass may be off as well.
 Drive a street with walls in both directions, correct the trajectories (“Adjust several drives” or “Register mobile survey”) and place the points with them first. A misalignment of the inertial unit that all passes have in common becomes part of the boresight.
 What the drives do not determine keeps its value and is called so: heights of lever arms mostly need control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両に搭載したスキャナのボアサイト角とレバーアームを補正します。2台のスキャナで、または方向の異なる走行の1台のスキャナで見えた路面と壁面の小平面が一致するようにします。各走行の軌跡のずれも考慮します。
+まず壁面のある通りを両方向に走行し、軌跡を補正して（「複数走行の調整」または「移動計測のレジストレーション」）、点群の座標を付け直してください。全走行に共通する慣性装置の取付けのずれは、ボアサイトに含まれます。
+走行から決まらないものは元の値を保ち、その旨を示します。レバーアームの高さの決定には、多くの場合、基準点が必要です。</translation>
     </message>
     <message>
         <source>Check accuracy at control points</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点での精度確認</translation>
     </message>
     <message>
         <source>GCP</source>
-        <translation type="unfinished"></translation>
+        <translation>GCP</translation>
     </message>
     <message>
         <source>accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>精度</translation>
     </message>
     <message>
         <source>residual</source>
-        <translation type="unfinished"></translation>
+        <translation>残差</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished"></translation>
+        <translation>誤差</translation>
     </message>
     <message>
         <source>Measures how far a mobile survey is off at control points, as it was reported and, where a corrected trajectory is given, as that places it.
 The numbers are of the corrected survey where one is given, otherwise of the survey as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の検証点でのずれを、補正前について、また補正軌跡を指定した場合は補正後についても求めます。
+数値は、補正軌跡を指定した場合は補正後の計測、それ以外は元の計測のものです。</translation>
     </message>
     <message>
         <source>Check lane map</source>
-        <translation type="unfinished"></translation>
+        <translation>車線地図の検査</translation>
     </message>
     <message>
         <source>Road map</source>
-        <translation type="unfinished"></translation>
+        <translation>道路地図</translation>
     </message>
     <message>
         <source>lane</source>
-        <translation type="unfinished"></translation>
+        <translation>車線</translation>
     </message>
     <message>
         <source>HD map</source>
-        <translation type="unfinished"></translation>
+        <translation>高精度地図</translation>
     </message>
     <message>
         <source>vector map</source>
-        <translation type="unfinished"></translation>
+        <translation>ベクトル地図</translation>
     </message>
     <message>
         <source>Lanelet2</source>
-        <translation type="unfinished"></translation>
+        <translation>Lanelet2</translation>
     </message>
     <message>
         <source>Autoware</source>
-        <translation type="unfinished"></translation>
+        <translation>Autoware</translation>
     </message>
     <message>
         <source>validation</source>
-        <translation type="unfinished"></translation>
+        <translation>検証</translation>
     </message>
     <message>
         <source>check</source>
-        <translation type="unfinished"></translation>
+        <translation>検査</translation>
     </message>
     <message>
         <source>Checks any Lanelet2 file (OSM) against the rules of Lanelet2's and Autoware's validators that need no other file, and tells what breaks them, with its place.
 Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, missing tags, lanelets without one left and one right bound, bounds that cross, regulatory elements that nothing refers to, local coordinates on some nodes only. Warnings: points that fall together, borders that coincide but are two ways, odd widths, stop lines and crosswalks without a rule, lanelets without a next and a previous one, missing heights. Infos: ends of the map, lanelets without a speed limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>任意のLanelet2ファイル（OSM）を、Lanelet2とAutowareの検証ツールの規則のうちほかのファイルを必要としないものに照らして検査し、違反をその位置とともに示します。
+エラーは、読み込みを妨げるもの、または地図の意味を変えるものです: idの重複、ファイルにないものへの参照、タグの欠落、左右の境界が1つずつそろっていないlanelet、境界の交差、どこからも参照されないregulatory element、一部のノードだけにあるローカル座標。警告: 重なる点、一致しているが別々のウェイである境界、不自然な幅、規則のない停止線と横断歩道、前後のlaneletがないlanelet、高さの欠落。情報: 地図の端、制限速度のないlanelet。</translation>
     </message>
     <message>
         <source>Convert heights</source>
-        <translation type="unfinished"></translation>
+        <translation>標高系の変換</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ</translation>
     </message>
     <message>
         <source>geoid</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイド</translation>
     </message>
     <message>
         <source>JGD2011</source>
-        <translation type="unfinished"></translation>
+        <translation>JGD2011</translation>
     </message>
     <message>
         <source>JGD2024</source>
-        <translation type="unfinished"></translation>
+        <translation>JGD2024</translation>
     </message>
     <message>
         <source>orthometric</source>
-        <translation type="unfinished"></translation>
+        <translation>正標高</translation>
     </message>
     <message>
         <source>ellipsoidal</source>
-        <translation type="unfinished"></translation>
+        <translation>楕円体高</translation>
     </message>
     <message>
         <source>標高</source>
-        <translation type="unfinished"></translation>
+        <translation>標高</translation>
     </message>
     <message>
         <source>ジオイド</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイド</translation>
     </message>
     <message>
         <source>標高改定</source>
-        <translation type="unfinished"></translation>
+        <translation>標高改定</translation>
     </message>
     <message>
         <source>Takes heights of point clouds, a raster or a layer from one height system into another, with a grid that you give: GSI's corrections between JGD2011 and JGD2024, or a geoid model.
 The result states its height system, and the change is told: its least, mean and largest. In Japan heights of JGD2024 (since April 2025) differ from JGD2011 by up to +57 and -67 cm; plane coordinates are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群、ラスタまたはレイヤの高さを、指定したグリッドを用いて別の高さの基準に変換します。グリッドは、国土地理院によるJGD2011とJGD2024の間の補正パラメータ、またはジオイド・モデルです。
+結果には高さの基準を明記し、変化量の最小、平均、最大を示します。日本では、JGD2024（2025年4月から）の標高はJGD2011と最大で+57 cm、-67 cm異なります。平面座標は同じです。</translation>
     </message>
     <message>
         <source>Export city model</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルの出力</translation>
     </message>
     <message>
         <source>PLATEAU</source>
-        <translation type="unfinished"></translation>
+        <translation>PLATEAU</translation>
     </message>
     <message>
         <source>Cesium</source>
-        <translation type="unfinished"></translation>
+        <translation>Cesium</translation>
     </message>
     <message>
         <source>GeoParquet</source>
-        <translation type="unfinished"></translation>
+        <translation>GeoParquet</translation>
     </message>
     <message>
         <source>LOD</source>
-        <translation type="unfinished"></translation>
+        <translation>LOD</translation>
     </message>
     <message>
         <source>Writes building models of any step as CityJSON, CityGML (in Japan as PLATEAU lays it out) and 3D Tiles.
 Each building has its levels of detail 0 (outline and roof outline), 1.2, 1.3 and 2.2 side by side, parts where they stand alone, all attributes of the layer, and figures: heights of its roofs, volumes, areas, storeys as estimated. A solid that is not closed is kept as surfaces, and the field “problems” says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>任意の段階の建物モデルを、CityJSON、CityGML（日本ではPLATEAUの仕様による）、3D Tilesで書き出します。
+各建物は、詳細度0（外周線と屋根の外形線）、1.2、1.3、2.2を併せてもち、独立した部分は建物部分とし、レイヤの全属性と、屋根の高さ、体積、面積、推定階数などの数値を含みます。閉じていない立体は面のまま保持し、フィールド「problems」にその旨を示します。</translation>
     </message>
     <message>
         <source>Facade textures</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面テクスチャ</translation>
     </message>
     <message>
         <source>Line scanners and line cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインスキャナ・ラインカメラ</translation>
     </message>
     <message>
         <source>texture</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャ</translation>
     </message>
     <message>
         <source>line camera</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインカメラ</translation>
     </message>
     <message>
         <source>image</source>
-        <translation type="unfinished"></translation>
+        <translation>画像</translation>
     </message>
     <message>
         <source>glTF</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF</translation>
     </message>
     <message>
         <source>appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>外観</translation>
     </message>
     <message>
         <source>Gives the facades of building models the images of line cameras, of aerial frames, or of both.
 Every place of a facade takes the image that shows it in most detail among those from which no other building hides it and, where laser points are given, no tree or vehicle. Brightness is evened out between images, and they pass softly into each other. Places that no image shows stay grey; a facade that none shows gets no texture, and the layer of facades says why.
 Trajectory, points and building models must fit together: correct the survey first.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデルの壁面に、ラインカメラの画像、空中写真、またはその両方を貼り付けます。
+壁面の各箇所には、ほかの建物に隠されず、レーザ点群を指定した場合は樹木や車両にも隠されない画像のうち、最も詳細に写る画像を用います。画像間の明るさをそろえ、継ぎ目を滑らかにします。どの画像にも写らない箇所は灰色のままとし、まったく写らない壁面にはテクスチャを付けず、壁面のレイヤに理由を示します。
+軌跡、点群、建物モデルの位置は互いに合っている必要があります。先に計測を補正してください。</translation>
     </message>
     <message>
         <source>Aerial reference</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真の基準</translation>
     </message>
     <message>
         <source>vehicles</source>
-        <translation type="unfinished"></translation>
+        <translation>車両</translation>
     </message>
     <message>
         <source>cars</source>
-        <translation type="unfinished"></translation>
+        <translation>自動車</translation>
     </message>
     <message>
         <source>traffic</source>
-        <translation type="unfinished"></translation>
+        <translation>交通</translation>
     </message>
     <message>
         <source>darkest</source>
-        <translation type="unfinished"></translation>
+        <translation>最小輝度</translation>
     </message>
     <message>
         <source>Makes one orthophoto without moving vehicles from several of the same ground: where a vehicle stands in one, another shows the road. Vehicles that stand still in all of them stay.
 The others are resampled onto the first, also from another coordinate system, and their exposures are evened out. Pixels without data in one are taken from the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ地表の複数のオルソ画像から、移動車両のない1枚を作成します。1枚で車両がある場所は、別の画像の路面を用います。すべての画像で止まっている車両は残ります。
+ほかの画像は、座標参照系が異なる場合も含めて1枚目に合わせて再配列し、露出の違いをそろえます。1枚にデータのない画素は、ほかの画像で補います。</translation>
     </message>
     <message>
         <source>Georeference mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の位置合わせ</translation>
     </message>
     <message>
         <source>registration</source>
-        <translation type="unfinished"></translation>
+        <translation>レジストレーション</translation>
     </message>
     <message>
         <source>Goes from a mobile survey to the same survey lying on the aerial reference, in one run: its road markings by intensity, their registration to the reference markings, and the points as the corrected trajectory places them.
 With ground heights the correction is in space; without them heights stay as they are. The reference is what “Road markings from aerial frames” makes.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測データから、空中写真の基準に位置を合わせた移動計測データまでを、1回の実行で求めます。反射強度による路面標示の抽出、基準の路面標示とのレジストレーション、補正後の軌跡による点群の再配置を行います。
+地表の標高を与えると3次元で補正します。与えない場合、高さはそのままです。基準には「空中写真からの路面標示」の結果を用います。</translation>
     </message>
     <message>
         <source>Georeference range scans</source>
-        <translation type="unfinished"></translation>
+        <translation>測距スキャンの座標付け</translation>
     </message>
     <message>
         <source>line scanner</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインスキャナ</translation>
     </message>
     <message>
         <source>laser scanner</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザスキャナ</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>斜距離</translation>
     </message>
     <message>
         <source>profile</source>
-        <translation type="unfinished"></translation>
+        <translation>プロファイル</translation>
     </message>
     <message>
         <source>direct georeferencing</source>
-        <translation type="unfinished"></translation>
+        <translation>直接定位</translation>
     </message>
     <message>
         <source>VLMS</source>
-        <translation type="unfinished"></translation>
+        <translation>VLMS</translation>
     </message>
     <message>
         <source>Places raw measurements of line scanners in the map with the vehicle's trajectory and the calibration.
 Scans are tables with the columns time (s), angle (degrees), range (m) and, if wanted, intensity and scanner: CSV (also .gz), Parquet where pyarrow is installed, or LAS and LAZ with gps_time, point_source_id and the extra dimensions angle and range. The beam at angle a points along (cos a, sin a, 0) in the scanner's axes.
 Position and angles of the vehicle are linear between epochs. What was measured outside the trajectory's time or in gaps of it of more than a second is left out and counted. The points keep angle and range.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインスキャナの生の測定値を、車両の軌跡と校正値を用いて地図上に配置します。
+スキャンは、time (s)、angle (degrees)、range (m) の列と、必要に応じてintensityとscannerの列をもつ表です。CSV（.gzも可）、Parquet（pyarrowがインストールされている場合）、またはgps_time、point_source_idと追加次元angle、rangeをもつLAS・LAZを用います。角度aのビームは、スキャナ座標系の (cos a, sin a, 0) の方向を向きます。
+車両の位置と角度はエポック間で線形に補間します。軌跡の時間の外、または1秒を超える軌跡の欠測区間で測定されたものは除き、その数を示します。点はangleとrangeを保持します。</translation>
     </message>
     <message>
         <source>GNSS reflections</source>
-        <translation type="unfinished"></translation>
+        <translation>GNSS反射</translation>
     </message>
     <message>
         <source>NLOS</source>
-        <translation type="unfinished"></translation>
+        <translation>NLOS</translation>
     </message>
     <message>
         <source>satellite</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星</translation>
     </message>
     <message>
         <source>Traces the observed satellite signals among building models: in line of sight, blocked, or reflected once by a wall.
 Each signal becomes a 3D line with its excess path as the model predicts it and the residual of its code measurement, after satellite, atmosphere and receiver clock. Signals that are blocked and received all the same have taken another path; where one wall alone can have reflected them, the residual should be the excess path.
 The class of a signal near an edge is not sure, as walls of models stand up to a metre or two off.</source>
-        <translation type="unfinished"></translation>
+        <translation>観測された衛星信号を建物モデルの間で追跡し、見通し内、遮蔽、壁面での1回反射に分けます。
+各信号は3Dの線となり、モデルから予測される過剰経路長と、衛星・大気・受信機時計の補正後のコード測定の残差をもちます。遮蔽されているのに受信された信号は、別の経路を通ったものです。1つの壁面だけがそれを反射し得た場合、残差は過剰経路長に等しいはずです。
+モデルの壁面は1～2 mずれていることがあるため、辺の近くを通る信号の区分は確実ではありません。</translation>
     </message>
     <message>
         <source>Ground of a mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の地表面</translation>
     </message>
     <message>
         <source>ground</source>
-        <translation type="unfinished"></translation>
+        <translation>地表</translation>
     </message>
     <message>
         <source>pavement</source>
-        <translation type="unfinished"></translation>
+        <translation>歩道</translation>
     </message>
     <message>
         <source>cloth</source>
-        <translation type="unfinished"></translation>
+        <translation>布</translation>
     </message>
     <message>
         <source>CSF</source>
-        <translation type="unfinished"></translation>
+        <translation>CSF</translation>
     </message>
     <message>
         <source>classification</source>
-        <translation type="unfinished"></translation>
+        <translation>分類</translation>
     </message>
     <message>
         <source>Tells the ground of a mobile laser survey, roads and pavements alike, from all that stands on it.
 A cloth is drawn up against the points from below; points within a threshold of it become class 2. Points of other classes than 0, 1 and 2 keep theirs. All attributes and the order of the points stay.
 A street that is driven several times is filtered pass by pass where the points have GPS time, because the passes may lie decimetres apart in height. Small clusters of points below a much denser road (multipath ghosts) are left out. The lowest decimetres of walls and posts count as ground: the threshold cannot tell them. The files may be larger than memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測のレーザ点群で、車道・歩道を問わず地表を、その上にあるすべてのものから区別します。
+布を下から点群に当て、布からしきい値以内の点をクラス2とします。クラス0、1、2以外の点は元のクラスを保ちます。すべての属性と点の順序はそのままです。
+点にGPS時刻がある場合、複数回走行した道路は走行パスごとに処理します。走行パスどうしは高さが数十cmずれていることがあるためです。はるかに密な路面の下にある点の小さな塊（マルチパスによるゴースト点）は除きます。壁や柱の最下部数十cmは、しきい値では区別できないため地表に含まれます。ファイルはメモリより大きくてもかまいません。</translation>
     </message>
     <message>
         <source>Landmark update</source>
-        <translation type="unfinished"></translation>
+        <translation>標識点による更新</translation>
     </message>
     <message>
         <source>landmark</source>
-        <translation type="unfinished"></translation>
+        <translation>標識点</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>基線</translation>
     </message>
     <message>
         <source>Moves a trajectory so that it meets control points: the usual method, to compare “Register mobile survey” with.
 The correction at each control point is its true place less its place in the survey. Between control points it is interpolated over time; before the first and after the last it stays as it is. Angles are not touched. The result is good near control points and follows the error of the survey between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点に合うように軌跡を移動します。「移動計測のレジストレーション」と比較するための、通常の方法です。
+各検証点での補正量は、真の位置から計測データ中の位置を引いたものです。検証点の間では時間で補間し、最初の検証点より前と最後の検証点より後では一定とします。角度は変更しません。結果は検証点の近くでは良好で、その間では計測の誤差に従います。</translation>
     </message>
     <message>
         <source>Lane map from markings and drives</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示と走行からの車線地図</translation>
     </message>
     <message>
         <source>OpenDRIVE</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenDRIVE</translation>
     </message>
     <message>
         <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.
 Markings and ground are what “Road markings from aerial frames” makes; trajectories are what “Georeference mobile survey” makes. What is missing for a lane is a finding with its place: look at them, for no lane is made without evidence.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準の路面標示と補正後の走行から車線地図までを、1回の実行で作成します。路面標示の線、次に境界・方向・接続をもつ車線を作成し、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。
+路面標示と地表は「空中写真からの路面標示」の結果、軌跡は「移動計測の位置合わせ」の結果を用います。車線に不足しているものは、その位置を示す指摘事項となります。根拠のない車線は作成されないため、指摘事項を確認してください。</translation>
     </message>
     <message>
         <source>Load city model</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルの読込</translation>
     </message>
     <message>
         <source>footprints</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線</translation>
     </message>
     <message>
         <source>建築物</source>
-        <translation type="unfinished"></translation>
+        <translation>建築物</translation>
     </message>
     <message>
         <source>都市モデル</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデル</translation>
     </message>
     <message>
         <source>Loads buildings of city models as outlines with heights and all attributes, and their solids and surfaces, for the other steps.
 CityGML as PLATEAU has it (.gml, .zip or its folder; files of roads and the like are passed over), CityJSON and CityJSONSeq are read, levels of detail 0 to 2. Codes get their meaning where the lists are beside the files. A building whose id is not its own, whose solid is not closed or whose parts cannot be read keeps its row; the field “note” says why. Nothing is read from the network.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルの建物を、高さとすべての属性をもつ外周線として、また立体と面として読み込み、ほかの処理で使えるようにします。
+PLATEAUのCityGML（.gml、.zip、またはそのフォルダ。道路などのファイルは読み飛ばします）、CityJSON、CityJSONSeqを、詳細度0～2で読み込みます。コードは、コードリストがファイルのそばにあれば意味に置き換えます。idが重複する建物、立体が閉じていない建物、一部が読めない建物も行を保ち、フィールド「note」に理由を示します。ネットワークからは何も読み込みません。</translation>
     </message>
     <message>
         <source>Load GSI buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院の建物の読込</translation>
     </message>
     <message>
         <source>GSI</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院</translation>
     </message>
     <message>
         <source>FGD</source>
-        <translation type="unfinished"></translation>
+        <translation>FGD</translation>
     </message>
     <message>
         <source>GML</source>
-        <translation type="unfinished"></translation>
+        <translation>GML</translation>
     </message>
     <message>
         <source>JPGIS</source>
-        <translation type="unfinished"></translation>
+        <translation>JPGIS</translation>
     </message>
     <message>
         <source>基盤地図情報</source>
-        <translation type="unfinished"></translation>
+        <translation>基盤地図情報</translation>
     </message>
     <message>
         <source>国土地理院</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院</translation>
     </message>
     <message>
         <source>Loads building outlines of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as footprints for the other steps.
 Areas (BldA) and outlines (BldL) are read from the files as downloaded: .xml, .zip, or a folder of them. Outlines become polygons where they close; a building that several map sheets hold, or that is there both as an area and as an outline, comes once. What is left out or changed is told in the log.</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院の基盤地図情報の建築物の外周線を、ほかの処理で使う建物外周線として読み込みます。
+建築物（BldA）と建築物の外周線（BldL）を、ダウンロードしたままのファイル（.xml、.zip、またはそのフォルダ）から読み込みます。外周線は閉じていればポリゴンとします。複数の図郭にある建物や、面と外周線の両方がある建物は1つだけとします。除いたものや変更したものはログに示します。</translation>
     </message>
     <message>
         <source>Load GSI elevation model</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院の標高モデルの読込</translation>
     </message>
     <message>
         <source>DEM</source>
-        <translation type="unfinished"></translation>
+        <translation>DEM</translation>
     </message>
     <message>
         <source>elevation</source>
-        <translation type="unfinished"></translation>
+        <translation>標高</translation>
     </message>
     <message>
         <source>数値標高モデル</source>
-        <translation type="unfinished"></translation>
+        <translation>数値標高モデル</translation>
     </message>
     <message>
         <source>Loads elevation models of the Fundamental Geospatial Data of the Geospatial Information Authority of Japan (GSI) as a raster of the ground for the other steps.
 DEM1A, 5A, 5B, 5C, 10A and 10B are read as downloaded: .xml, .zip (zips in it too), or a folder of them. The newest file of a mesh is taken; where finer products have no height, coarser ones fill in. The raster states its height system (JGD2000, JGD2011 or JGD2024).</source>
-        <translation type="unfinished"></translation>
+        <translation>国土地理院の基盤地図情報の数値標高モデルを、ほかの処理で使う地表のラスタとして読み込みます。
+DEM1A、5A、5B、5C、10A、10Bを、ダウンロードしたままのファイル（.xml、.zip（内側のzipも可）、またはそのフォルダ）から読み込みます。メッシュごとに最新のファイルを用い、細かい製品に標高がないところは粗い製品で補います。ラスタには標高系（JGD2000、JGD2011またはJGD2024）が記録されます。</translation>
     </message>
     <message>
         <source>Map of localisation accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>自己位置推定精度の地図</translation>
     </message>
     <message>
         <source>localization</source>
-        <translation type="unfinished"></translation>
+        <translation>自己位置推定</translation>
     </message>
     <message>
         <source>localisation</source>
-        <translation type="unfinished"></translation>
+        <translation>位置推定</translation>
     </message>
     <message>
         <source>NDT</source>
-        <translation type="unfinished"></translation>
+        <translation>NDT</translation>
     </message>
     <message>
         <source>ICP</source>
-        <translation type="unfinished"></translation>
+        <translation>ICP</translation>
     </message>
     <message>
         <source>map matching</source>
-        <translation type="unfinished"></translation>
+        <translation>地図照合</translation>
     </message>
     <message>
         <source>reliability</source>
-        <translation type="unfinished"></translation>
+        <translation>信頼性</translation>
     </message>
     <message>
         <source>automated driving</source>
-        <translation type="unfinished"></translation>
+        <translation>自動運転</translation>
     </message>
     <message>
         <source>covariance</source>
-        <translation type="unfinished"></translation>
+        <translation>共分散</translation>
     </message>
     <message>
         <source>DOP</source>
-        <translation type="unfinished"></translation>
+        <translation>DOP</translation>
     </message>
     <message>
         <source>Tells from the map alone where a vehicle will know its place, before anyone drives: standard deviations along and across the road and of the heading, by laser scans matched to walls, by road markings, by satellites, and together.
 What matters most is how accurately walls and markings stand in the map: give their sigmas. A wall that is displaced displaces the vehicle however many points it gives.
 Places that look alike within the search distance are told with their distance and their share of the probability. A place of which the map tells nothing has no sigma and a status with the reason; a direction of which it tells nothing keeps the sigma from before matching.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両が自己位置を把握できる場所を、走行する前に地図だけから求めます。壁面とのレーザスキャン照合、路面標示、衛星、およびそれらの組合せによる、道路の縦断方向・横断方向の位置と方位角の標準偏差を示します。
+最も重要なのは、地図の壁面と路面標示の位置の正確さです。それらのσを指定してください。ずれた壁面は、点がどれだけ多くても車両の位置をずらします。
+探索距離内に似た場所がある場合は、その距離と確率の割合を示します。地図から何も分からない場所にはσがなく、状態に理由を示します。何も分からない方向は、照合前のσのままです。</translation>
     </message>
     <message>
         <source>Lines from road markings</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示からの線</translation>
     </message>
     <message>
         <source>line</source>
-        <translation type="unfinished"></translation>
+        <translation>線</translation>
     </message>
     <message>
         <source>dashed</source>
-        <translation type="unfinished"></translation>
+        <translation>破線</translation>
     </message>
     <message>
         <source>crosswalk</source>
-        <translation type="unfinished"></translation>
+        <translation>横断歩道</translation>
     </message>
     <message>
         <source>stop line</source>
-        <translation type="unfinished"></translation>
+        <translation>停止線</translation>
     </message>
     <message>
         <source>arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印</translation>
     </message>
     <message>
         <source>lane map</source>
-        <translation type="unfinished"></translation>
+        <translation>車線地図</translation>
     </message>
     <message>
         <source>Turns polygons of road markings into line work: centre lines with kind, width, colour and sigma, stop lines, crosswalks, and symbols such as arrows and diamonds.
 Pieces of paint that continue each other become one line, also across the gaps of dashes, of wear and of vehicles; how much was bridged is a field. A line is dashed where a periodic pattern explains its paint better than a solid line; begins and ends of the dashes are a field. Centre lines are fitted to cross-sections of the paint and smoothed over 3 m.
 Arrows are told by their shape, and only where one shape is clearly better than the others. Paint that is neither line nor known shape keeps its polygon, with the class unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示のポリゴンを線に変換します。種別・幅・色・σをもつ中心線、停止線、横断歩道、および矢印やひし形などの記号を作成します。
+互いに続く標示の断片は、破線のすき間、摩耗、車両による途切れを越えて1本の線とします。補間した長さはフィールドに示します。実線よりも周期的なパターンのほうが標示をよく説明する場合に破線とし、破線の各線分の始点と終点をフィールドに示します。中心線は標示の横断面に当てはめ、3 mにわたって平滑化します。
+矢印は形状で判別し、1つの形状がほかより明らかに適合する場合に限ります。線でも既知の形状でもない標示は、クラスunknownとしてポリゴンのまま残します。</translation>
     </message>
     <message>
         <source>Merge building models with measured walls</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデルと計測壁面の統合</translation>
     </message>
     <message>
         <source>merge</source>
-        <translation type="unfinished"></translation>
+        <translation>統合</translation>
     </message>
     <message>
         <source>Joins building models from airborne scanning with walls measured from the street: below a height the walls lie where the survey found them, above it the models stay as they were.
 Walls move within stated limits and never into a neighbour. A roof that stands out over the measured wall stays, with a level underside; so does what stands out at the height. Walls that were not driven past stay and are marked.
 Every result is checked: closed, planar, oriented outwards, no self-intersection. A building that cannot be merged keeps its model and says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザ測量による建物モデルと、道路から計測した壁面を統合します。指定の高さより下では壁面を計測された位置に置き、それより上ではモデルをそのまま保ちます。
+壁面は指定の限度内で移動し、隣の建物に入り込むことはありません。計測壁面から張り出す屋根は、下面を水平にして残します。指定の高さで張り出す部分も同様です。そばを走行していない壁面はそのまま残り、その旨を示します。
+すべての結果について、閉じていること、平面であること、外向きであること、自己交差がないことを検査します。統合できない建物は元のモデルを保ち、理由を示します。</translation>
     </message>
     <message>
         <source>2.5D mesh of buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の2.5Dメッシュ</translation>
     </message>
     <message>
         <source>mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ</translation>
     </message>
     <message>
         <source>2.5D</source>
-        <translation type="unfinished"></translation>
+        <translation>2.5D</translation>
     </message>
     <message>
         <source>TIN</source>
-        <translation type="unfinished"></translation>
+        <translation>TIN</translation>
     </message>
     <message>
         <source>curved</source>
-        <translation type="unfinished"></translation>
+        <translation>曲面</translation>
     </message>
     <message>
         <source>complex</source>
-        <translation type="unfinished"></translation>
+        <translation>複雑な形状</translation>
     </message>
     <message>
         <source>PLY</source>
-        <translation type="unfinished"></translation>
+        <translation>PLY</translation>
     </message>
     <message>
         <source>Makes closed meshes of complex or curved buildings from their points: triangulated roofs, upright walls where the heights step, a level ground.
 The mesh is simplified as far as the stated error allows: at least 95 % of a building's uppermost points shall lie within it. Where that cannot be reached, as with what stands on roofs, the building says so; so it does of a second surface under the first, which has no place in a 2.5D mesh.
 Points with building_id are taken by their number; from others the outlines cut their points, of classified ones those of class 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>複雑な形状や曲面の建物の閉じたメッシュを点群から作成します。屋根は三角網、高さの段差は鉛直な壁面、下面は水平とします。
+メッシュは指定の誤差の範囲で簡略化します。建物の最上部の点の95 %以上がその誤差内に収まるようにします。屋上の設置物などで達成できない場合は、その建物に示します。2.5Dメッシュでは表せない、1つ目の面の下にある2つ目の面がある場合も同様です。
+building_idをもつ点はその番号で用います。それ以外は外周線で点を切り出し、分類済みの場合はクラス6の点を用います。</translation>
     </message>
     <message>
         <source>Objects from images</source>
-        <translation type="unfinished"></translation>
+        <translation>画像からの地物</translation>
     </message>
     <message>
         <source>sign</source>
-        <translation type="unfinished"></translation>
+        <translation>標識</translation>
     </message>
     <message>
         <source>signal</source>
-        <translation type="unfinished"></translation>
+        <translation>信号機</translation>
     </message>
     <message>
         <source>light</source>
-        <translation type="unfinished"></translation>
+        <translation>照明灯</translation>
     </message>
     <message>
         <source>kerb</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石</translation>
     </message>
     <message>
         <source>object</source>
-        <translation type="unfinished"></translation>
+        <translation>地物</translation>
     </message>
     <message>
         <source>laser</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザ</translation>
     </message>
     <message>
         <source>Brings outlines that were drawn on line images or frames into the map: sign boards, signals and lights as polygons or points, kerbs as lines.
 Laser points are projected into the image; those inside the outline and on the nearest connected surface give the outline its place, size, orientation and height. All fields of the outlines are kept.
 Open the image in QGIS without a coordinate reference system and draw on it: x runs along the columns, y is negative downwards. A field image names the file where there are several.
 Images and points must be placed by the same trajectory.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライン画像または空中写真の上に描いた輪郭を地図に移します。看板・信号機・照明灯はポリゴンまたは点、縁石は線となります。
+レーザ点を画像に投影し、輪郭の内側にあって最も近い連続した面上の点から、輪郭の位置・大きさ・向き・高さを求めます。輪郭のすべてのフィールドを保ちます。
+画像を座標参照系なしでQGISに開き、その上に描いてください。xは列の方向、yは下方向が負です。画像が複数ある場合は、フィールドimageにファイル名を入れます。
+画像と点は同じ軌跡で配置されている必要があります。</translation>
     </message>
     <message>
         <source>Occlusion map of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>写真の遮蔽図</translation>
     </message>
     <message>
         <source>perspective occlusion map</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽マップ</translation>
     </message>
     <message>
         <source>POM</source>
-        <translation type="unfinished"></translation>
+        <translation>POM</translation>
     </message>
     <message>
         <source>relief displacement</source>
-        <translation type="unfinished"></translation>
+        <translation>倒れ込み</translation>
     </message>
     <message>
         <source>building lean</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の倒れ込み</translation>
     </message>
     <message>
         <source>hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>隠蔽</translation>
     </message>
     <message>
         <source>visibility</source>
-        <translation type="unfinished"></translation>
+        <translation>可視性</translation>
     </message>
     <message>
         <source>mask</source>
-        <translation type="unfinished"></translation>
+        <translation>マスク</translation>
     </message>
     <message>
         <source>photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>写真</translation>
     </message>
     <message>
         <source>Masks the pixels of an aerial frame that show a building or the ground that a building hides.
 The surface that is higher above the ground than the threshold is projected into the frame with its camera and exterior orientation, lens distortion included, and filled, walls too. Trees and bridges as high as that are masked as well.
 The edges are as good as the surface: use a resolution near the distance between the laser points. Building outlines add low buildings and roofs with missing points. The mask has the rows and columns of the frame and no place in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真のうち、建物、または建物が隠す地表が写る画素をマスクします。
+地表からの高さがしきい値を超える表層を、カメラと外部標定要素により（レンズ歪みを含めて）空中写真に投影し、壁面も含めて塗りつぶします。同じ高さの樹木や橋もマスクされます。
+縁の精度は表層の精度によります。解像度はレーザ点の間隔程度としてください。建物外周線を与えると、低い建物や点の欠けた屋根も加わります。マスクは空中写真と同じ行数・列数で、地図上の位置をもちません。</translation>
     </message>
     <message>
         <source>Orthorectify frames</source>
-        <translation type="unfinished"></translation>
+        <translation>写真のオルソ補正</translation>
     </message>
     <message>
         <source>orthorectification</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ補正</translation>
     </message>
     <message>
         <source>true ortho</source>
-        <translation type="unfinished"></translation>
+        <translation>トゥルーオルソ</translation>
     </message>
     <message>
         <source>mosaic</source>
-        <translation type="unfinished"></translation>
+        <translation>モザイク</translation>
     </message>
     <message>
         <source>Lays aerial frames on the ground as one mosaic. Ground that a building, tree or bridge hides from one frame is taken from another that sees it; buildings themselves and ground that no frame sees hold no data (0).
 Differences in exposure between frames are evened out first. With the vehicle filter moving vehicles go, because another frame shows the road where they stood; vehicles that stand still in all frames stay.
 Frames, ground and surface must be in one projected coordinate system in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真を地表に投影し、1枚のモザイクとします。建物・樹木・橋が1枚の写真で隠す地表は、それが写る別の写真から補います。建物自体と、どの写真にも写らない地表はノーデータ（0）です。
+写真間の露出の違いは先に調整します。車両フィルタを用いると、別の写真に車両のいた場所の路面が写るため、移動する車両は消えます。すべての写真で停車している車両は残ります。
+空中写真、地表、表層は、同一の投影座標系（メートル単位）である必要があります。</translation>
     </message>
     <message>
         <source>Overlay on images</source>
-        <translation type="unfinished"></translation>
+        <translation>画像への重ね描き</translation>
     </message>
     <message>
         <source>overlay</source>
-        <translation type="unfinished"></translation>
+        <translation>重ね描き</translation>
     </message>
     <message>
         <source>frame</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真</translation>
     </message>
     <message>
         <source>building frames</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の枠線</translation>
     </message>
     <message>
         <source>before</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前</translation>
     </message>
     <message>
         <source>after</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後</translation>
     </message>
     <message>
         <source>Draws laser points and the edges of building models or other lines on line images, frames and orthophotos, so that one sees whether they fit.
 Edges that a building hides are left out, and points behind a nearer surface. With what was before a correction (trajectory, points, lines) each picture is made twice, and the page switches between them.
 Points are read once; each image keeps the nearest point of every 3 by 3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザ点と、建物モデルの辺やその他の線を、ライン画像・空中写真・オルソ画像の上に描き、合っているかどうかを確認できるようにします。
+建物に隠れる辺と、手前の面の後ろにある点は除きます。補正前のもの（軌跡、点、線）を与えると、各画像を2通り作成し、ページ上で切り替えられます。
+点は一度だけ読み込みます。各画像は3×3画素ごとに最も近い点を保持します。</translation>
     </message>
     <message>
         <source>Rectify trajectory</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の補正</translation>
     </message>
     <message>
         <source>tie points</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイント</translation>
     </message>
     <message>
         <source>drift</source>
-        <translation type="unfinished"></translation>
+        <translation>ドリフト</translation>
     </message>
     <message>
         <source>INS</source>
-        <translation type="unfinished"></translation>
+        <translation>INS</translation>
     </message>
     <message>
         <source>Corrects position and heading of a survey's trajectory by tie points: places, such as corners of buildings, that the survey and a reference both show. Two or more pairs measured within some seconds are a set.
 By default the drift is estimated from all tie points together, each at its own time, with its sigma at every epoch; contradicting pairs and sets are found and told. In the methods “relative” and “iterative” each set gives a true pose, and the relative motions between two of them take their parts of the error, in closed form or by the paper's iteration. “paper” follows the paper to the letter: the first two pairs of each set, its equations 8, 9 and 13 to 17, equally sampled heights, and nothing left out as wrong. Before the first and after the last set the correction is carried on, and its sigma grows.
 With a ground raster the heights then follow the ground along the course, at the given height of the trajectory's origin above it. Roll and pitch stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの軌跡の位置と方位角を、タイポイント（建物の角など、計測データと基準の両方に写る場所）により補正します。数秒以内に計測された2組以上の対応点を、1つの組とします。
+既定では、すべてのタイポイントをそれぞれの時刻で用いてドリフトを一括推定し、各エポックのσを求めます。矛盾する対応点と組は検出して示します。方法「relative」と「iterative」では、各組から真の位置姿勢を求め、2つの組の間の相対運動に誤差を配分します（閉じた式、または論文の反復計算による）。「paper」は論文に忠実に従います。各組の最初の2つの対応点、式8、9、13～17、等間隔に標本化した高さを用い、誤りとして除くものはありません。最初の組より前と最後の組より後では補正を延長し、そのσは増大します。
+地表のラスタを与えると、高さは走行軌跡に沿った地表に、指定した軌跡の原点の地上高を加えたものとなります。ロールとピッチはそのままです。</translation>
     </message>
     <message>
         <source>Register mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測のレジストレーション</translation>
     </message>
     <message>
         <source>Finds how the trajectory of a mobile survey is off, by laying its road markings on those of an aerial reference, and corrects it.
 The driven path is cut into short patches; each is registered with a window of patches round it that is as long as its markings need. The windows' results become one smooth correction over the path: stretches that contradict the rest lose their weight, gaps are bridged with growing uncertainty, and each patch says how its correction was found and how sure it is.
 With ground heights (a raster, or polygons with heights) the correction is in space; without them heights, roll and pitch stay as they are. Apply the result with “Apply corrected trajectory”.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の路面標示を空中写真の基準の路面標示に重ねて、移動計測の軌跡のずれを求め、補正します。
+走行経路を短いパッチに分け、各パッチを、路面標示が必要とするだけの長さをもつ前後のパッチのウィンドウでレジストレーションします。ウィンドウの結果は、経路に沿った1つの滑らかな補正にまとめます。ほかと矛盾する区間は重みを失い、すき間は不確かさを増しながら補間します。各パッチには、補正の求め方とその確かさを示します。
+地表の標高（ラスタ、または高さをもつポリゴン）を与えると3次元で補正します。与えない場合、高さ・ロール・ピッチはそのままです。結果は「補正軌跡の適用」で適用してください。</translation>
     </message>
     <message>
         <source>curb</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石</translation>
     </message>
     <message>
         <source>edge</source>
-        <translation type="unfinished"></translation>
+        <translation>端</translation>
     </message>
     <message>
         <source>border</source>
-        <translation type="unfinished"></translation>
+        <translation>境界</translation>
     </message>
     <message>
         <source>guard rail</source>
-        <translation type="unfinished"></translation>
+        <translation>ガードレール</translation>
     </message>
     <message>
         <source>breakline</source>
-        <translation type="unfinished"></translation>
+        <translation>ブレークライン</translation>
     </message>
     <message>
         <source>Finds kerbs, lowered kerbs, road borders without kerb, guard rails and walls along the drive of a corrected mobile survey, as lines with heights, standard deviations and the share of their length that was measured.
 Kerbs are steps between two smooth sides. Each half metre a profile across the edge gives its foot, top and face; passes through the same place are fitted apart and combined by their sigma. Where neither side is seen, as behind parked cars, a line ends: “gap” tells how far the next part of its chain is away, nothing is drawn in between.
 A kerb whose face is not seen, and rails that may be the sides of vehicles, are doubtful, with the reason. Points and trajectory must be corrected ones: lines are as wrong as the survey is.
 Objects of “Objects from images” and walls of “Walls of the mobile survey” can be put into one GeoPackage with the edges.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正済みの移動計測の走行に沿って、縁石、切下げ縁石、縁石のない道路境界、ガードレール、壁を、高さ・標準偏差・計測された長さの割合をもつ線として求めます。
+縁石は、2つの滑らかな面の間の段差です。0.5 mごとの横断プロファイルから、縁石の下端・上端・前面を求めます。同じ場所の走行パスは別々に当てはめ、σにより統合します。駐車車両の後ろなど、両側とも見えないところで線は終わります。「gap」は連なりの次の部分までの距離を示し、その間には何も描きません。
+前面が見えない縁石や、車両の側面かもしれないガードレールは、理由を付けて疑わしいものとします。点と軌跡は補正済みのものとしてください。線の誤差は計測データの誤差と同じになります。
+「画像からの地物」の地物と「移動計測の壁面」の壁面は、道路端と同じ1つのGeoPackageに入れることができます。</translation>
     </message>
     <message>
         <source>Road markings of a mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の路面標示</translation>
     </message>
     <message>
         <source>paint</source>
-        <translation type="unfinished"></translation>
+        <translation>標示塗料</translation>
     </message>
     <message>
         <source>intensity</source>
-        <translation type="unfinished"></translation>
+        <translation>反射強度</translation>
     </message>
     <message>
         <source>reflectance</source>
-        <translation type="unfinished"></translation>
+        <translation>反射率</translation>
     </message>
     <message>
         <source>threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>しきい値</translation>
     </message>
     <message>
         <source>Takes the points on road markings out of a mobile laser survey by their intensity.
 Intensity falls with range and incidence: asphalt's is fitted as a curve over range for each scanner, and all intensities are divided by it. Points brighter than the ground round them are marking points, if they form strokes; kerbs, feet of walls and wide bright surfaces are left out.
 Ground is taken by class 2 where at least 1 % of the points have it, otherwise found by the cloth filter. The survey is worked on along the path: passes through the same place are not mixed, and what was measured while the vehicle stood for more than a second is left out. The files may be larger than memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測のレーザ点群から、反射強度により路面標示上の点を抽出します。
+反射強度は斜距離と入射角により低下します。スキャナごとに、アスファルトの反射強度を斜距離の曲線に当てはめ、すべての反射強度をその値で割ります。周囲の地表より明るい点が線状をなすとき、路面標示点とします。縁石、壁の下端、広い明るい面は除きます。
+地表は、点の1 %以上がクラス2であればクラス2とし、それ以外は布シミュレーションフィルタで求めます。処理は経路に沿って行います。同じ場所の走行パスどうしは混ぜず、1秒を超える停車中に計測されたものは除きます。ファイルはメモリより大きくてもかまいません。</translation>
     </message>
     <message>
         <source>Road markings from orthophoto</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像からの路面標示</translation>
     </message>
     <message>
         <source>zebra</source>
-        <translation type="unfinished"></translation>
+        <translation>ゼブラ</translation>
     </message>
     <message>
         <source>crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>横断</translation>
     </message>
     <message>
         <source>adaptive threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>適応的閾値処理</translation>
     </message>
     <message>
         <source>Finds painted road markings, white, yellow and blue, in an orthophoto: a mask on the orthophoto's pixels and polygons whose outlines are finer than the pixels.
 After a level adjustment, pixels are kept that are brighter by the contrast than the Gaussian mean of the block round them (in shade in proportion less). Then goes what is no paint: what is as bright on one side (kerbs, walls, edges of shadows), bright bodies wider than paint (vehicles, roofs) and short pieces at them, leaves, specks, and roof edges along what is hidden. The ground beside must be smooth and grey as roads are: a confidence tells how much it is.
 Any orthophoto of 0.5 m or finer will do, in grey or in red, green and blue, 8 or 16 bit, of any size. Give roads where you have them: bright lines on roofs, plots and paving are then left out. Give building outlines, or the mask of what buildings hide, where they lean in the image.</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像から、白・黄・青の路面標示を求めます。オルソ画像の画素に合わせたマスクと、画素より細かい輪郭のポリゴンを作成します。
+レベル補正の後、周囲のブロックのガウス平均よりコントラストの値以上明るい画素を残します（日陰では比例して小さくします）。次に、標示でないものを除きます。片側が同じ明るさのもの（縁石、壁、影の縁）、標示より幅の広い明るいもの（車両、屋根）とそれに接する短い断片、葉、微小なもの、遮蔽部分に沿った屋根の縁です。そばの地表は、道路のように滑らかな灰色でなければなりません。その度合いを信頼度で示します。
+0.5 mまたはそれより細かいオルソ画像であれば、グレーまたはRGB、8または16ビット、任意の大きさのものを使えます。道路のデータがあれば指定してください。屋根・敷地・舗装の明るい線が除かれます。画像で建物が倒れ込んでいる場合は、建物外周線、または建物が隠す部分のマスクを指定してください。</translation>
     </message>
     <message>
         <source>roof</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根</translation>
     </message>
     <message>
         <source>polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴン</translation>
     </message>
     <message>
         <source>alpha shape</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファシェイプ</translation>
     </message>
     <message>
         <source>Hough</source>
-        <translation type="unfinished"></translation>
+        <translation>ハフ変換</translation>
     </message>
     <message>
         <source>outline</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線</translation>
     </message>
     <message>
         <source>Draws the polygon of each roof from its points.
 The method “partition” divides each outline among its roofs along straight lines where roofs meet: no gaps, no slivers, common edges. The method “points” first draws the building's outer limit from its points, for outlines that are wrong in shape, then divides it likewise. The method “paper” outlines each roof on its own: radius outlier removal, alpha shape, Hough lines over the ordered boundary points, and the polygon from these lines, at the height of the roof's highest point; it leaves the outline aside and needs roofs of simple shape. A building without a roof then has no polygon; the other methods give it a plain block.</source>
-        <translation type="unfinished"></translation>
+        <translation>各屋根のポリゴンを点から描きます。
+方法「partition」は、屋根どうしが接する直線に沿って、各外周線を屋根に分割します。すき間や細片がなく、辺を共有します。方法「points」は、形状が誤っている外周線のために、まず点から建物の外周を描き、次に同様に分割します。方法「paper」は、各屋根の輪郭を個別に描きます。半径外れ値除去、アルファシェイプ、順序付けた境界点のハフ変換による線、これらの線からのポリゴンの順に求め、屋根の最高点の高さに置きます。外周線は用いず、単純な形状の屋根に限られます。この方法では屋根のない建物にポリゴンはありませんが、ほかの方法では単純ブロックとします。</translation>
     </message>
     <message>
         <source>Getting started</source>
-        <translation type="unfinished"></translation>
+        <translation>はじめに</translation>
     </message>
     <message>
         <source>sample</source>
-        <translation type="unfinished"></translation>
+        <translation>サンプル</translation>
     </message>
     <message>
         <source>example</source>
-        <translation type="unfinished"></translation>
+        <translation>例</translation>
     </message>
     <message>
         <source>demo</source>
-        <translation type="unfinished"></translation>
+        <translation>デモ</translation>
     </message>
     <message>
         <source>test data</source>
-        <translation type="unfinished"></translation>
+        <translation>試験データ</translation>
     </message>
     <message>
         <source>simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>シミュレーション</translation>
     </message>
     <message>
         <source>synthetic</source>
-        <translation type="unfinished"></translation>
+        <translation>合成データ</translation>
     </message>
     <message>
         <source>tutorial</source>
-        <translation type="unfinished"></translation>
+        <translation>チュートリアル</translation>
     </message>
     <message>
         <source>Makes a city block that does not exist, with all the data that UrbanMap works on and the truth to check the results against: aerial frames, airborne laser points, official outlines, two mobile surveys that are about a metre off, line scans, GNSS observations.
 Begin here without data of your own: every algorithm can be tried on the files in the folder, which are in UrbanMap's own formats. A README.txt in the folder says what is where. The default city takes about a minute and 60 MB.
 The same seed, size and scene give the same files.</source>
-        <translation type="unfinished"></translation>
+        <translation>実在しない街区と、UrbanMapが扱うすべてのデータ、結果を照合するための真値を作成します。空中写真、航空レーザ点群、公的な建物外周線、約1 mずれた2回の移動計測、ラインスキャン、GNSS観測値です。
+自分のデータがない場合はここから始めてください。フォルダ内のファイルはUrbanMap独自の形式で、すべてのアルゴリズムを試せます。フォルダ内のREADME.txtに、どこに何があるかを示します。既定の都市は約1分、60 MBです。
+同じシード、大きさ、シーンからは同じファイルができます。</translation>
     </message>
     <message>
         <source>Satellite visibility</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星可視性</translation>
     </message>
     <message>
         <source>line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>見通し線</translation>
     </message>
     <message>
         <source>LOS</source>
-        <translation type="unfinished"></translation>
+        <translation>LOS</translation>
     </message>
     <message>
         <source>PDOP</source>
-        <translation type="unfinished"></translation>
+        <translation>PDOP</translation>
     </message>
     <message>
         <source>sky</source>
-        <translation type="unfinished"></translation>
+        <translation>上空視界</translation>
     </message>
     <message>
         <source>planning</source>
-        <translation type="unfinished"></translation>
+        <translation>観測計画</translation>
     </message>
     <message>
         <source>Counts the navigation satellites in line of sight among building models: along a trajectory, or over an area at a given time.
 Fewer than four satellites of one system do not give a position; with each further system one more is needed for its clock (QZSS keeps that of GPS). The PDOP tells how much larger the error of a position is than that of a range; it is empty where the satellites in line of sight fix no position.
 Walls hide satellites; trees, vehicles and bridges do not. Where walls of the models stand a metre off, satellites near their edges are counted wrongly.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデルの間で見通し内にある測位衛星の数を、軌跡に沿って、または指定時刻の範囲全体で数えます。
+1つの衛星系で4衛星未満では位置が求まりません。衛星系が1つ増えるごとに、その時計のためにもう1衛星が必要です（QZSSはGPSと同じ時計です）。PDOPは、位置の誤差が距離の誤差の何倍かを示します。見通し内の衛星では位置が決まらない場合は空です。
+壁面は衛星を隠しますが、樹木・車両・橋は考慮しません。モデルの壁面が1 mずれていると、その辺の近くの衛星の数は誤ります。</translation>
     </message>
     <message>
         <source>Segment buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の抽出</translation>
     </message>
     <message>
         <source>footprint</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外形</translation>
     </message>
     <message>
         <source>segmentation</source>
-        <translation type="unfinished"></translation>
+        <translation>セグメンテーション</translation>
     </message>
     <message>
         <source>Takes the laser points of each building out of a point cloud, with the help of rough outlines.
 Each outline is first moved to where the points show its building, then expanded, and takes the points inside. Where expanded outlines overlap, a point goes to the building whose own surface is nearest to it. Points of class 6 are used where the cloud is classified; elsewhere what stands high above the ground.
 The outlines in the result carry what was found: points, density, ground height, displacement and its standard deviation. A building without points keeps its row and says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>概略の外周線を用いて、点群から建物ごとのレーザ点を取り出します。
+各外周線を、まず点が建物を示す位置へ移動し、次に拡張して、内側の点を取り出します。拡張した外周線が重なるところでは、点は自身の面が最も近い建物に属します。点群が分類済みの場合はクラス6の点を、それ以外では地表から高いものを用います。
+結果の外周線は、求めたもの（点数、密度、地盤の標高、変位とその標準偏差）をもちます。点のない建物も行を保ち、その旨を示します。</translation>
     </message>
     <message>
         <source>Segment roofs</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根の分割</translation>
     </message>
     <message>
         <source>histogram</source>
-        <translation type="unfinished"></translation>
+        <translation>ヒストグラム</translation>
     </message>
     <message>
         <source>Segments the roofs of each building: planes, level and sloped, grown on its points; or level roofs by the histogram of its points' heights.
 The histogram has overlapping bins. Each maximum with more points than the minimum roof area holds is a roof; a parapet's maximum is joined with its roof's. Beyond the paper, one maximum that is two roofs apart in plan becomes two, small roofs that stand out are kept, and sloped roofs become a few level ones, as finely as the height error asks.</source>
-        <translation type="unfinished"></translation>
+        <translation>各建物の屋根を分割します。点から成長させた水平・傾斜の平面、または点の高さのヒストグラムによる陸屋根とします。
+ヒストグラムの階級は互いに重なります。最小屋根面積に相当する数より点の多い極大のそれぞれを屋根とし、パラペットの極大はその屋根のものと統合します。論文に加えて、平面上で離れた2つの屋根からなる1つの極大は2つに分け、突出する小さな屋根を残し、傾斜屋根は高さの誤差の要求に応じた細かさで、いくつかの陸屋根とします。</translation>
     </message>
     <message>
         <source>Surface and ground from ALS</source>
-        <translation type="unfinished"></translation>
+        <translation>航空レーザからの表層と地表</translation>
     </message>
     <message>
         <source>DSM</source>
-        <translation type="unfinished"></translation>
+        <translation>DSM</translation>
     </message>
     <message>
         <source>DTM</source>
-        <translation type="unfinished"></translation>
+        <translation>DTM</translation>
     </message>
     <message>
         <source>surface</source>
-        <translation type="unfinished"></translation>
+        <translation>表層</translation>
     </message>
     <message>
         <source>terrain</source>
-        <translation type="unfinished"></translation>
+        <translation>地形</translation>
     </message>
     <message>
         <source>Delaunay</source>
-        <translation type="unfinished"></translation>
+        <translation>ドロネー</translation>
     </message>
     <message>
         <source>Makes the surface (DSM) and the ground elevation of a laser point cloud as rasters.
 The surface is the 2.5D Delaunay triangulation of the highest point of each cell. The ground is the triangulation of the ground points, which also spans buildings: it has no gap under them. Ground points are those classified so (classes 2, 8, 10, 11; not water) or, where the cloud is unclassified, those that a cloth drawn up from below touches.
 Noise (classes 7 and 18), withheld points and points alone in space are left out. The files may be larger than memory. Cells without a height hold -9999.</source>
-        <translation type="unfinished"></translation>
+        <translation>レーザ点群の表層（DSM）と地表の標高をラスタとして作成します。
+表層は、各セルの最高点の2.5Dドロネー三角網です。地表は地表点の三角網で、建物の下もすき間なくつなぎます。地表点は、そのように分類された点（クラス2、8、10、11。水面は除く）、または点群が未分類の場合は、下から当てた布が触れる点です。
+ノイズ（クラス7と18）、withheldの点、孤立点は除きます。ファイルはメモリより大きくてもかまいません。高さのないセルは -9999 です。</translation>
     </message>
     <message>
         <source>Propose tie points</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントの提案</translation>
     </message>
     <message>
         <source>corners</source>
-        <translation type="unfinished"></translation>
+        <translation>角</translation>
     </message>
     <message>
         <source>buildings</source>
-        <translation type="unfinished"></translation>
+        <translation>建物</translation>
     </message>
     <message>
         <source>walls</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面</translation>
     </message>
     <message>
         <source>rectification</source>
-        <translation type="unfinished"></translation>
+        <translation>補正</translation>
     </message>
     <message>
         <source>Proposes tie points for “Rectify trajectory”: corners of buildings that the survey and the outlines both show.
 Where points of the survey stand over each other there are walls; the two walls of each corner are looked for along the outline's edges, and meet in the survey's corner. Of several possible places the one is taken that is shifted like the corners measured about the same time. Corners are gathered in sets of two.
 Each line of the result runs from the survey to the reference. Look at them before they are used: delete wrong ones, move ends, add others. They are as good as the outlines: give the outlines' accuracy as “Sigma of tie points” to the rectification.</source>
-        <translation type="unfinished"></translation>
+        <translation>「軌跡の補正」のためのタイポイントとして、計測データと外周線の両方に現れる建物の角を提案します。
+計測データの点が上下に重なるところに壁面があります。各角の2つの壁面を外周線の辺に沿って探し、その交点を計測データの角とします。候補が複数ある場合は、ほぼ同じ時刻に計測された角と同じようにずれているものを採用します。角は2つずつの組にまとめます。
+結果の各線は、計測データから基準へ向かいます。使う前に確認し、誤った線の削除、端点の移動、線の追加を行ってください。その精度は外周線の精度によります。補正では、外周線の精度を「タイポイントのσ」に指定してください。</translation>
     </message>
     <message>
         <source>Run over tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル処理</translation>
     </message>
     <message>
         <source>tile</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル</translation>
     </message>
     <message>
         <source>batch</source>
-        <translation type="unfinished"></translation>
+        <translation>バッチ処理</translation>
     </message>
     <message>
         <source>grid</source>
-        <translation type="unfinished"></translation>
+        <translation>格子</translation>
     </message>
     <message>
         <source>large area</source>
-        <translation type="unfinished"></translation>
+        <translation>広域</translation>
     </message>
     <message>
         <source>resume</source>
-        <translation type="unfinished"></translation>
+        <translation>再開</translation>
     </message>
     <message>
         <source>overnight</source>
-        <translation type="unfinished"></translation>
+        <translation>夜間実行</translation>
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>大規模</translation>
     </message>
     <message>
         <source>Runs another algorithm over an area of any size, tile by tile: each tile reads its part of the inputs with a buffer around it, and keeps what is its own of the results, so that a building on an edge is there once.
 Each tile is whole or not there. Run again with the same folder, settings and inputs, it goes on where it was ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run.
 The algorithm's parameters are given as lines NAME=VALUE, on the command line also by themselves. Point clouds, rasters and layers among them are cut; everything else is the same for all tiles. Layers and rasters are put together in the folder “merged”, point clouds stay by tile.</source>
-        <translation type="unfinished"></translation>
+        <translation>別のアルゴリズムを、任意の大きさの範囲についてタイルごとに実行します。各タイルは周囲のバッファを含めて入力の該当部分を読み、結果のうち自分のものだけを残すため、境界上の建物も1つだけとなります。
+各タイルは、完全にあるか、まったくないかのどちらかです。同じフォルダ・設定・入力で再度実行すると、終了したところから続けます。失敗したタイルや入力が変わったタイルは、やり直します。1つのタイルが失敗しても実行は続きます。
+アルゴリズムのパラメータは NAME=VALUE の行で指定し、コマンドラインでは単独でも指定できます。そのうち点群・ラスタ・レイヤは切り分け、それ以外はすべてのタイルで同じです。レイヤとラスタはフォルダ「merged」に統合し、点群はタイルごとのままです。</translation>
     </message>
     <message>
         <source>Lane map</source>
-        <translation type="unfinished"></translation>
+        <translation>車線地図</translation>
     </message>
     <message>
         <source>Makes lanes of line work and drives: bounds shared with the lanes beside, centre lines, width, direction, successors, neighbours, stop lines and crosswalks; as layers, as Lanelet2 file with the tags that Autoware expects, and as OpenDRIVE file.
 Lines side by side are a road section. A lane is made between two lines at a lane's width, where a drive, an arrow or a stop line shows its direction, or a lane across a dashed line or across a yellow or double centre line does. Nothing else becomes a lane: strips without evidence, open ends, bounds that were not seen and ways that were driven outside all lanes are findings with a place.
 Through junctions a virtual lane is made where a drive shows it. Traffic keeps to the side that the drives show, unless it is given. Trajectories must be corrected ones: an error of a metre puts a drive into the wrong lane.</source>
-        <translation type="unfinished"></translation>
+        <translation>線と走行から車線を作成します。隣の車線と共有する境界、中心線、幅、方向、後続車線、隣接車線、停止線、横断歩道を求め、レイヤ、Autowareが必要とするタグをもつLanelet2ファイル、OpenDRIVEファイルとして出力します。
+並んだ線は道路区間となります。車線の幅で並ぶ2本の線の間で、走行・矢印・停止線が方向を示すところ、または破線を隔てた車線、黄色もしくは二重の中央線を隔てた車線が方向を示すところに車線を作成します。それ以外は車線となりません。根拠のない帯、開いた端、見えなかった境界、どの車線にも含まれない走行は、位置を示す指摘事項となります。
+交差点内では、走行が示すところに仮想の車線を作成します。通行側は、指定がなければ走行が示す側とします。軌跡は補正済みのものとしてください。1 mの誤差があると、走行が別の車線に入ります。</translation>
     </message>
     <message>
         <source>Walls from a mobile survey</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測の壁面</translation>
     </message>
     <message>
         <source>mobile mapping</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測</translation>
     </message>
     <message>
         <source>plane</source>
-        <translation type="unfinished"></translation>
+        <translation>平面</translation>
     </message>
     <message>
         <source>contour</source>
-        <translation type="unfinished"></translation>
+        <translation>輪郭</translation>
     </message>
     <message>
         <source>Finds the walls of buildings in a mobile survey that has been put on the map.
 Points near the buildings' outlines and below a height above ground are separated into walls and the rest by their normals, freed of outliers and cut into planes. The alpha shape of each plane's points is the contour of a wall; holes in it are places where nothing was measured, such as windows, passages and shadows.
 Each wall says how well its points fit, how well its place is known, how much of it was seen and how much may be hidden behind trees, vehicles and the like. The accuracy is that of the wall in the survey; the place of the survey itself is not in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>地図に位置を合わせた移動計測から、建物の壁面を求めます。
+建物外周線の近くで、地表からの指定の高さより下にある点を、法線により壁面とそれ以外に分け、外れ値を除き、平面に分割します。各平面の点のアルファシェイプが壁面の輪郭となります。その穴は、窓・通路・影など、何も計測されなかった場所です。
+各壁面には、点の適合度、位置の確かさ、計測された割合、樹木や車両などに隠れている可能性のある割合を示します。精度は計測データ内での壁面の精度であり、計測データ自体の位置の精度は含みません。</translation>
     </message>
     <message>
         <source>{path} holds no camera: it must be a JSON object with focal_length_mm and so on.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} にカメラがありません。focal_length_mmなどをもつJSONオブジェクトとしてください。</translation>
     </message>
     <message>
         <source>principal_point_mm in {path} must be two numbers: x0 and y0 in millimetres.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} のprincipal_point_mmは、2つの数値（x0とy0、ミリメートル）としてください。</translation>
     </message>
     <message>
         <source>{name} is missing in {path} or is not a number: add it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} に {name} がないか、数値ではありません。追加してください。</translation>
     </message>
     <message>
         <source>The distortion in {path} is not of the model "brown": convert it, or resample the frames without distortion.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の歪みは "brown" モデルではありません。変換するか、空中写真を歪みのないものに再標本化してください。</translation>
     </message>
     <message>
         <source>The distortion in {path} must name its units: "mm" or "focal".</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の歪みに単位 "mm" または "focal" を示してください。</translation>
     </message>
     <message>
         <source>The angles are in degrees, gon or radians and in the order papers or usual, not {unit} and {order}.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度の単位はdegrees、gon、radiansのいずれか、順序はpapersまたはusualとしてください（現在は {unit} と {order}）。</translation>
     </message>
     <message>
         <source>{path} has no column {missing}: its first line must be {columns}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} に列 {missing} がありません。1行目を {columns} としてください。</translation>
     </message>
     <message>
         <source>{path} lists no image.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} に画像がありません。</translation>
     </message>
     <message>
         <source>{path} holds a value that is not a number for {names}: correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の {names} に数値でない値があります。修正してください。</translation>
     </message>
     <message>
         <source>The angles in {path} look like {guess}: convert them to degrees, or say their unit if you know it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の角度は {guess} と思われます。度に変換するか、単位が分かる場合は指定してください。</translation>
     </message>
     <message>
         <source>The camera's focal length, pixel pitch, width and height must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラの焦点距離、画素寸法、幅、高さは0より大きくしてください。</translation>
     </message>
     <message>
         <source>Line {line_num} of {path} names no image or one that came before: each image needs one line.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の {line_num} 行目に画像名がないか、すでに現れた画像です。1画像につき1行としてください。</translation>
     </message>
     <message>
         <source>Line {line_num} of {path} ({name}) must hold numbers in x, y, z, omega, phi, kappa.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の {line_num} 行目（{name}）のx、y、z、omega、phi、kappaは数値としてください。</translation>
     </message>
     <message>
         <source>{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east {east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their orientation and the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>{first} と {second} は、路面標示上で {value}{unexplained:.2f} mずれています（東 {east:.2f}、北 {north:.2f}、σ {unexplained_2:.2f}、{patches} 箇所）。標定要素と地表を確認してください。</translation>
     </message>
     <message>
         <source>{bad_count} more pairs of images lie apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかに {bad_count} 組の写真がずれています。</translation>
     </message>
     <message>
         <source>In {hidden} pairs of images the shift may come from the height of what stands on the ground: a surface (DSM) would tell, here only shifts across their base were checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>{hidden} 組の写真のずれは、地上にあるものの高さによる可能性があります。表層（DSM）があれば判別できますが、ここでは基線に直交する方向のずれだけを検査しました。</translation>
     </message>
     <message>
         <source>across their base </source>
-        <translation type="unfinished"></translation>
+        <translation>基線に直交する方向に </translation>
     </message>
     <message>
         <source>The frame {twice} is given twice: name each once.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真 {twice} が2回指定されています。1回だけ指定してください。</translation>
     </message>
     <message>
         <source>Images of the exterior orientation are not in {folder}: {missing}{more}; copy them there, or choose the frames one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>外部標定要素の画像が {folder} にありません: {missing}{more}。そこにコピーするか、空中写真を1枚ずつ選択してください。</translation>
     </message>
     <message>
         <source>The exterior orientation has no line for {given}: add it, or leave the frame out.</source>
-        <translation type="unfinished"></translation>
+        <translation>外部標定要素に {given} の行がありません。追加するか、その空中写真を除いてください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as an image: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} を画像として読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: {error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています: {error}。</translation>
     </message>
     <message>
         <source>{path} has a colour table: convert it to red, green and blue first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} はカラーテーブルをもっています。先に赤・緑・青に変換してください。</translation>
     </message>
     <message>
         <source>{path} holds complex numbers, no image: give an orthophoto.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は複素数で、画像ではありません。オルソ画像を指定してください。</translation>
     </message>
     <message>
         <source>{path} has no image bands: give an orthophoto in grey or in red, green and blue.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} に画像のバンドがありません。グレー、または赤・緑・青のオルソ画像を指定してください。</translation>
     </message>
     <message>
         <source>{path} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の位置情報に有限でない数値があります。破損しているため、再度出力してください。</translation>
     </message>
     <message>
         <source>{path} has pixels that are not square: warp it to square pixels first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の画素は正方形ではありません。先に正方形の画素に再標本化してください。</translation>
     </message>
     <message>
         <source>{path} has pixels of {own_pixel:.2f} m, in which road markings cannot be seen: use an orthophoto of {max_pixel} m or finer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} の画素は {own_pixel:.2f} mで、路面標示を識別できません。{max_pixel} mまたはそれより細かいオルソ画像を用いてください。</translation>
     </message>
     <message>
         <source>{path} does not reach {path_2}: give a mask of the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は {path_2} に重なりません。同じ場所のマスクを指定してください。</translation>
     </message>
     <message>
         <source>{mask} does not cover all of {path}: where it does not, nothing is taken as hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>{mask} は {path} の全体を覆っていません。覆われていないところでは、遮蔽はないものとします。</translation>
     </message>
     <message>
         <source>{path} cannot be read as a raster: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} をラスタとして読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{output} cannot be written ({error}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{output} に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>No two frames share enough markings to be compared: a wrong orientation would not show.</source>
-        <translation type="unfinished"></translation>
+        <translation>比較に十分な路面標示を共有する空中写真の組がありません。標定要素に誤りがあっても現れません。</translation>
     </message>
     <message>
         <source>With pixels of {pixel:.2f} m lane lines are narrower than a pixel: many are missed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{pixel:.2f} mの画素では車線の線が1画素より細く、多くが検出されません。</translation>
     </message>
     <message>
         <source>No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and lines of car parks may be among the markings; cut by their confidence, or give roads.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路が指定されていません。陸屋根の縁、縁石、車両の縁、水辺の葦、駐車場の線が路面標示に含まれている可能性があります。信頼度で絞り込むか、道路を指定してください。</translation>
     </message>
     <message>
         <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示が見つかりませんでした。道路、コントラスト、および画像に路面標示が写っているかを確認してください。</translation>
     </message>
     <message>
         <source>{polygons_count} markings were found. </source>
-        <translation type="unfinished"></translation>
+        <translation>{polygons_count} 個の路面標示が見つかりました。 </translation>
     </message>
     <message>
         <source>{doubts_count} things are to be looked at first.</source>
-        <translation type="unfinished"></translation>
+        <translation>先に確認すべき点が {doubts_count} 件あります。</translation>
     </message>
     <message>
         <source>No frame shows any of the ground: check that frames, exterior orientation and ground lie in the same place and coordinate system.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表が写っている空中写真がありません。空中写真、外部標定要素、地表の場所と座標系が一致しているか確認してください。</translation>
     </message>
     <message>
         <source>The images hold {dtype} numbers: convert them to 8 or 16 bit without sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>画像の数値は {dtype} です。符号なしの8ビットまたは16ビットに変換してください。</translation>
     </message>
     <message>
         <source>No frame sees any ground there: check that frames, exterior orientation, ground and surface lie in the same place and coordinate system.</source>
-        <translation type="unfinished"></translation>
+        <translation>そこの地表が写っている空中写真がありません。空中写真、外部標定要素、地表、表層の場所と座標系が一致しているか確認してください。</translation>
     </message>
     <message>
         <source>The coordinate reference system cannot be understood: set another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系を解釈できません。別の座標参照系を設定してください。</translation>
     </message>
     <message>
         <source>{image} cannot be written ({error}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{image} に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{image} looks past the surface and ground rasters: choose rasters of its place, and check that heights, CRS and angles fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>{image} の撮影範囲は表層と地表のラスタの外です。その場所のラスタを選択し、高さ、CRS、角度が合っているか確認してください。</translation>
     </message>
     <message>
         <source>The height threshold must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さのしきい値は0より大きくしてください。</translation>
     </message>
     <message>
         <source>{uncovered:.0%} of {image} looks beyond the surface or the ground raster: buildings there are not masked.</source>
-        <translation type="unfinished"></translation>
+        <translation>{image} の {uncovered:.0%} は表層または地表のラスタの外です。そこの建物はマスクされません。</translation>
     </message>
     <message>
         <source>{path} holds no heights: check the raster.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} に高さがありません。ラスタを確認してください。</translation>
     </message>
     <message>
         <source>Occlusion maps of the frames need a surface (DSM): give one, or give the maps themselves.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真の遮蔽図には表層（DSM）が必要です。表層または遮蔽図そのものを指定してください。</translation>
     </message>
     <message>
         <source>The frames lie below the ground: check the heights in the exterior orientation.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真が地表より下にあります。外部標定要素の高さを確認してください。</translation>
     </message>
     <message>
         <source>{beside_count} frames show none of the ground and are left out: {beside}{value}.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表が写っていない {beside_count} 枚の空中写真を除きます: {beside}{value}。</translation>
     </message>
     <message>
         <source>Without a surface (DSM) buildings cannot be told to hide the ground: they lie over it in the mosaic.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層（DSM）がないため、建物が地表を隠すことを判別できません。モザイクでは建物が地表に重なります。</translation>
     </message>
     <message>
         <source>The surface (DSM) does not cover the whole mosaic: beyond it buildings lie over the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層（DSM）がモザイクの全体を覆っていません。その外では建物が地表に重なります。</translation>
     </message>
     <message>
         <source>{path} has {kind} bands of {kind_2} but {path_2} {kinds} of {kinds_2}: give frames of one kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は {kind_2} の {kind} バンドですが、{path_2} は {kinds_2} の {kinds} バンドです。同じ種類の空中写真を指定してください。</translation>
     </message>
     <message>
         <source> and others</source>
-        <translation type="unfinished"></translation>
+        <translation> ほか</translation>
     </message>
     <message>
         <source>Levels are four numbers, low, high, middle and noise, the second above the first: give those, or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>レベルは、下限・上限・中間・ノイズの4つの数値で、2番目を1番目より大きくします。4つとも指定するか、指定しないでください。</translation>
     </message>
     <message>
         <source>{name} says where it lies in numbers that are not finite: it is damaged; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} の位置情報に有限でない数値があります。破損しているため、再度出力してください。</translation>
     </message>
     <message>
         <source>{name} is turned or its pixels are not square: warp it to a north-up raster first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} は回転しているか、画素が正方形ではありません。先に北を上としたラスタに再標本化してください。</translation>
     </message>
     <message>
         <source>Vehicles can only be told by comparing: give two or more orthophotos of the same ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>車両は比較によってのみ判別できます。同じ地表のオルソ画像を2枚以上指定してください。</translation>
     </message>
     <message>
         <source>{name} has no coordinate reference system: set it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} に座標参照系がありません。先に設定してください。</translation>
     </message>
     <message>
         <source>{source} has {bands} bands of {dtype} but {first} {bands_2} of {dtype_2}: give orthophotos of one kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} は {dtype} の {bands} バンドですが、{first} は {dtype_2} の {bands_2} バンドです。同じ種類のオルソ画像を指定してください。</translation>
     </message>
     <message>
         <source>No two of the orthophotos show the same ground: no vehicle was filtered.</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ地表が写っているオルソ画像の組がないため、車両は除去されませんでした。</translation>
     </message>
     <message>
         <source>{name} is damaged: {error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} は破損しています: {error}。</translation>
     </message>
     <message>
         <source>{name} cannot be read as an image: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} を画像として読み込めません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{paths} has no attribute {name}: run “{maker}” first and give its result.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths} に属性 {name} がありません。先に「{maker}」を実行し、その結果を指定してください。</translation>
     </message>
     <message>
         <source>A part of the model has no height: give finite heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの一部に高さがありません。有限の高さを指定してください。</translation>
     </message>
     <message>
         <source>The model has no parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルに部分がありません。</translation>
     </message>
     <message>
         <source>The model has no part with a volume.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルに体積のある部分がありません。</translation>
     </message>
     <message>
         <source>Two buildings have the same building_id: give each building its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの建物のbuilding_idが同じです。建物ごとに異なるbuilding_idを付けてください。</translation>
     </message>
     <message>
         <source>There are no measured walls: run “Walls from a mobile survey” first and check that it found any.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測壁面がありません。先に「移動計測の壁面」を実行し、壁面が見つかったか確認してください。</translation>
     </message>
     <message>
         <source>Building {flat} has no heights: give building models (MultiPolygonZ), not outlines.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物 {flat} に高さがありません。外周線ではなく建物モデル（MultiPolygonZ）を指定してください。</translation>
     </message>
     <message>
         <source>No measured wall lies near any model: check that both are of the same place, and that the survey has been put on the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの近くに計測壁面がありません。両者が同じ場所のもので、移動計測が地図に位置合わせされているか確認してください。</translation>
     </message>
     <message>
         <source>the plan would fold over itself</source>
-        <translation type="unfinished"></translation>
+        <translation>平面形が自身と重なってしまいます</translation>
     </message>
     <message>
         <source>{fspath} holds no building: give a CityJSON file with buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>{fspath} に建物がありません。建物を含むCityJSONファイルを指定してください。</translation>
     </message>
     <message>
         <source>Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さ、最大オフセット、回転角（20度以下）、壁面の割合は0より大きくしてください。</translation>
     </message>
     <message>
         <source>only {points_count} points lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>内側の点が {points_count} 個しかありません</translation>
     </message>
     <message>
         <source>none of its points lies on its outline</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線上に点がありません</translation>
     </message>
     <message>
         <source>No point lies in any outline: check that both are of the same place and CRS.</source>
-        <translation type="unfinished"></translation>
+        <translation>どの外周線の内側にも点がありません。両者の場所とCRSが同じか確認してください。</translation>
     </message>
     <message>
         <source>The maximum error and the height step must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>最大誤差と段差の高さは0より大きくしてください。</translation>
     </message>
     <message>
         <source>its outline has no area</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線に面積がありません</translation>
     </message>
     <message>
         <source>No roof has a building_id that the outlines have: give the outlines that the roofs were made with.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線のbuilding_idをもつ屋根がありません。屋根の作成に用いた外周線を指定してください。</translation>
     </message>
     <message>
         <source>The worst {worst_count}</source>
-        <translation type="unfinished"></translation>
+        <translation>最も悪い {worst_count} 件</translation>
     </message>
     <message>
         <source>The building evidence does not lie on its grid: give both the same rows and columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の根拠データがその格子と一致しません。行数と列数を同じにしてください。</translation>
     </message>
     <message>
         <source>The longest shift of an outline must be at least {coarse_step} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線の最大移動量は {coarse_step} m以上としてください。</translation>
     </message>
     <message>
         <source>The point density is not a positive number: check that the points cover the outlines.</source>
-        <translation type="unfinished"></translation>
+        <translation>点密度が正の数ではありません。点が外周線を覆っているか確認してください。</translation>
     </message>
     <message>
         <source>The ground heights do not lie on the grid of the evidence: give both the same grid.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表の標高が根拠データの格子と一致しません。同じ格子としてください。</translation>
     </message>
     <message>
         <source>The layer of building outlines is empty: give a layer with polygons.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線のレイヤが空です。ポリゴンのあるレイヤを指定してください。</translation>
     </message>
     <message>
         <source>No building outline has a usable polygon: check the outlines' geometries.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用できるポリゴンをもつ建物外周線がありません。外周線のジオメトリを確認してください。</translation>
     </message>
     <message>
         <source>Some building_id of the outlines is empty or no whole number: number the outlines or remove the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線のbuilding_idに空または整数でないものがあります。外周線に番号を付けるか、フィールドを削除してください。</translation>
     </message>
     <message>
         <source>Some building_id of the outlines is below 1 or too large: number the outlines from 1 or remove the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線のbuilding_idに1未満または大きすぎるものがあります。外周線に1から番号を付けるか、フィールドを削除してください。</translation>
     </message>
     <message>
         <source>The outlines hold the building_id {unique} more than once: make it unique or remove the field.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線にbuilding_id {unique} が重複しています。一意にするか、フィールドを削除してください。</translation>
     </message>
     <message>
         <source>A detected line needs at least three boundary points.</source>
-        <translation type="unfinished"></translation>
+        <translation>検出する線には3個以上の境界点が必要です。</translation>
     </message>
     <message>
         <source>The distance of boundary points to their line must be above zero metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>境界点から線までの距離は0 mより大きくしてください。</translation>
     </message>
     <message>
         <source>The point density must be above zero points per square metre.</source>
-        <translation type="unfinished"></translation>
+        <translation>点密度は0点/m²より大きくしてください。</translation>
     </message>
     <message>
         <source>The building's points are too few to draw an outline from them.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の点が少なすぎて、外周を描けません。</translation>
     </message>
     <message>
         <source>The building's points lie on its neighbours: check the building outlines.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の点が隣の建物の上にあります。建物外周線を確認してください。</translation>
     </message>
     <message>
         <source>The outlier radius must be above zero metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>外れ値の半径は0 mより大きくしてください。</translation>
     </message>
     <message>
         <source>An outline needs at least four boundary points to be regularised.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線の整形には4個以上の境界点が必要です。</translation>
     </message>
     <message>
         <source>The roof raster has not the rows and columns of its grid.</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根ラスタの行数・列数がその格子と一致しません。</translation>
     </message>
     <message>
         <source>At most {max_lines} dividing lines are possible: lower their number.</source>
-        <translation type="unfinished"></translation>
+        <translation>分割線は最大 {max_lines} 本です。数を減らしてください。</translation>
     </message>
     <message>
         <source>The building outline has no area: repair or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線に面積がありません。修復するか削除してください。</translation>
     </message>
     <message>
         <source>A roof polygon needs at least three edges: lower the least number of edge points.</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根ポリゴンには3辺以上が必要です。辺の最小点数を小さくしてください。</translation>
     </message>
     <message>
         <source>The bin width and the bin shift of the height histogram must be more than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さヒストグラムの階級幅と階級のずらし量は0より大きくしてください。</translation>
     </message>
     <message>
         <source>Some point heights are not numbers: remove these points first.</source>
-        <translation type="unfinished"></translation>
+        <translation>点の高さに数値でないものがあります。先にそれらの点を除いてください。</translation>
     </message>
     <message>
         <source>The heights of a building's points span too many bins: remove outliers first.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の点の高さの範囲が広く、階級の数が多すぎます。外れ値を除いてください。</translation>
     </message>
     <message>
         <source>The x, y and z of a building's points differ in number.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の点のx、y、zの個数が一致しません。</translation>
     </message>
     <message>
         <source>The return numbers and the coordinates of a building's points differ in number.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の点の反射番号と座標の個数が一致しません。</translation>
     </message>
     <message>
         <source>Some coordinates of a building's points are not numbers: remove them.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の点の座標に数値でないものがあります。除いてください。</translation>
     </message>
     <message>
         <source>A building's ground height and point density must be numbers, density above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の地盤の標高と点密度は数値とし、密度は0より大きくしてください。</translation>
     </message>
     <message>
         <source>No sound point lies near any outline: check that points and outlines are of the same place, and that coordinates and heights are in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線の近くに正常な点がありません。点と外周線の場所が同じで、座標と高さがメートル単位か確認してください。</translation>
     </message>
     <message>
         <source>The point cloud and the outlines do not overlap: check that both are of the same place and that their coordinate reference systems are set right.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群と外周線が重なりません。場所が同じで、座標参照系が正しく設定されているか確認してください。</translation>
     </message>
     <message>
         <source>No roof lies on the plan of the building: check outline and roofs.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の平面上に屋根がありません。外周線と屋根を確認してください。</translation>
     </message>
     <message>
         <source>The plan's limit is '{limit}': give 'footprint' or 'roofs'.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面の範囲が '{limit}' です。'footprint' または 'roofs' を指定してください。</translation>
     </message>
     <message>
         <source>The plan's limit is the footprint, but there is none: give one, or limit to the roofs.</source>
-        <translation type="unfinished"></translation>
+        <translation>平面の範囲が外周線ですが、外周線がありません。外周線を指定するか、範囲を屋根としてください。</translation>
     </message>
     <message>
         <source>Roof polygons, heights and ids differ in number: give one height and id for each roof.</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根ポリゴン、高さ、idの個数が一致しません。屋根ごとに高さとidを1つずつ指定してください。</translation>
     </message>
     <message>
         <source>The building has no roof: give at least one.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物に屋根がありません。1つ以上指定してください。</translation>
     </message>
     <message>
         <source>A roof has no height: give a finite height for each roof.</source>
-        <translation type="unfinished"></translation>
+        <translation>屋根に高さがありません。各屋根に有限の高さを指定してください。</translation>
     </message>
     <message>
         <source>The building has no base height: give the ground's height in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物に基準高がありません。地盤の標高をメートルで指定してください。</translation>
     </message>
     <message>
         <source>Cells of one building overlap: cut its plan with partition_plan first.</source>
-        <translation type="unfinished"></translation>
+        <translation>1つの建物のセルが重なっています。先にpartition_planで平面を分割してください。</translation>
     </message>
     <message>
         <source>Face {face} {text}.</source>
-        <translation type="unfinished"></translation>
+        <translation>面 {face}: {text}。</translation>
     </message>
     <message>
         <source>An edge belongs to one face only: the shell has a hole.</source>
-        <translation type="unfinished"></translation>
+        <translation>1つの面にしか属さない辺があります。シェルに穴があります。</translation>
     </message>
     <message>
         <source>Faces touch each other only in this point.</source>
-        <translation type="unfinished"></translation>
+        <translation>面どうしがこの点だけで接しています。</translation>
     </message>
     <message>
         <source>The solid has no faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体に面がありません。</translation>
     </message>
     <message>
         <source>A face of the solid names a vertex that does not exist: the model is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体の面が存在しない頂点を参照しています。モデルが破損しています。</translation>
     </message>
     <message>
         <source>A vertex of the solid is not a finite number: the model is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体の頂点が有限の数値ではありません。モデルが破損しています。</translation>
     </message>
     <message>
         <source>A face of the solid has an empty ring: the model is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>立体の面に空のリングがあります。モデルが破損しています。</translation>
     </message>
     <message>
         <source>Face {face_of} repeats a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>面 {face_of} に同じ点の繰返しがあります。</translation>
     </message>
     <message>
         <source>Face {face} has a point {off:.4f} m off its plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>面 {face} に、平面から {off:.4f} m離れた点があります。</translation>
     </message>
     <message>
         <source>The shell has {face_count} faces: the least is 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>シェルの面が {face_count} 個です。4個以上必要です。</translation>
     </message>
     <message>
         <source>Face {face_of} and its neighbour turn opposite ways at their edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>面 {face_of} とその隣の面の向きが、共有する辺で逆になっています。</translation>
     </message>
     <message>
         <source>An edge of face {owners} runs into face {face}.</source>
-        <translation type="unfinished"></translation>
+        <translation>面 {owners} の辺が面 {face} に交差しています。</translation>
     </message>
     <message>
         <source>The faces look inwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>面が内側を向いています。</translation>
     </message>
     <message>
         <source>A ring of face {face_of} visits a point twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>面 {face_of} のリングが同じ点を2回通っています。</translation>
     </message>
     <message>
         <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
-        <translation type="unfinished"></translation>
+        <translation>CityGMLでは標高をJGD2011（EPSG:6697）としますが、モデルの標高系は {heights} です。異なる場合は、標高系を指定するか、標高を変換してください。</translation>
     </message>
     <message>
         <source>3D Tiles want heights above the ellipsoid, but those of the models are {known} and are written as they are: give a geoid model, or buildings sink or float on a globe.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Tilesの高さは楕円体高ですが、モデルの高さ（{known}）はそのまま書き出されます。ジオイドモデルを指定してください。指定しないと、地球上で建物が沈んだり浮いたりします。</translation>
     </message>
     <message>
         <source>{missing} buildings have no model and no place in a mesh: CityGML leaves them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{missing} 棟の建物にモデルがなく、メッシュ内の位置もありません。CityGMLでは除かれます。</translation>
     </message>
     <message>
         <source>The city models are in different reference systems: load them in separate runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルの座標参照系が異なります。別々に実行して読み込んでください。</translation>
     </message>
     <message>
         <source>The city model holds no building: give one that has buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルに建物がありません。建物のある都市モデルを指定してください。</translation>
     </message>
     <message>
         <source>The city model was taken into another datum by {told}.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルを {told} により別の測地系に変換しました。</translation>
     </message>
     <message>
         <source>The city model is in degrees outside of Japan: choose a projected coordinate reference system in metres for the result.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルが日本の外にあり、度単位です。結果にはメートル単位の投影座標参照系を選択してください。</translation>
     </message>
     <message>
         <source>No building of the city model has a geometry: give one with outlines or solids.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルにジオメトリをもつ建物がありません。外周線または立体のある都市モデルを指定してください。</translation>
     </message>
     <message>
         <source>{source} names no coordinate reference system: give the one that it is in.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} に座標参照系の記載がありません。データの座標参照系を指定してください。</translation>
     </message>
     <message>
         <source>City objects that are no buildings were passed over ({counts}).</source>
-        <translation type="unfinished"></translation>
+        <translation>建物以外の都市オブジェクトは読み飛ばしました（{counts}）。</translation>
     </message>
     <message>
         <source>Parts of buildings that have no place in the result were left out ({counts}).</source>
-        <translation type="unfinished"></translation>
+        <translation>結果に入れられない建物の部分を除きました（{counts}）。</translation>
     </message>
     <message>
         <source>{source} is no CityGML (its root is {split_tag}): give a city model.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} はCityGMLではありません（ルートが {split_tag}）。都市モデルを指定してください。</translation>
     </message>
     <message>
         <source>{source} is in another reference system than {sources}: load them in separate runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source} の座標参照系が {sources} と異なります。別々に実行して読み込んでください。</translation>
     </message>
     <message>
         <source>The folder {target} cannot be made ({strerror}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ {target} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>The folder {folder} holds CityGML of another program ({path}): choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ {folder} に別のプログラムのCityGML（{path}）があります。別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>The image {image} of a texture was not given: its file is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの画像 {image} がありません。そのファイルが見つかりません。</translation>
     </message>
     <message>
         <source>The image {place} cannot be written ({strerror}).</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 {place} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>{path} is not a CityJSON file: its type is not 'CityJSON'.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} はCityJSONファイルではありません。typeが 'CityJSON' ではありません。</translation>
     </message>
     <message>
         <source>{path} is damaged: its line {number} is no object; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています。{number} 行目がオブジェクトではありません。再度出力してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: its line {number} is no JSON; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています。{number} 行目がJSONではありません。再度出力してください。</translation>
     </message>
     <message>
         <source>{path} names no coordinate reference system: give the one that it is in.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} に座標参照系の記載がありません。データの座標参照系を指定してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: it has no city objects; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています。都市オブジェクトがありません。再度出力してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: its vertex {bad} has no finite coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています。頂点 {bad} の座標が有限ではありません。</translation>
     </message>
     <message>
         <source>{path} is damaged: a ring is no list of vertices; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています。頂点のリストでないリングがあります。再度出力してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: it names a vertex that it does not have; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} は破損しています。存在しない頂点を参照しています。再度出力してください。</translation>
     </message>
     <message>
         <source>CityJSON is written in metres, but the model counts in degrees: take it into a plane reference system first.</source>
-        <translation type="unfinished"></translation>
+        <translation>CityJSONはメートルで書き出しますが、モデルは度単位です。先に平面直角座標系などの平面の座標系に変換してください。</translation>
     </message>
     <message>
         <source>Two buildings have the id '{id}': give each building its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの建物のidが同じ '{id}' です。建物ごとに異なるidを付けてください。</translation>
     </message>
     <message>
         <source>The folder {place} cannot be made ({strerror}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ {place} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{path} has no textures: give the CityJSON file that “Facade textures” wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} にテクスチャがありません。「壁面テクスチャ」で出力したCityJSONファイルを指定してください。</translation>
     </message>
     <message>
         <source>{path} names the image {name}, which is not in its own folder: move it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path} が参照する画像 {name} が同じフォルダにありません。そこに移動してください。</translation>
     </message>
     <message>
         <source>The image {parent} cannot be written ({strerror}).</source>
-        <translation type="unfinished"></translation>
+        <translation>画像 {parent} に書き込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>{where}: the coordinate reference system {name} is not known; give the one that it is in.</source>
-        <translation type="unfinished"></translation>
+        <translation>{where}: 座標参照系 {name} は不明です。データの座標参照系を指定してください。</translation>
     </message>
     <message>
         <source>The coordinate reference system has no horizontal part: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系に水平成分がありません。別の座標参照系を選択してください。</translation>
     </message>
     <message>
         <source>{where}: the coordinate reference system EPSG:{code} is not known here; give the one that it is in.</source>
-        <translation type="unfinished"></translation>
+        <translation>{where}: 座標参照系EPSG:{code} はここでは不明です。データの座標参照系を指定してください。</translation>
     </message>
     <message>
         <source>The code {code} is none of a municipality: give its five digits, such as 13101.</source>
-        <translation type="unfinished"></translation>
+        <translation>コード {code} の市区町村はありません。13101のような5桁で指定してください。</translation>
     </message>
     <message>
         <source>The models state heights in {stated}, not in {given}: convert them first, or leave the height system out.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルの標高系は {stated} で、{given} ではありません。先に変換するか、標高系を指定しないでください。</translation>
     </message>
     <message>
         <source>The image {look} of a texture was not given: its file is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの画像 {look} がありません。そのファイルが見つかりません。</translation>
     </message>
     <message>
         <source>The folder {folder} holds a tileset of another program: choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ {folder} に別のプログラムのタイルセットがあります。別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>3D Tiles need a place on the earth: the models' coordinate reference system is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Tilesには地球上の位置が必要ですが、モデルの座標参照系が不明です。</translation>
     </message>
     <message>
         <source>Python {noun} in the way: {names}.</source>
-        <translation type="unfinished"></translation>
+        <translation>妨げとなっているPythonパッケージがあります: {names}。</translation>
     </message>
     <message>
         <source>{python} has no pip, which installs Python packages: {advice}</source>
-        <translation type="unfinished"></translation>
+        <translation>{python} には、Pythonパッケージをインストールするpipがありません: {advice}</translation>
     </message>
     <message>
         <source>pip could not install the packages: {value}</source>
-        <translation type="unfinished"></translation>
+        <translation>pipがパッケージをインストールできませんでした: {value}</translation>
     </message>
     <message>
         <source>Python cannot be started as {command} ({strerror}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Pythonを {command} として起動できません（{strerror}）。</translation>
     </message>
     <message>
         <source>The memory is not enough for this run: give less data at a time, or a coarser resolution.</source>
-        <translation type="unfinished"></translation>
+        <translation>この処理にはメモリが不足しています。一度に与えるデータを減らすか、解像度を粗くしてください。</translation>
     </message>
     <message>
         <source>The disk is full: make room on the disk of the outputs and of temporary files, and run again.</source>
-        <translation type="unfinished"></translation>
+        <translation>ディスクの空き容量がありません。出力先と一時ファイルのディスクを空けて、再度実行してください。</translation>
     </message>
     <message>
         <source>No building has a polygon: choose a layer of outlines or building models.</source>
-        <translation type="unfinished"></translation>
+        <translation>ポリゴンをもつ建物がありません。建物外周線または建物モデルのレイヤを選択してください。</translation>
     </message>
     <message>
         <source>The height must be greater than 0 and the tolerance of the outlines between 0 and 10 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さは0より大きく、外周線の許容誤差は0～10 mとしてください。</translation>
     </message>
     <message>
         <source>No point of the survey lies near a building: check that both are of the same place and CRS, and that the survey has been put on the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物の近くに移動計測の点がありません。両者の場所とCRSが同じで、移動計測が地図に位置合わせされているか確認してください。</translation>
     </message>
     <message>
         <source>Outliers need at least one neighbour and a number of deviations above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>外れ値の除去には、1個以上の近傍点と、0より大きい標準偏差の倍数が必要です。</translation>
     </message>
     <message>
         <source>The minimum area of a wall must be greater than 0, the minimum opening and alpha and gap not below.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の最小面積は0より大きく、開口部の最小値、アルファ、すき間は0以上としてください。</translation>
     </message>
     <message>
         <source>Tolerance and minimum area of walls must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面の許容誤差と最小面積は0より大きくしてください。</translation>
     </message>
     <message>
         <source>Building {ids}: only {kept_share:.0f} % of its points were used, as there are more than fit into memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物 {ids}: 点がメモリに収まらないため、{kept_share:.0f} %の点だけを用いました。</translation>
     </message>
     <message>
         <source>An alpha shape needs points with two coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファシェイプには2つの座標をもつ点が必要です。</translation>
     </message>
     <message>
         <source>Alpha must be above zero metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>アルファは0 mより大きくしてください。</translation>
     </message>
     <message>
         <source>The raster's extent or cell size is not a number: check the coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタの範囲またはセルサイズが数値ではありません。座標を確認してください。</translation>
     </message>
     <message>
         <source>The place {latitude:.5f}, {longitude:.5f} has no mesh code: it is not in Japan.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置 {latitude:.5f}, {longitude:.5f} にはメッシュコードがありません。日本の外です。</translation>
     </message>
     <message>
         <source>{crs} is not a projected CRS in metres: reproject the data.</source>
-        <translation type="unfinished"></translation>
+        <translation>{crs} はメートル単位の投影CRSではありません。データを再投影してください。</translation>
     </message>
     <message>
         <source>The trajectory lies outside the area of its CRS: check the CRS.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡がそのCRSの範囲外にあります。CRSを確認してください。</translation>
     </message>
     <message>
         <source>The CRS of the map is not known: give the data a projected CRS in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>地図のCRSが不明です。データにメートル単位の投影CRSを設定してください。</translation>
     </message>
     <message>
         <source>No navigation file is given: give the satellites' navigation files of the day.</source>
-        <translation type="unfinished"></translation>
+        <translation>航法ファイルが指定されていません。当日の衛星の航法ファイルを指定してください。</translation>
     </message>
     <message>
         <source>{name} is not an SP3 file of version c or d: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} はバージョンcまたはdのSP3ファイルではありません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{name} counts time in "{scale}", which is not known: use orbits in GPS time.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} の時刻系 "{scale}" は不明です。GPS時の軌道情報を用いてください。</translation>
     </message>
     <message>
         <source>{name}: {where} is not finite; download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: {where}が有限の値ではありません。ファイルを再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{name} holds no satellite position: the file is not whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に衛星位置がありません。ファイルが不完全です。</translation>
     </message>
     <message>
         <source>There is no observation to trace: check that observations, ephemerides and trajectory belong to the same time and place.</source>
-        <translation type="unfinished"></translation>
+        <translation>追跡できる観測値がありません。観測データ、衛星暦、軌跡が同じ時刻・場所のものか確認してください。</translation>
     </message>
     <message>
         <source>All places of the antenna lie within buildings: check the coordinate systems and heights of the trajectory and of the buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>アンテナの位置がすべて建物の内部にあります。軌跡と建物の座標参照系および高さを確認してください。</translation>
     </message>
     <message>
         <source>At {sum} of {indoors_count} epochs the antenna lies within a building: their signals are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{indoors_count} エポックのうち {sum} エポックでアンテナが建物の内部にあるため、その信号を除外します。</translation>
     </message>
     <message>
         <source>The maximum range must be greater than 0, margins and angles not less than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>最大距離は0より大きく、余裕幅と角度は0以上にしてください。</translation>
     </message>
     <message>
         <source>No cell of the area has a ground height: give a ground that covers it.</source>
-        <translation type="unfinished"></translation>
+        <translation>範囲内に地表の高さがあるセルがありません。範囲を覆う地表面を与えてください。</translation>
     </message>
     <message>
         <source>The whole area lies inside buildings: choose a larger area or finer cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>範囲全体が建物の内部にあります。範囲を広げるか、セルを細かくしてください。</translation>
     </message>
     <message>
         <source>The buildings do not tell the height of the ground: give a ground raster.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物からは地表の高さが分かりません。地表面のラスタを与えてください。</translation>
     </message>
     <message>
         <source>No satellite of the chosen systems ({chosen}) can be placed at {calendar_text} GPS time; the navigation files are good for {spans_text}: give those of the day.</source>
-        <translation type="unfinished"></translation>
+        <translation>GPS時刻 {calendar_text} に、選択した衛星系（{chosen}）の衛星位置を計算できません。航法ファイルの有効期間は{spans_text}です。該当日のファイルを与えてください。</translation>
     </message>
     <message>
         <source>The area has {cells:.1f} million cells of {resolution:g} m: choose a coarser resolution or a smaller area.</source>
-        <translation type="unfinished"></translation>
+        <translation>範囲のセル数が {resolution:g} m セルで {cells:.1f} 百万になります。解像度を粗くするか、範囲を小さくしてください。</translation>
     </message>
     <message>
         <source>"{text}" is no time: write it as 2024-04-18 02:30:00, in UTC.</source>
-        <translation type="unfinished"></translation>
+        <translation>「{text}」は時刻として読めません。UTCで 2024-04-18 02:30:00 のように記述してください。</translation>
     </message>
     <message>
         <source>{without} of {shapes_count} buildings have no heights: give solids, outlines with z, or the field with the height of their tops.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shapes_count} 棟のうち {without} 棟に高さがありません。立体、z値付きの外周線、または上端の高さのフィールドを与えてください。</translation>
     </message>
     <message>
         <source>The buildings have no walls: give solids or outlines with heights.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物に壁面がありません。立体、または高さ付きの外周線を与えてください。</translation>
     </message>
     <message>
         <source>{path} holds no solids: give building models of LoD 1 or higher.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に立体がありません。LoD 1以上の建物モデルを与えてください。</translation>
     </message>
     <message>
         <source>{count} of {kind_count} signals are reflected by one wall; of {sure:.0f} % of all signals the class is sure.</source>
-        <translation type="unfinished"></translation>
+        <translation>{kind_count} 信号のうち {count} 信号が1つの壁面で反射しています。全信号の {sure:.0f} % は分類が確実です。</translation>
     </message>
     <message>
         <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m. The others stay where they were: nothing is known of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{adjusted_count} 壁面のうち {sum} 壁面を調整しました。標準偏差の中央値は {median:.2f} m です。残りの壁面は情報がないため元の位置のままです。</translation>
     </message>
     <message>
         <source>{order_count} more are in the layer of walls.</source>
-        <translation type="unfinished"></translation>
+        <translation>残り {order_count} 件は壁面レイヤにあります。</translation>
     </message>
     <message>
         <source>The geoid separation was estimated from the satellites ({geoid_separation:.1f} m, sigma {geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイド高は衛星から推定しました（{geoid_separation:.1f} m、σ {geoid_sigma:.1f} m）。その誤差の大部分は時計誤差に吸収されます。</translation>
     </message>
     <message>
         <source>Residuals of signals {names} ({sum:,}).</source>
-        <translation type="unfinished"></translation>
+        <translation>信号の残差: {names}（{sum:,}）</translation>
     </message>
     <message>
         <source>{file} holds observations: give a navigation file here.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}は観測ファイルです。ここには航法ファイルを与えてください。</translation>
     </message>
     <message>
         <source>{file} is a RINEX file but no navigation file: give one of type N.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}はRINEXファイルですが、航法ファイルではありません。種別Nのファイルを与えてください。</translation>
     </message>
     <message>
         <source>{file} holds no record of a satellite that can be used: give another navigation file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}に使用できる衛星の記録がありません。別の航法ファイルを与えてください。</translation>
     </message>
     <message>
         <source>{file} is a RINEX file but holds no observations: give it as another parameter.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}はRINEXファイルですが、観測データを含みません。別のパラメータに指定してください。</translation>
     </message>
     <message>
         <source>{file} holds no code observation of the chosen systems: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}に、選択した衛星系のコード観測値がありません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{file} counts time in "{scale}", which is not known: convert it to GPS time.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}の時系「{scale}」は未対応です。GPS時刻に変換してください。</translation>
     </message>
     <message>
         <source>{file} does not tell its types of observations: its header is not whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}に観測種別の記載がありません。ヘッダが不完全です。</translation>
     </message>
     <message>
         <source>{file} holds no epoch with observations: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}に観測値のあるエポックがありません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{file} has a scale factor that cannot be read: check its header.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}のスケールファクタを読み取れません。ヘッダを確認してください。</translation>
     </message>
     <message>
         <source>{path} is packed in a way that is not read here: unpack it, or pack it with gzip.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は未対応の形式で圧縮されています。展開するか、gzipで圧縮してください。</translation>
     </message>
     <message>
         <source>{path} is empty: choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は空です。別のファイルを選択してください。</translation>
     </message>
     <message>
         <source>{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は圧縮RINEX（Hatanaka形式）です。先にCRX2RNXで通常のRINEXに変換してください。</translation>
     </message>
     <message>
         <source>{name} is not a RINEX file: its first line does not say "RINEX VERSION / TYPE".</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}はRINEXファイルではありません。1行目に「RINEX VERSION / TYPE」がありません。</translation>
     </message>
     <message>
         <source>{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}はRINEX {version:.2f}です。RINEX 2.11または3に変換してください。</translation>
     </message>
     <message>
         <source>{name} has no "END OF HEADER": the file is not whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に「END OF HEADER」がありません。ファイルが不完全です。</translation>
     </message>
     <message>
         <source>{path} cannot be read ({strerror}): check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}を読み込めません（{strerror}）。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{name} tells no RINEX version in its first line: check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の1行目にRINEXのバージョンがありません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{name} holds more than {largest} MB when unpacked: give the files of one drive at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は展開すると {largest} MB を超えます。1走行分ずつファイルを与えてください。</translation>
     </message>
     <message>
         <source>{name} is not a sound gzip file: fetch it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は正常なgzipファイルではありません。再度取得してください。</translation>
     </message>
     <message>
         <source>Too few satellites at different elevations tell the height of the antenna: give the geoid separation.</source>
-        <translation type="unfinished"></translation>
+        <translation>仰角の異なる衛星が少なく、アンテナの高さを決定できません。ジオイド高を与えてください。</translation>
     </message>
     <message>
         <source>Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover {span_text} GPS time ({start:.0f} to {end:.0f} s of week).</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡と{what}の時刻が一致しません。軌跡は{told}、{what}はGPS時刻で{span_text}（週内秒 {start:.0f}～{end:.0f} s）です。</translation>
     </message>
     <message>
         <source>The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), which is used: the official value is better.</source>
-        <translation type="unfinished"></translation>
+        <translation>ジオイド高が与えられていないため、衛星から求めた {offset:.1f} m（σ {sigma:.1f} m）を使用します。公式値の使用を推奨します。</translation>
     </message>
     <message>
         <source>The strongest signals contradict each other by {scatter:.1f} m at the places of the trajectory, more than the 1 to 3 m that are usual: check its times, its places and the lever arm of the antenna.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の位置において、最も強い信号どうしが {scatter:.1f} m 食い違い、通常の1～3 mを超えています。軌跡の時刻と位置、アンテナのレバーアームを確認してください。</translation>
     </message>
     <message>
         <source>No observation file is given: give the receiver's RINEX observation files.</source>
-        <translation type="unfinished"></translation>
+        <translation>観測ファイルが与えられていません。受信機のRINEX観測ファイルを与えてください。</translation>
     </message>
     <message>
         <source>No observation can be used ({value}): check that observations, navigation and trajectory belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>使用できる観測値がありません（{value}）。観測データ、航法ファイル、軌跡が対応しているか確認してください。</translation>
     </message>
     <message>
         <source>The navigation files tell no coefficients of the ionosphere: its delay, some metres, is not taken off; give a navigation file of GPS.</source>
-        <translation type="unfinished"></translation>
+        <translation>航法ファイルに電離層の係数がないため、電離層遅延（数m）を補正していません。GPSの航法ファイルを与えてください。</translation>
     </message>
     <message>
         <source>Precise orbits alone tell no group delays, up to some metres: they are not taken off; give the navigation files too.</source>
-        <translation type="unfinished"></translation>
+        <translation>精密暦だけでは群遅延（最大数m）が分からないため、補正していません。航法ファイルも与えてください。</translation>
     </message>
     <message>
         <source>No satellite of {system_names} can be placed: its signals are left out; give its navigation file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{system_names}の衛星の位置を計算できないため、その信号を除外しました。該当する航法ファイルを与えてください。</translation>
     </message>
     <message>
         <source>By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a geoid separation of {given:g} m says: heights above sea level and above the ellipsoid seem to be mixed up; a separation of about {given_2:.0f} m would fit.</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星によると、アンテナはジオイド高を {given:g} m とした軌跡より {offset:.0f} m {value}位置にあります。標高と楕円体高が混在しているようです。ジオイド高を約 {given_2:.0f} m とすると整合します。</translation>
     </message>
     <message>
         <source>The code ranges do not fit the trajectory (the strongest signals contradict each other by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>コード距離が軌跡と整合しません（最も強い信号どうしの食い違いが {scatter:.0f} m）。軌跡のCRSまたは時刻が誤っているか、観測ファイルが別の走行のものです。</translation>
     </message>
     <message>
         <source>{file} was observed {observed} GPS time, but the navigation files are good for {good}: give those of the same day.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}の観測はGPS時刻で{observed}ですが、航法ファイルの有効期間は{good}です。同じ日のものを与えてください。</translation>
     </message>
     <message>
         <source>Satellites that {why} are left out: {names}.</source>
-        <translation type="unfinished"></translation>
+        <translation>次の衛星を除外しました（{why}）: {names}。</translation>
     </message>
     <message>
         <source>By the satellites the antenna is {offset:.0f} m above the heights of the trajectory, more than any geoid separation: trajectory and observations do not belong together.</source>
-        <translation type="unfinished"></translation>
+        <translation>衛星によると、アンテナは軌跡の高さより {offset:.0f} m 上にあり、ジオイド高としてあり得ない値です。軌跡と観測データが対応していません。</translation>
     </message>
     <message>
         <source>The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時刻が {leap:.0f} s ずれています（{fault}）。GPS時刻で与えてください。</translation>
     </message>
     <message>
         <source>higher</source>
-        <translation type="unfinished"></translation>
+        <translation>高い</translation>
     </message>
     <message>
         <source>lower</source>
-        <translation type="unfinished"></translation>
+        <translation>低い</translation>
     </message>
     <message>
         <source>{who} overlap in time: give times that count on over the weeks (full GPS seconds), or each place of the vehicle once.</source>
-        <translation type="unfinished"></translation>
+        <translation>時刻が重複しています（{who}）。週をまたいで連続する時刻（通算GPS秒）で与えるか、車両の各位置を1回だけ与えてください。</translation>
     </message>
     <message>
         <source>{path} is of the time of none of the trajectories: give the trajectory of that drive, or leave the file out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}の時刻はどの軌跡とも一致しません。その走行の軌跡を与えるか、このファイルを除いてください。</translation>
     </message>
     <message>
         <source>{path} may belong to {who}, which have the same times of the week: give trajectories in full GPS seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は、週内時刻が同じ{who}のいずれにも対応し得ます。軌跡を通算GPS秒で与えてください。</translation>
     </message>
     <message>
         <source>Prior, block length, maximum sigma, maximum offset and iterations must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>事前値、ブロック長、最大σ、最大オフセット、反復回数は0より大きくしてください。</translation>
     </message>
     <message>
         <source>The minimum numbers of observations, satellites and passes must be at least 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>観測数、衛星数、走行数の最小値は1以上にしてください。</translation>
     </message>
     <message>
         <source>At no epoch are three satellites in line of sight, so that the receiver's clock is not known: give observations of more satellites, or check heights and coordinate systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>3衛星が見通し内にあるエポックがなく、受信機の時計誤差を決定できません。より多くの衛星の観測データを与えるか、高さと座標参照系を確認してください。</translation>
     </message>
     <message>
         <source>The models or lines have no heights, without which they have no place in an image: give models or lines with heights (for lines: QGIS's “Drape”).</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルまたは線に高さがないため、画像上の位置を決定できません。高さ付きのモデルまたは線を与えてください（線にはQGISの「Drape」を使用）。</translation>
     </message>
     <message>
         <source>Outline {number} was drawn on {name}, which was not given (images: {known}): add the image or correct the field “image”.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線 {number} は{name}上に描かれていますが、その画像は与えられていません（画像: {known}）。画像を追加するか、フィールド「image」を修正してください。</translation>
     </message>
     <message>
         <source>No outline was drawn: draw polygons, lines or points on the images first.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線が描かれていません。先に画像上にポリゴン、線または点を描いてください。</translation>
     </message>
     <message>
         <source>Outline {number} does not say on which of the {sources_count} images it was drawn: fill the field “image” with the file's name.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線 {number} が {sources_count} 枚の画像のどれに描かれたか不明です。フィールド「image」にファイル名を入力してください。</translation>
     </message>
     <message>
         <source>Outline {number} lies outside {source} ({columns} x {rows} pixels): draw it on the image without a coordinate reference system, where y is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線 {number} は{source}（{columns} x {rows} 画素）の外にあります。座標参照系のない画像上（yは負）に描いてください。</translation>
     </message>
     <message>
         <source>Edges should run along what the images show, and points lie on what they were measured from; where they do not, survey, orientation or models are off.</source>
-        <translation type="unfinished"></translation>
+        <translation>稜線は画像に写るものに沿い、点は計測対象の上に載るのが正常です。ずれている箇所では、計測データ、標定要素またはモデルに誤りがあります。</translation>
     </message>
     <message>
         <source>{source}, columns {left} to {right}, rows {top} to {bottom}</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}、列 {left}～{right}、行 {top}～{bottom}</translation>
     </message>
     <message>
         <source>Nothing lies in any of the images: check that images, trajectory, points and lines are of one place, in one coordinate system, and heights in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>どの画像にも写るものがありません。画像、軌跡、点、線が同じ場所・同じ座標系で、高さがメートル単位であることを確認してください。</translation>
     </message>
     <message>
         <source>{target} cannot be written ({strerror}): choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{target}に書き込めません（{strerror}）。別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>The textured model {path} must end in .glb, .obj or .city.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャ付きモデル{path}の拡張子は .glb、.obj または .city.json にしてください。</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be made ({strerror}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{folder}を作成できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{target} cannot be written ({strerror}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{target}に書き込めません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>There is no building model to texture: check the layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャを貼る建物モデルがありません。レイヤを確認してください。</translation>
     </message>
     <message>
         <source>Building {number} has no heights: give building models (MultiPolygonZ), such as those of “Building models”.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物 {number} に高さがありません。「建物モデル」の出力などの建物モデル（MultiPolygonZ）を与えてください。</translation>
     </message>
     <message>
         <source>The strip image {name} was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストリップ画像{name}の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを与えてください。</translation>
     </message>
     <message>
         <source>The folder {final_text} does not exist: create it or choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{final_text}が存在しません。作成するか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>The folder {final_text} cannot be written: choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{final_text}に書き込めません。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{shown} is a folder: give the name of a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shown}はフォルダです。ファイル名を指定してください。</translation>
     </message>
     <message>
         <source>{shown} cannot be the name of a file ({strerror}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shown}はファイル名として使用できません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{shown} cannot be written ({strerror}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{shown}に書き込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>{shown} cannot be written: make room on its disk, or choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shown}に書き込めません。ディスクの空き容量を確保するか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{shown} cannot be replaced ({strerror}): close the program that has it open.</source>
-        <translation type="unfinished"></translation>
+        <translation>{shown}を置き換えられません（{strerror}）。ファイルを開いているプログラムを閉じてください。</translation>
     </message>
     <message>
         <source>{path} is damaged: a city object or its vertices cannot be understood.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}が破損しています。都市オブジェクトまたはその頂点を解釈できません。</translation>
     </message>
     <message>
         <source>{path} is damaged: an attribute of {key} is no finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}が破損しています。{key}の属性が有限の数値ではありません。</translation>
     </message>
     <message>
         <source>The coordinate reference system is no WKT that can be understood: set another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系が解釈できるWKTではありません。別のものを設定してください。</translation>
     </message>
     <message>
         <source>The coordinate reference system is cut off: set another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系の記述が途中で切れています。別のものを設定してください。</translation>
     </message>
     <message>
         <source>{path} is no geoid model: its values must be heights of the geoid above the ellipsoid in metres, none beyond {highest:g}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はジオイドモデルではありません。値は楕円体からのジオイドの高さ（メートル）で、{highest:g} を超えない必要があります。</translation>
     </message>
     <message>
         <source>{path} is no geoid model: its cells must lie along latitude and longitude in degrees.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はジオイドモデルではありません。セルは度単位の緯度・経度に沿う必要があります。</translation>
     </message>
     <message>
         <source>{name} holds {values_count} heights, its header says {rows}: the file is cut off; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の高さの数は {values_count} 個ですが、ヘッダでは {rows} 個です。ファイルが途中で切れています。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{name} does not reach latitude {flat:.4f}, longitude {flat_2:.4f}: give the geoid model of the survey's place.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は緯度 {flat:.4f}、経度 {flat_2:.4f} を覆っていません。計測地域のジオイドモデルを与えてください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as a geoid model: give a GeoTIFF, a GTX or a text grid of GSI.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}をジオイドモデルとして読み込めません。GeoTIFF、GTXまたは国土地理院のテキスト形式グリッドを与えてください。</translation>
     </message>
     <message>
         <source>The model file {path} needs a name that ends in .glb.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルファイル{path}の拡張子は .glb にしてください。</translation>
     </message>
     <message>
         <source>The image {key} of a texture was not given.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャの画像{key}が与えられていません。</translation>
     </message>
     <message>
         <source>None of the buildings in {first} has a usable outline: {some}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{first}の建物に使用できる外周線がありません: {some}。</translation>
     </message>
     <message>
         <source>The outlines are in JGD2000 and were taken into {target} without the movements of the ground in 2011, up to 5 m in north-east Japan: correct them there with PatchJGD.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線はJGD2000で、2011年の地殻変動（東北地方で最大5 m）を考慮せずに{target}へ変換しました。当該地域ではPatchJGDで補正してください。</translation>
     </message>
     <message>
         <source>No outline in {source} closes to a polygon: give all map sheets around the area, or BldA files.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}の外周線はいずれもポリゴンとして閉じません。範囲周辺のすべての図郭、またはBldAファイルを与えてください。</translation>
     </message>
     <message>
         <source>The reference system {unknown} of the outlines is not known: give data in JGD2000, JGD2011 or JGD2024 (latitude and longitude).</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線の座標参照系{unknown}は未対応です。JGD2000、JGD2011またはJGD2024（緯度・経度）のデータを与えてください。</translation>
     </message>
     <message>
         <source>Some outlines are in JGD2000 and others in JGD2011 or JGD2024, which lie up to 5 m apart: load them in separate runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>JGD2000の外周線と、JGD2011またはJGD2024の外周線が混在しており、最大5 mの差があります。別々に実行して読み込んでください。</translation>
     </message>
     <message>
         <source>The outlines name no reference system; JGD2011 was taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>外周線に座標参照系の記載がないため、JGD2011としました。</translation>
     </message>
     <message>
         <source>JGD2024 was taken as JGD2011 (EPSG:6668): their horizontal coordinates are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>JGD2024をJGD2011（EPSG:6668）として扱いました。水平座標は同一です。</translation>
     </message>
     <message>
         <source>Objects that are no building outlines were passed over ({kinds}).</source>
-        <translation type="unfinished"></translation>
+        <translation>建物外周線でない地物を読み飛ばしました（{kinds}）。</translation>
     </message>
     <message>
         <source>The buildings cannot be turned into {target}: choose a reference system made for Japan.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物を{target}に変換できません。日本用の座標参照系を選択してください。</translation>
     </message>
     <message>
         <source>The reference system {crs} is not known: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系{crs}は未対応です。別のものを選択してください。</translation>
     </message>
     <message>
         <source>{source}: cells of {cell:.3f} seconds are of no elevation model of the GSI; give {what} as they were downloaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}: {cell:.3f} 秒のセルは国土地理院の標高モデルのものではありません。{what}をダウンロードしたまま与えてください。</translation>
     </message>
     <message>
         <source>{strange} is no elevation model of the GSI: give {what} as they were downloaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>{strange}は国土地理院の標高モデルではありません。{what}をダウンロードしたまま与えてください。</translation>
     </message>
     <message>
         <source>Some meshes are in {systems} and others in {systems_2}, whose heights differ by up to decimetres: load them in separate runs and convert one with “Convert heights”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{systems}のメッシュと{systems_2}のメッシュが混在しており、高さに最大で数dmの差があります。別々に実行して読み込み、一方を「標高系の変換」で変換してください。</translation>
     </message>
     <message>
         <source>{source} is damaged: its elevation model has no coverage; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。標高モデルにカバレッジがありません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source} is damaged: its grid of {columns} x {rows} cells cannot be; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。{columns} x {rows} セルのグリッドはあり得ません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source} is damaged: its cells are not as high as wide; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。セルの縦と横の長さが異なります。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source}: the reference system {value} is not known: give data in JGD2000, JGD2011 or JGD2024.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}: 座標参照系{value}は未対応です。JGD2000、JGD2011またはJGD2024のデータを与えてください。</translation>
     </message>
     <message>
         <source>{source} is damaged: {name} does not hold two numbers; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。{name}が2つの数値になっていません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source}: its cells are in an order ({order}) that is not known; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}: セルの並び順（{order}）は未対応です。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source} is damaged: it has more heights than its {columns} x {rows} cells from its start point on; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。開始点以降の高さの数が {columns} x {rows} セルを超えています。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source} is damaged: {line!r} is no kind with a height; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。{line!r} は種別と高さの組ではありません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source} is damaged: a height is no number; download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}が破損しています。高さが数値ではありません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>The raster would have {columns} x {rows} cells: load fewer meshes at a time, or choose a coarser resolution.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタが {columns} x {rows} セルになります。一度に読み込むメッシュを減らすか、解像度を粗くしてください。</translation>
     </message>
     <message>
         <source>The elevation model lies outside of where the reference system can be computed: choose one made for Japan.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高モデルが座標参照系の計算可能範囲の外にあります。日本用のものを選択してください。</translation>
     </message>
     <message>
         <source>{source} is not whole, valid XML (line {line}, column {column}): download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}は完全で有効なXMLではありません（{line} 行 {column} 列）。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{source} has an object of more than {largest_object} MB, which no building is: download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}に {largest_object} MB を超えるオブジェクトがあり、建物ではあり得ません。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>No file was given: choose {what} ({suffixes}, .zip or a folder of them).</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルが与えられていません。{what}（{suffixes}、.zip、またはそれらのフォルダ）を選択してください。</translation>
     </message>
     <message>
         <source>{given} holds no {what} but {others}: {advice}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{given}には{what}がなく、{others}があります。{advice}。</translation>
     </message>
     <message>
         <source>{path} does not exist: check the path.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}が存在しません。パスを確認してください。</translation>
     </message>
     <message>
         <source>{name} is a zip nested more than {deepest_zip} deep: unpack it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は {deepest_zip} 段を超えて入れ子になったzipです。先に展開してください。</translation>
     </message>
     <message>
         <source>{path} holds no {suffixes} file: give {what} as they were downloaded.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に{suffixes}ファイルがありません。{what}をダウンロードしたまま与えてください。</translation>
     </message>
     <message>
         <source>{label} is encrypted: unpack it with its password and give the files in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{label}は暗号化されています。パスワードで展開し、中のファイルを与えてください。</translation>
     </message>
     <message>
         <source>{label} would unpack to {file_size} GB from {compress_size} MB, which no map data does: get the file again from where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>{label}は {compress_size} MB から {file_size} GB に展開されるため、地図データではあり得ません。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
         <source>{label} holds more than {largest_zip} GB: unpack it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{label}は {largest_zip} GB を超えています。先に展開してください。</translation>
     </message>
     <message>
         <source>{name} is damaged or not a zip file ({error}): download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は破損しているか、zipファイルではありません（{error}）。再度ダウンロードしてください。</translation>
     </message>
     <message>
         <source>{name} cannot be unpacked here ({error}): unpack it and give the files in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}を展開できません（{error}）。別途展開し、中のファイルを与えてください。</translation>
     </message>
     <message>
         <source>{name} cannot be read ({value}): check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}を読み込めません（{value}）。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}を{what}として読み込めません{reason}。破損しているか、種類が異なります。再度出力またはダウンロードしてください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}を{what}として読み込めません{reason}。JSONでないか、破損しています。再度出力してください。</translation>
     </message>
     <message>
         <source>The data say that their heights are in {own}, not in {stated}: leave the system of the data empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>データの高さは{stated}ではなく{own}と記載されています。データの標高系は空欄にしてください。</translation>
     </message>
     <message>
         <source>The data do not say what their heights count from: give the height system that they are in.</source>
-        <translation type="unfinished"></translation>
+        <translation>データに高さの基準の記載がありません。データの標高系を指定してください。</translation>
     </message>
     <message>
         <source>The height system of the result is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or an EPSG code.</source>
-        <translation type="unfinished"></translation>
+        <translation>結果の標高系が不明です。JGD2000、JGD2011、JGD2024、ellipsoidal またはEPSGコードを指定してください。</translation>
     </message>
     <message>
         <source>The heights are in {source} already: there is nothing to convert.</source>
-        <translation type="unfinished"></translation>
+        <translation>高さはすでに{source}です。変換の必要はありません。</translation>
     </message>
     <message>
         <source>The data have no coordinate reference system: assign the one that they are in.</source>
-        <translation type="unfinished"></translation>
+        <translation>データに座標参照系がありません。正しい座標参照系を割り当ててください。</translation>
     </message>
     <message>
         <source>{path} holds no heights: give another raster.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に高さがありません。別のラスタを与えてください。</translation>
     </message>
     <message>
         <source>{grid} holds at most {size:.2f} m, which are corrections: between ellipsoidal heights and those above the geoid give a geoid model.</source>
-        <translation type="unfinished"></translation>
+        <translation>{grid}の値は最大 {size:.2f} m で、標高補正値です。楕円体高と標高の間の変換にはジオイドモデルを与えてください。</translation>
     </message>
     <message>
         <source>{grid} holds up to {size:.1f} m, which is a geoid model: between {source} and {target} give the grid of corrections.</source>
-        <translation type="unfinished"></translation>
+        <translation>{grid}の値は最大 {size:.1f} m で、ジオイドモデルです。{source}と{target}の間の変換には標高補正のグリッドを与えてください。</translation>
     </message>
     <message>
         <source>The height system {word} is not known: give JGD2000, JGD2011, JGD2024, ellipsoidal or the EPSG code of a vertical reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高系{word}は未対応です。JGD2000、JGD2011、JGD2024、ellipsoidal または鉛直座標参照系のEPSGコードを指定してください。</translation>
     </message>
     <message>
         <source>{label_a} has heights in {first}, but {label_b} in {second}: convert one of them with “Convert heights” and the correction or geoid grid for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{label_a}の高さは{first}ですが、{label_b}の高さは{second}です。「標高系の変換」と対応する標高補正グリッドまたはジオイドモデルで一方を変換してください。</translation>
     </message>
     <message>
         <source>{path} cannot be read ({strerror}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}を読み込めません（{strerror}）。</translation>
     </message>
     <message>
         <source>{path} cannot be read as LAS or LAZ ({reason}): copy or download it again, or convert it if it is of another kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}をLASまたはLAZとして読み込めません（{reason}）。再度コピーまたはダウンロードするか、別の形式であれば変換してください。</translation>
     </message>
     <message>
         <source>{path} is damaged: copy or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}が破損しています。再度コピーまたはダウンロードしてください。</translation>
     </message>
     <message>
         <source>The mesh file {target} needs a name that ends in .obj.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュファイル{target}の拡張子は .obj にしてください。</translation>
     </message>
     <message>
         <source>{path} is no OSM file: its outermost element is {tag}, not osm.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はOSMファイルではありません。最上位の要素が osm ではなく {tag} です。</translation>
     </message>
     <message>
         <source>No point cloud was given: choose one or several LAS or LAZ files.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群が与えられていません。LASまたはLAZファイルを1つ以上選択してください。</translation>
     </message>
     <message>
         <source>{files} holds no points: choose another point cloud.</source>
-        <translation type="unfinished"></translation>
+        <translation>{files}に点がありません。別の点群を選択してください。</translation>
     </message>
     <message>
         <source>{files} has coordinates that are not numbers: repair the file's header.</source>
-        <translation type="unfinished"></translation>
+        <translation>{files}に数値でない座標があります。ファイルのヘッダを修復してください。</translation>
     </message>
     <message>
         <source>The point cloud {path} does not exist.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群{path}が存在しません。</translation>
     </message>
     <message>
         <source>{path} must end in .laz or .las.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}の拡張子は .laz または .las にしてください。</translation>
     </message>
     <message>
         <source>{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は{crs}ですが、{stated}は{stated_2}です。同じ座標参照系のファイルを与えてください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}をLASまたはLAZとして読み込めません（{error}）。途中で切れているか、別の形式の可能性があります。</translation>
     </message>
     <message>
         <source>The coordinate reference system in {path} cannot be understood: set it right in the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}の座標参照系を解釈できません。ファイルに正しく設定してください。</translation>
     </message>
     <message>
         <source>{path} is truncated: it holds {read:,} of {point_count:,} points; copy or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は途中で切れており、{point_count:,} 点のうち {read:,} 点しかありません。再度コピーまたはダウンロードしてください。</translation>
     </message>
     <message>
         <source>{path} is damaged or truncated after {read:,} of {point_count:,} points: copy or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は {point_count:,} 点のうち {read:,} 点以降が破損しているか、途切れています。再度コピーまたはダウンロードしてください。</translation>
     </message>
     <message>
         <source>{path} is turned or its cells are not square: warp it to a north-up raster first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は回転しているか、セルが正方形ではありません。先に北を上にしたラスタに再投影してください。</translation>
     </message>
     <message>
         <source>{path} cannot be written ({error}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に書き込めません（{error}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{path} has {bands} bands, no band {band}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}のバンド数は {bands} で、バンド {band} はありません。</translation>
     </message>
     <message>
         <source>Made by</source>
-        <translation type="unfinished"></translation>
+        <translation>作成ソフトウェア</translation>
     </message>
     <message>
         <source>Day</source>
-        <translation type="unfinished"></translation>
+        <translation>作成日</translation>
     </message>
     <message>
         <source>{caption} ({missing} without a value)</source>
-        <translation type="unfinished"></translation>
+        <translation>{caption}（値なし {missing} 件）</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>注記</translation>
     </message>
     <message>
         <source>How this was made</source>
-        <translation type="unfinished"></translation>
+        <translation>作成方法</translation>
     </message>
     <message>
         <source>{path} is no PNG or JPEG picture: a report can hold only these.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はPNGまたはJPEGの画像ではありません。報告書に使用できるのはこれらの形式だけです。</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>設定</translation>
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>はい</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>いいえ</translation>
     </message>
     <message>
         <source>From {source} to {target} no transformation of {rough:g} m or better is known here: transform the data first, between Japan's datums with GSI's TKY2JGD or PatchJGD.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}から{target}への {rough:g} m 以内の精度の変換がありません。先にデータを変換してください（日本の測地系間では国土地理院のTKY2JGDまたはPatchJGD）。</translation>
     </message>
     <message>
         <source>A coordinate reference system has no horizontal part: set another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系に水平成分がありません。別のものを設定してください。</translation>
     </message>
     <message>
         <source>{path} cannot be taken to where the other data lie: check the coordinate reference systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}を他のデータの位置に変換できません。座標参照系を確認してください。</translation>
     </message>
     <message>
         <source>Some places lie outside of where the reference system can be computed: check the coordinate reference systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系の計算可能範囲の外にある地点があります。座標参照系を確認してください。</translation>
     </message>
     <message>
         <source>A coordinate reference system cannot be understood: set another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系を解釈できません。別のものを設定してください。</translation>
     </message>
     <message>
         <source>The reference system EPSG:{code} is not known here: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系 EPSG:{code} は未対応です。別のものを選択してください。</translation>
     </message>
     <message>
         <source>{target} is a folder; give the name of a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{target}はフォルダです。ファイル名を指定してください。</translation>
     </message>
     <message>
         <source>{target} is no plain file; give another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{target}は通常のファイルではありません。別の名前を指定してください。</translation>
     </message>
     <message>
         <source>{target} is open in another program, or is edited in this one; close it there, or choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{target}は他のプログラムで開かれているか、このプログラムで編集中です。閉じるか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>The folder {folder} does not exist; create it or choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{folder}が存在しません。作成するか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be written; choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{folder}に書き込めません。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{target} cannot be the name of a file ({reason}); choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{target}はファイル名として使用できません（{reason}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be written ({strerror}): choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{folder}に書き込めません（{strerror}）。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{final_text} cannot be replaced ({strerror}): close the program that has it open, or choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{final_text}を置き換えられません（{strerror}）。ファイルを開いているプログラムを閉じるか、別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{name} declares the unknown encoding {encoding}: save it as UTF-8.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に指定されている文字コード{encoding}は未対応です。UTF-8で保存してください。</translation>
     </message>
     <message>
         <source>{source} is not whole, valid XML (line {line}, column {column}): get the file again from where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}は完全で有効なXMLではありません（{line} 行 {column} 列）。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
         <source>{name} holds bytes that are not valid {encoding}: download it again or correct its declared encoding.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に{encoding}として無効なバイトがあります。再度ダウンロードするか、文字コードの宣言を修正してください。</translation>
     </message>
     <message>
         <source>{name} has no object in its first {longest_prolog} MB: get the file again from where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の先頭 {longest_prolog} MB にオブジェクトがありません。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
         <source>{name} has a document type declaration, which {maker} never has and which may be harmful: get the file again from where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に文書型宣言があります。{maker}のファイルには含まれないもので、有害な可能性があります。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
         <source>{source} has an object of more than {largest} MB: get the file again from where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>{source}に {largest} MB を超えるオブジェクトがあります。提供元からファイルを再度取得してください。</translation>
     </message>
     <message>
         <source>On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of {median:.2f} m in the weakest direction; the worst stretches are below.</source>
-        <translation type="unfinished"></translation>
+        <translation>地点の {mean:.0%} で、地図から車両の位置を推定できます。最も弱い方向のσの中央値は {median:.2f} m です。最も精度の低い区間を以下に示します。</translation>
     </message>
     <message>
         <source>{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.</source>
-        <translation type="unfinished"></translation>
+        <translation>{place}: 道路 {street}、{min:.0f} m から。楕円は5倍に拡大しています。</translation>
     </message>
     <message>
         <source>Of {without_count} stretches nothing can be said: see the statuses above and the layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{without_count} 区間については評価できません。上の状態の表とレイヤを参照してください。</translation>
     </message>
     <message>
         <source>The roads have no length: give lines along which vehicles drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>道路の長さがありません。車両が走行する線を与えてください。</translation>
     </message>
     <message>
         <source>The trajectory does not move: give that of a drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡が移動していません。走行の軌跡を与えてください。</translation>
     </message>
     <message>
         <source>More than {most_places:,} places: choose a larger spacing or fewer roads.</source>
-        <translation type="unfinished"></translation>
+        <translation>地点が {most_places:,} を超えます。間隔を広げるか、道路を減らしてください。</translation>
     </message>
     <message>
         <source>{control_count} control points. An error is where the survey has a point less where it truly is.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点は {control_count} 点です。誤差は、計測データ上の位置から真の位置を引いた値です。</translation>
     </message>
     <message>
         <source>{name}: {mean_2d:.1f} cm off in plan on average and {max_2d:.1f} cm at most, at {control_count} control points. Compare this with what the job asks for; the worst points are below.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: 検証点 {control_count} 点での水平誤差は平均 {mean_2d:.1f} cm、最大 {max_2d:.1f} cm です。業務で求められる精度と比較してください。誤差の大きい点を以下に示します。</translation>
     </message>
     <message>
         <source>Horizontal errors, {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>水平誤差（{name}）</translation>
     </message>
     <message>
         <source>The worst control points, {name}</source>
-        <translation type="unfinished"></translation>
+        <translation>誤差の大きい検証点（{name}）</translation>
     </message>
     <message>
         <source>{left_out} control points were not measured during this survey and are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点 {left_out} 点はこの計測の時間内に計測されていないため、除外しました。</translation>
     </message>
     <message>
         <source>The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; largest {max:.0f} cm).</source>
-        <translation type="unfinished"></translation>
+        <translation>走行の水平位置の標準偏差は {sigma:.1f} cm です（中央値、最大 {max:.0f} cm）。</translation>
     </message>
     <message>
         <source>{drive} shares no markings with other drives, control or reference: it stays as reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>{drive}には、他の走行、基準点、基準データと共通する路面標示がないため、補正前のままとします。</translation>
     </message>
     <message>
         <source>Looking for markings that drives share.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行間で共通する路面標示を探しています。</translation>
     </message>
     <message>
         <source>Looking for planes that drives share.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行間で共通する平面を探しています。</translation>
     </message>
     <message>
         <source>Adjusting {drives_count} drives with {observations_count} observations.</source>
-        <translation type="unfinished"></translation>
+        <translation>{observations_count} 個の観測値により {drives_count} 走行を調整しています。</translation>
     </message>
     <message>
         <source>The drives share no markings and planes, and no control point or reference marking fits them: nothing can be adjusted.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行間で共通する路面標示や平面がなく、整合する基準点や基準の路面標示もないため、調整できません。</translation>
     </message>
     <message>
         <source>Control point {name} was measured by none of the drives: no trajectory passes within {control_reach:.0f} m of it at its time.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準点{name}はどの走行でも計測されていません。その時刻に {control_reach:.0f} m 以内を通る軌跡がありません。</translation>
     </message>
     <message>
         <source>Ties change by more than drift within 20 m (a step of a trajectory): {stepped} may step there, and control or reference says which does.</source>
-        <translation type="unfinished"></translation>
+        <translation>20 m 以内で走行間のずれがドリフトを超えて変化しています（軌跡の段差）。段差がある可能性のある走行は{stepped}で、どれであるかは基準点または基準データで決まります。</translation>
     </message>
     <message>
         <source>{count} observations ({name}), {lost} without weight; RMS residual {plan:.1f} cm in plan, {up:.1f} cm in height.</source>
-        <translation type="unfinished"></translation>
+        <translation>観測値 {count} 個（{name}）、うち重みなし {lost} 個。RMS残差は水平 {plan:.1f} cm、高さ {up:.1f} cm です。</translation>
     </message>
     <message>
         <source>No control point or reference marking fixes {relative}: these drives agree with each other, but their place is only relative.</source>
-        <translation type="unfinished"></translation>
+        <translation>{relative}を固定する基準点や基準の路面標示がありません。これらの走行は互いに整合していますが、位置は相対的なものです。</translation>
     </message>
     <message>
         <source>Nothing ties {loose} to anything: it stays as reported.</source>
-        <translation type="unfinished"></translation>
+        <translation>{loose}には結合する観測値がないため、補正前のままとします。</translation>
     </message>
     <message>
         <source>{paths} belongs to none of the trajectories: none covers its GPS times near its points. Give the trajectory of each drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}に対応する軌跡がありません。点の近くでそのGPS時刻を含む軌跡がないためです。各走行の軌跡を与えてください。</translation>
     </message>
     <message>
         <source>No point cloud was measured along {name}: give the points of each drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に沿って計測された点群がありません。各走行の点群を与えてください。</translation>
     </message>
     <message>
         <source>No marking of {drive} could be registered to the reference markings.</source>
-        <translation type="unfinished"></translation>
+        <translation>{drive}の路面標示は、基準の路面標示に位置合わせできませんでした。</translation>
     </message>
     <message>
         <source>{output} must end in .laz or .las.</source>
-        <translation type="unfinished"></translation>
+        <translation>{output}の拡張子は .laz または .las にしてください。</translation>
     </message>
     <message>
         <source>{path}: no image was taken between {start:.1f} and {end:.1f} s, the time of the trajectory: give the poses of this survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: 軌跡の時間 {start:.1f}～{end:.1f} s に撮影された画像がありません。この計測の位置姿勢を与えてください。</translation>
     </message>
     <message>
         <source>{away_count:,} of {away_count_2:,} images were taken outside the trajectory's time: they were moved with its nearest pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>{away_count_2:,} 枚の画像のうち {away_count:,} 枚は軌跡の時間外に撮影されたため、最も近い時刻の位置姿勢で移動しました。</translation>
     </message>
     <message>
         <source>{outside:,} of {points:,} points were measured outside the trajectory's time: they were {done} and are not to be trusted.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points:,} 点のうち {outside:,} 点は軌跡の時間外に計測されたもので（処理: {done}）、信頼できません。</translation>
     </message>
     <message>
         <source>{in_gaps:,} of {points:,} points were measured in gaps of the trajectory: they were moved by what lies between the gap's ends and are not to be trusted.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points:,} 点のうち {in_gaps:,} 点は軌跡の欠測区間で計測されたもので、欠測区間の両端の間を補間して移動しました。信頼できません。</translation>
     </message>
     <message>
         <source>No point was measured during the trajectory: give those of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時間内に計測された点がありません。同じ計測のものを与えてください。</translation>
     </message>
     <message>
         <source>{paths} is too wide for coordinates in steps of {min:g} m: store it in tiles or with a coarser step.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}は {min:g} m 刻みの座標で表すには範囲が広すぎます。タイルに分けるか、刻みを粗くして保存してください。</translation>
     </message>
     <message>
         <source>The coordinates are stored in steps of {max:g} m, too coarse for the correction: they are written in steps of {coarsest_scale:g} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標の刻み {max:g} m は補正に対して粗すぎるため、{coarsest_scale:g} m 刻みで書き出します。</translation>
     </message>
     <message>
         <source>Points were measured at {time:.3f} s, outside the trajectory ({time_2:.3f} to {time_3:.3f} s): give the trajectory of the whole survey, or let them be moved with the nearest pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡（{time_2:.3f}～{time_3:.3f} s）の範囲外の {time:.3f} s に計測された点があります。計測全体の軌跡を与えるか、最も近い時刻の位置姿勢で移動する設定にしてください。</translation>
     </message>
     <message>
         <source>A point lies outside the bounds that the header of its file states: repair the header (lasinfo -repair).</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルのヘッダに記載された範囲の外に点があります。ヘッダを修復してください（lasinfo -repair）。</translation>
     </message>
     <message>
         <source>{patches_count:,} planes in {first_pass} passes.</source>
-        <translation type="unfinished"></translation>
+        <translation>{first_pass} 走行パスの平面 {patches_count:,} 面。</translation>
     </message>
     <message>
         <source>{pairs:,} pairs of planes; they lie {rms_before:.1f} mm apart before and {rms_after:.1f} mm after (RMS).</source>
-        <translation type="unfinished"></translation>
+        <translation>平面の組は {pairs:,} 組で、その間隔は調整前 {rms_before:.1f} mm、調整後 {rms_after:.1f} mm です（RMS）。</translation>
     </message>
     <message>
         <source>The calibration holds no scanner: there is nothing to calibrate.</source>
-        <translation type="unfinished"></translation>
+        <translation>校正値にスキャナがありません。校正する対象がありません。</translation>
     </message>
     <message>
         <source>Only {pairs} planes were seen by two scanners or in two passes: drive a street with walls in both directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>2台のスキャナまたは2つの走行パスで計測された平面が {pairs} 面しかありません。壁面のある道路を両方向に走行してください。</translation>
     </message>
     <message>
         <source>The passes lie {apart:.1f} m apart: correct the trajectories first (“Adjust several drives”) and place the points with them (“Apply corrected trajectory”).</source>
-        <translation type="unfinished"></translation>
+        <translation>走行パスどうしが {apart:.1f} m 離れています。先に軌跡を補正し（「複数走行の調整」）、それを用いて点を配置してください（「補正軌跡の適用」）。</translation>
     </message>
     <message>
         <source>Nothing is determined: the calibration stays as it is. Drive a street with walls in both directions, and correct the trajectories first.</source>
-        <translation type="unfinished"></translation>
+        <translation>何も決定できないため、校正値は変更しません。壁面のある道路を両方向に走行し、先に軌跡を補正してください。</translation>
     </message>
     <message>
         <source>The calibration has no scanner with point source id {point_source_id} (it has: {known}): add it, or choose the calibration of this survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>校正値に point source id が {point_source_id} のスキャナがありません（登録済み: {known}）。追加するか、この計測の校正値を選択してください。</translation>
     </message>
     <message>
         <source>{name} is no calibration: it needs an entry “scanners” or “cameras”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は校正値ではありません。項目「scanners」または「cameras」が必要です。</translation>
     </message>
     <message>
         <source>{name}: scanners and cameras must be lists of objects.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: scanners と cameras はオブジェクトのリストにしてください。</translation>
     </message>
     <message>
         <source>{name}: “lever_arm_m” of {value} must be three numbers, metres forward, right and down.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: {value}の「lever_arm_m」は、前方、右方、下方のメートル単位の3つの数値にしてください。</translation>
     </message>
     <message>
         <source>{name}: the lever arm of {value} is {max:.0f} m long; it must be in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: {value}のレバーアームの長さが {max:.0f} m です。メートル単位で指定してください。</translation>
     </message>
     <message>
         <source>{name}: “{key}” of {entry} is no number.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: {entry}の「{key}」が数値ではありません。</translation>
     </message>
     <message>
         <source>{name} has no column {missing}: control points need {columns} (heights may be left out).</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に列{missing}がありません。基準点（検証点）には{columns}が必要です（高さは省略可）。</translation>
     </message>
     <message>
         <source>{name} holds no control point.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に基準点（検証点）がありません。</translation>
     </message>
     <message>
         <source>{name}: row {wrong} has no number in the column {column}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: {wrong} 行目の列{column}が数値ではありません。</translation>
     </message>
     <message>
         <source>Control point {id} lies {away:.0f} m from its place in the survey: check that both are in the same coordinate reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>検証点{id}は計測データ上の位置から {away:.0f} m 離れています。両方が同じ座標参照系か確認してください。</translation>
     </message>
     <message>
         <source>No control point lies in the survey's time: there is nothing to measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測の時間内に検証点がないため、精度を確認できません。</translation>
     </message>
     <message>
         <source>{name}: the column {column} holds something that is no number ({error}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: 列{column}に数値でない値があります（{error}）。</translation>
     </message>
     <message>
         <source>The points of {paths} carry no GPS time, which ties them to the trajectory: export the survey with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}の点に、軌跡と対応付けるためのGPS時刻がありません。GPS時刻付きで計測データを出力してください。</translation>
     </message>
     <message>
         <source>All GPS times in {paths} are zero: export the survey with the points' times.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}のGPS時刻がすべて0です。点の時刻付きで計測データを出力してください。</translation>
     </message>
     <message>
         <source>{what} were measured from {span:.1f} to {span_2:.1f} s{kind}, but the trajectory runs from {wanted:.1f} to {wanted_2:.1f} s: give those of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}の計測時刻は {span:.1f}～{span_2:.1f} s{kind} ですが、軌跡は {wanted:.1f}～{wanted_2:.1f} s です。同じ計測のものを与えてください。</translation>
     </message>
     <message>
         <source>Only {ground:,} of {candidates:,} points were found to be ground ({ground_2:.2g} %, needed {min_share:g} %), which cannot be right for a drive: look for many points below the road, a wrong height unit or a survey that does not show the ground; a smaller minimum ground share accepts it.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面と判定された点が {candidates:,} 点のうち {ground:,} 点（{ground_2:.2g} %、必要な割合 {min_share:g} %）しかなく、走行の計測として正しくありません。路面より下の多数の点、高さの単位の誤り、地表面が写っていない計測でないかを確認してください。地表面点の最小割合を小さくすれば受け入れられます。</translation>
     </message>
     <message>
         <source>{paths} holds no usable points: all are noise, withheld or have no valid height.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}に使用できる点がありません。すべてノイズ、除外指定（withheld）、または高さが無効な点です。</translation>
     </message>
     <message>
         <source>The survey is too large for one cloth: choose a coarser cloth resolution, or filter parts of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データが大きすぎて1枚の布では処理できません。布の解像度を粗くするか、部分ごとにフィルタ処理してください。</translation>
     </message>
     <message>
         <source>{name} has no column {missing} or no row: image poses need {columns}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に列{missing}がないか、行がありません。画像の位置姿勢には{columns}が必要です。</translation>
     </message>
     <message>
         <source>{name} has no number in row {bad}: correct or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の {bad} 行目に数値がありません。修正するか、削除してください。</translation>
     </message>
     <message>
         <source>{name} holds a value that is no number ({error}): correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に数値でない値があります（{error}）。修正してください。</translation>
     </message>
     <message>
         <source>No control point lies in the survey's time: the trajectory cannot be updated.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測の時間内に基準点がないため、軌跡を更新できません。</translation>
     </message>
     <message>
         <source>The ground does not reach the trajectory's course: give a ground of the same place and coordinate reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面が走行軌跡に届いていません。同じ場所・同じ座標参照系の地表面を与えてください。</translation>
     </message>
     <message>
         <source>The trajectory lies {above:.1f} m above the ground (median), not {start:.1f} m: check the origin's height and both height systems.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の地表面からの高さが {start:.1f} m ではなく {above:.1f} m（中央値）です。原点の高さと両方の標高系を確認してください。</translation>
     </message>
     <message>
         <source>The range scans do not say which scanner measured them, and the calibration has {scanners_count}: add a column scanner.</source>
-        <translation type="unfinished"></translation>
+        <translation>測距スキャンに計測したスキャナの記載がなく、校正値にはスキャナが {scanners_count} 台あります。列 scanner を追加してください。</translation>
     </message>
     <message>
         <source>All angles are within {max:.2f} degrees: if they are radians, say so.</source>
-        <translation type="unfinished"></translation>
+        <translation>角度がすべて {max:.2f} 度以内です。ラジアンの場合は、そのように指定してください。</translation>
     </message>
     <message>
         <source>The files hold no returns: choose other range scans.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルに反射点がありません。別の測距スキャンを選択してください。</translation>
     </message>
     <message>
         <source>The range scans were measured from {span:.1f} to {span_2:.1f} s, but the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>測距スキャンの計測時刻は {span:.1f}～{span_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを与えてください。</translation>
     </message>
     <message>
         <source>No return could be placed: all are without a range or outside the limits of range and time.</source>
-        <translation type="unfinished"></translation>
+        <translation>座標を付けられる反射点がありません。すべて距離がないか、距離・時刻の制限の範囲外です。</translation>
     </message>
     <message>
         <source>The strip image was taken from {times:.1f} to {times_2:.1f} s, the trajectory runs from {time:.1f} to {time_2:.1f} s: give those of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストリップ画像の撮影時刻は {times:.1f}～{times_2:.1f} s ですが、軌跡は {time:.1f}～{time_2:.1f} s です。同じ計測のものを与えてください。</translation>
     </message>
     <message>
         <source>{path} is of no known kind: range scans come as {suffixes}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は未対応の形式です。測距スキャンの形式は{suffixes}です。</translation>
     </message>
     <message>
         <source>No range scans were given: choose one or several files.</source>
-        <translation type="unfinished"></translation>
+        <translation>測距スキャンが与えられていません。ファイルを1つ以上選択してください。</translation>
     </message>
     <message>
         <source>The range scans {path} do not exist: check the file's name.</source>
-        <translation type="unfinished"></translation>
+        <translation>測距スキャン{path}が存在しません。ファイル名を確認してください。</translation>
     </message>
     <message>
         <source>{file} has no column {missing}: range scans need time, angle and range, and may have intensity and scanner.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}に列{missing}がありません。測距スキャンには時刻、角度、距離が必要で、反射強度とスキャナは任意です。</translation>
     </message>
     <message>
         <source>{file} holds something that is no number{where} ({split}): correct it or export the scans again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{file}に数値でない値があります{where}（{split}）。修正するか、スキャンを再度出力してください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as Parquet ({error}): check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}をParquetとして読み込めません（{error}）。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{path} has a return without a time or an angle that is a number (return {bad} of those read at a time): correct it or export the scans again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に、時刻または角度が数値でない反射点があります（一度に読み込む中の {bad} 番目）。修正するか、スキャンを再度出力してください。</translation>
     </message>
     <message>
         <source>{path} is a Parquet file, and the package pyarrow that reads these cannot be loaded ({error}): install it (pip install pyarrow) or export the scans as CSV.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はParquetファイルですが、読み込みに必要なパッケージ pyarrow を読み込めません（{error}）。インストールする（pip install pyarrow）か、スキャンをCSVで出力してください。</translation>
     </message>
     <message>
         <source>{path} cannot be read ({error}): it may be cut off; copy it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}を読み込めません（{error}）。途中で切れている可能性があります。再度コピーしてください。</translation>
     </message>
     <message>
         <source>The paper's method needs the height of the trajectory's origin above the ground: give it, or leave out the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>論文の方法には、軌跡の原点の地表面からの高さが必要です。指定するか、地表面を省略してください。</translation>
     </message>
     <message>
         <source>{unique_count} sets do not tell how good the tie points are: give their sigma, or add sets.</source>
-        <translation type="unfinished"></translation>
+        <translation>{unique_count} 組からはタイポイントの精度が分かりません。σを指定するか、組を追加してください。</translation>
     </message>
     <message>
         <source>All {names_count} sets of tie points contradict themselves: check which place belongs to which, and the coordinate reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントの {names_count} 組すべてが組の内部で矛盾しています。対応する地点の組合せと座標参照系を確認してください。</translation>
     </message>
     <message>
         <source>No set has two pairs: the paper's method needs sets of two; add pairs, or take another method.</source>
-        <translation type="unfinished"></translation>
+        <translation>対応点が2つある組がありません。論文の方法には2対応点の組が必要です。対応点を追加するか、別の方法を選択してください。</translation>
     </message>
     <message>
         <source>Sets {names} and {names_2} contradict each other: within {step:.1f} s the drift would change by {change:.1f} m; check both.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{names}と{names_2}が矛盾しています。{step:.1f} s の間にドリフトが {change:.1f} m 変化することになります。両方を確認してください。</translation>
     </message>
     <message>
         <source>The tie points lie within {last:.0f} of {duration:.0f} s: the rest of the course is only moved along with them, and its sigma grows; add sets there.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントは {duration:.0f} s のうち {last:.0f} s の範囲にしかありません。残りの走行軌跡はそれに伴って移動するだけでσが大きくなります。その部分に組を追加してください。</translation>
     </message>
     <message>
         <source>The method must be one of {methods}.</source>
-        <translation type="unfinished"></translation>
+        <translation>方法は{methods}のいずれかにしてください。</translation>
     </message>
     <message>
         <source>The standard deviations of tie points and heading must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントと方位の標準偏差は0より大きくしてください。</translation>
     </message>
     <message>
         <source>{left_out} of {samples} samples of the ground along the course stand out and are left out: check that it is the ground that was driven on.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行軌跡に沿う地表面のサンプル {samples} 個のうち {left_out} 個が外れ値のため除外されました。走行した地表面か確認してください。</translation>
     </message>
     <message>
         <source>Set {name}: {own_count} of {own_count_2} pairs contradict the others and are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}: 対応点 {own_count_2} 個のうち {own_count} 個が他と矛盾するため除外しました。</translation>
     </message>
     <message>
         <source>Set {name} contradicts itself and is left out: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}は内部で矛盾しているため除外しました: {reason}。</translation>
     </message>
     <message>
         <source>Set {name} has one pair and is left out: the paper's method needs two.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}は対応点が1つのため除外しました。論文の方法には2つ必要です。</translation>
     </message>
     <message>
         <source>Set {name} has {own_count} pairs: the paper's method takes the first two.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}には対応点が {own_count} 個あります。論文の方法では最初の2つを使用します。</translation>
     </message>
     <message>
         <source>Set {name} contradicts itself by {fit:.2f} m; the paper's method uses it all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}の内部の矛盾は {fit:.2f} m ですが、論文の方法ではそのまま使用します。</translation>
     </message>
     <message>
         <source>Set {name} lies {away:.2f} m from where the other sets put it and is left out: check that survey and reference show the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}は他の組から求めた位置から {away:.2f} m 離れているため除外しました。計測データと基準データが同じ場所を示しているか確認してください。</translation>
     </message>
     <message>
         <source>Set {name} lies {away:.2f} m from where the other sets put it: check that survey and reference show the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{name}は他の組から求めた位置から {away:.2f} m 離れています。計測データと基準データが同じ場所を示しているか確認してください。</translation>
     </message>
     <message>
         <source>Correction to the {name} with its sigma.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正量（{name}）とそのσ</translation>
     </message>
     <message>
         <source>The height of the origin above the ground was not given: the mean height stays as reported ({sensor_height:.2f} m above the ground).</source>
-        <translation type="unfinished"></translation>
+        <translation>原点の地表面からの高さが与えられていないため、平均の高さは補正前のままとします（地表面から {sensor_height:.2f} m）。</translation>
     </message>
     <message>
         <source>{pairs} of {given}</source>
-        <translation type="unfinished"></translation>
+        <translation>{given} 個中 {pairs} 個</translation>
     </message>
     <message>
         <source>Ground truths must be at different epochs, in the order of time.</source>
-        <translation type="unfinished"></translation>
+        <translation>真値は時刻順の異なるエポックにしてください。</translation>
     </message>
     <message>
         <source>The calibration of camera {id} cannot be right: rows and focal_length_px must be greater than 0, margin_px less than half the rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラ{id}の校正値が正しくありません。rows と focal_length_px は0より大きく、margin_px は行数の半分未満にしてください。</translation>
     </message>
     <message>
         <source>No strip image was given: choose one or several images of line cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストリップ画像が与えられていません。ラインカメラの画像を1つ以上選択してください。</translation>
     </message>
     <message>
         <source>The calibration does not say which camera took {path} (it has: {known}): give the camera's entry an “image” with this file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>校正値から{path}を撮影したカメラが分かりません（登録済み: {known}）。カメラの項目に、このファイル名の「image」を追加してください。</translation>
     </message>
     <message>
         <source>{path} has {rows} rows, its camera {id} has {rows_2}: choose the image of this camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は {rows} 行ですが、カメラ{id}は {rows_2} 行です。このカメラの画像を選択してください。</translation>
     </message>
     <message>
         <source>The strip image {path} does not exist: check its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストリップ画像{path}が存在しません。名前を確認してください。</translation>
     </message>
     <message>
         <source>{path} must have the columns column and time.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}には列 column と time が必要です。</translation>
     </message>
     <message>
         <source>{path} gives times for {unique_count} columns, {image} has {columns}: each column needs one, numbered from 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}の時刻は {unique_count} 列分ですが、{image}は {columns} 列です。0から番号を付けた各列に1つずつ必要です。</translation>
     </message>
     <message>
         <source>{image} has {columns} column: a strip needs at least two.</source>
-        <translation type="unfinished"></translation>
+        <translation>{image}は {columns} 列しかありません。ストリップ画像には2列以上必要です。</translation>
     </message>
     <message>
         <source>{path}: the time of column {at} is not later than that of the column before; correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: 列 {at} の時刻が前の列の時刻より後になっていません。修正してください。</translation>
     </message>
     <message>
         <source>The strip image has no file.</source>
-        <translation type="unfinished"></translation>
+        <translation>ストリップ画像にファイルがありません。</translation>
     </message>
     <message>
         <source>{path} must be an image of 8 or 16 bits.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は8または16ビットの画像にしてください。</translation>
     </message>
     <message>
         <source>The calibration of camera {id} has no number “{key}”: a line camera needs rows, focal_length_px and centre_px.</source>
-        <translation type="unfinished"></translation>
+        <translation>カメラ{id}の校正値に数値「{key}」がありません。ラインカメラには rows、focal_length_px、centre_px が必要です。</translation>
     </message>
     <message>
         <source>There are no times for {image}: put a table column,time named {path} beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{image}の時刻がありません。column,time の表{path}を同じ場所に置いてください。</translation>
     </message>
     <message>
         <source>{path} cannot be read as a table of times: {error}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}を時刻の表として読み込めません: {error}。</translation>
     </message>
     <message>
         <source>{path} holds something that is no number ({error}): correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に数値でない値があります（{error}）。修正してください。</translation>
     </message>
     <message>
         <source>No corner of an outline lies within {max_distance:.0f} m of the course: give outlines of the same place and coordinate reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行軌跡から {max_distance:.0f} m 以内に外周線の角がありません。同じ場所・同じ座標参照系の外周線を与えてください。</translation>
     </message>
     <message>
         <source>Of {place_count} corners near the course no two were found in the survey close enough to each other: assign tie points by hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行軌跡付近の角 {place_count} 個のうち、互いに十分近い2つを計測データで見つけられませんでした。タイポイントを手動で指定してください。</translation>
     </message>
     <message>
         <source>No point of the survey lies at the height of walls near the course within the trajectory's time.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時間内で、走行軌跡付近の壁面の高さに計測点がありません。</translation>
     </message>
     <message>
         <source>The survey shows no walls: its points nowhere stand over each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データに壁面がありません。点が上下に重なる箇所がありません。</translation>
     </message>
     <message>
         <source>{path}: not every row has as many values as the header; the file may be cut off.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: 値の数がヘッダと異なる行があります。ファイルが途中で切れている可能性があります。</translation>
     </message>
     <message>
         <source>{name} has no column {missing}: tie points need {columns}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に列{missing}がありません。タイポイントには{columns}が必要です。</translation>
     </message>
     <message>
         <source>{name} holds no tie points: give at least one set of two pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}にタイポイントがありません。対応点が2つある組を1組以上与えてください。</translation>
     </message>
     <message>
         <source>{name}: in set {sets} survey and reference are {apart:,.0f} m apart; both must be in the survey's coordinate reference system.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: 組{sets}で計測データと基準データが {apart:,.0f} m 離れています。両方とも計測データの座標参照系にしてください。</translation>
     </message>
     <message>
         <source>{shift:.0f} s were added to the times of the tie points, which are counted otherwise than those of the trajectory: make sure that both are of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイントの時刻は軌跡と数え方が異なるため、{shift:.0f} s を加えました。両方が同じ計測のものか確認してください。</translation>
     </message>
     <message>
         <source>{inside_count} tie points lie outside the trajectory's time and are left out (set {some}).</source>
-        <translation type="unfinished"></translation>
+        <translation>タイポイント {inside_count} 点は軌跡の時間外にあるため除外しました（組{some}）。</translation>
     </message>
     <message>
         <source>All tie points lie in gaps of the trajectory: choose others.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべてのタイポイントが軌跡の欠測区間にあります。別のものを選択してください。</translation>
     </message>
     <message>
         <source>The tie points of set {some} lie in a gap of the trajectory and are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>組{some}のタイポイントは軌跡の欠測区間にあるため除外しました。</translation>
     </message>
     <message>
         <source>{points_count:,} marking points on {marked_share:.0f} % of the path. </source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点 {points_count:,} 点、走行経路の {marked_share:.0f} %。 </translation>
     </message>
     <message>
         <source>Scanner {number}</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ {number}</translation>
     </message>
     <message>
         <source>Scanner {number} has no curve and its points are left out: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ {number} は曲線が得られないため、その点を除外しました: {reason}。</translation>
     </message>
     <message>
         <source>No marking points were found: the road has no paint, or its intensity does not show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点が見つかりません。路面に標示がないか、反射強度に表れていません。</translation>
     </message>
     <message>
         <source>The marking points are only {contrast_of:.1f} times as bright as the ground beside them: look at them before they are used.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点の明るさが周囲の地表面の {contrast_of:.1f} 倍しかありません。使用する前に確認してください。</translation>
     </message>
     <message>
         <source>The asphalt of scanner {number} does not follow one curve over range (residual {residual:.0f} %): several surfaces may have been taken together.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ {number} のアスファルトは、距離に対する1つの曲線に従いません（残差 {residual:.0f} %）。複数の路面をまとめて扱った可能性があります。</translation>
     </message>
     <message>
         <source>Single asphalt points of scanner {number} scatter by {scatter:.0f} %: only strong paint stands out, and bright specks may be taken for paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ {number} のアスファルトの個々の点は {scatter:.0f} % ばらついています。濃い標示しか識別できず、明るい斑点を標示と誤る可能性があります。</translation>
     </message>
     <message>
         <source>too few ground points with intensity at different ranges</source>
-        <translation type="unfinished"></translation>
+        <translation>反射強度を持つ地表面点が、異なる距離で十分にありません</translation>
     </message>
     <message>
         <source>the intensity of asphalt scatters too much to tell paint from it</source>
-        <translation type="unfinished"></translation>
+        <translation>アスファルトの反射強度のばらつきが大きく、標示と区別できません</translation>
     </message>
     <message>
         <source>no surface of even intensity can be followed over the ranges</source>
-        <translation type="unfinished"></translation>
+        <translation>距離に沿って追跡できる、反射強度の一様な面がありません</translation>
     </message>
     <message>
         <source>Block size, contrast, widths and steps of the marking extraction must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示抽出のブロックサイズ、コントラスト、幅、刻みは0より大きくしてください。</translation>
     </message>
     <message>
         <source>{outside:,} of {points:,} points were measured where the trajectory has no epochs and are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{points:,} 点のうち {outside:,} 点は、軌跡にエポックがない箇所で計測されたため除外しました。</translation>
     </message>
     <message>
         <source>{standing:,} points measured while the vehicle stood are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>停車中に計測された {standing:,} 点を除外しました。</translation>
     </message>
     <message>
         <source>Finding the markings.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示を検出しています。</translation>
     </message>
     <message>
         <source>The largest range must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>最大距離は0より大きくしてください。</translation>
     </message>
     <message>
         <source>Finding the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面を抽出しています。</translation>
     </message>
     <message>
         <source>Taking the points of ground classes.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面クラスの点を取得しています。</translation>
     </message>
     <message>
         <source>The intensity of asphalt over range cannot be told in {paths} ({reason}): give a longer stretch of road.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}では、距離に対するアスファルトの反射強度を決定できません（{reason}）。より長い道路区間を与えてください。</translation>
     </message>
     <message>
         <source>The lasers of scanner {number} are told apart by {told_by}: asphalt scatters by {after:.0f} % instead of {before:.0f} %.</source>
-        <translation type="unfinished"></translation>
+        <translation>スキャナ {number} のレーザを{told_by}で区別しました。アスファルトのばらつきは {before:.0f} % から {after:.0f} % になりました。</translation>
     </message>
     <message>
         <source>The block of the paper's threshold must be {pixel:g} m or larger, and c above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>論文のしきい値処理のブロックは {pixel:g} m 以上、c は0より大きくしてください。</translation>
     </message>
     <message>
         <source>The marking points' columns differ in length.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点の各列の長さが異なります。</translation>
     </message>
     <message>
         <source>{name} has no ground points near the vehicle: give the survey with its road.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}には車両の近くに地表面点がありません。道路を含む計測データを与えてください。</translation>
     </message>
     <message>
         <source>{name} has no intensity (all are 0), by which markings are told: export the survey with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に、路面標示の識別に必要な反射強度がありません（すべて0）。反射強度付きで計測データを出力してください。</translation>
     </message>
     <message>
         <source>All points of {name} have the intensity {most:g}, by which markings cannot be told: export the survey with the measured intensities.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の全点の反射強度が {most:g} で、路面標示を識別できません。計測された反射強度付きで計測データを出力してください。</translation>
     </message>
     <message>
         <source>No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both in the same coordinate and height system.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に、軌跡から {max_range:g} m 以内の点がありません{apart}。両方を同じ座標系・標高系で与えてください。</translation>
     </message>
     <message>
         <source>The corrected trajectory runs from {time:.1f} to {time_2:.1f} s, the reported one from {time_3:.1f} to {time_4:.1f} s: give two of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正後の軌跡は {time:.1f}～{time_2:.1f} s ですが、補正前の軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ計測の2つを与えてください。</translation>
     </message>
     <message>
         <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データのどの区間も、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
     </message>
     <message>
         <source>No window of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データのどのウィンドウも、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
     </message>
     <message>
         <source>Matrix is not positive definite</source>
-        <translation type="unfinished"></translation>
+        <translation>行列が正定値ではありません</translation>
     </message>
     <message>
         <source>Lengths, grids and counts of the registration must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>レジストレーションの長さ、グリッド、個数は0より大きくしてください。</translation>
     </message>
     <message>
         <source>The expected share of outliers must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>外れ値の想定割合は0と1の間にしてください。</translation>
     </message>
     <message>
         <source>Points score in the cells {cells}, not {cells_2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>点を評価するセルは{cells}のいずれかです。{cells_2}は指定できません。</translation>
     </message>
     <message>
         <source>The longest window must not be shorter than the smallest one.</source>
-        <translation type="unfinished"></translation>
+        <translation>最長のウィンドウは最小のウィンドウより短くできません。</translation>
     </message>
     <message>
         <source>A registration in 3D needs the ground's heights: give a ground raster or marking polygons with z.</source>
-        <translation type="unfinished"></translation>
+        <translation>3Dのレジストレーションには地表面の高さが必要です。地表面のラスタ、またはz値付きの路面標示ポリゴンを与えてください。</translation>
     </message>
     <message>
         <source>No marking point was measured within the trajectory's time: check that both are of one survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の時間内に計測された路面標示点がありません。両方が同じ計測のものか確認してください。</translation>
     </message>
     <message>
         <source>There is no reference marking near the survey: check the CRS of both and that the reference covers the drive.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの近くに基準の路面標示がありません。両方のCRSと、基準データが走行範囲を覆っているか確認してください。</translation>
     </message>
     <message>
         <source>: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>: 左は補正前（赤）、右は補正後（緑）。画像の幅は {side:.0f} m です。</translation>
     </message>
     <message>
         <source>Registering {markings_count:,} marking points.</source>
-        <translation type="unfinished"></translation>
+        <translation>{markings_count:,} 点の路面標示点を位置合わせしています。</translation>
     </message>
     <message>
         <source>Taking road markings out of the survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データから路面標示を抽出しています。</translation>
     </message>
     <message>
         <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行経路の {share:.0f} % が登録済み、{share_2:.0f} % が補間です。{spread}。</translation>
     </message>
     <message>
         <source>No part of the survey could be registered to the reference markings, so that there is no result: check that both show the same roads, and the maximum error.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データのどの部分も基準の路面標示に位置合わせできなかったため、結果はありません。両方が同じ道路を示しているか、および最大誤差を確認してください。</translation>
     </message>
     <message>
         <source>No road marking was found in the survey: check its intensities with “Road markings of a mobile survey”.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データに路面標示が見つかりません。「移動計測の路面標示」で反射強度を確認してください。</translation>
     </message>
     <message>
         <source>The attribute {weight} of {paths} holds values below 0: give markings as “Road markings of a mobile survey” writes them, or the survey itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}の属性{weight}に0未満の値があります。「移動計測の路面標示」が出力した路面標示か、計測データ自体を与えてください。</translation>
     </message>
     <message>
         <source>The reported heading contradicts the markings by {correction:.1f} degrees (median), much more than its accuracy: it was corrected; check the calibration and the trajectory.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正前の方位が路面標示と {correction:.1f} 度（中央値）食い違い、その精度を大きく超えていたため補正しました。校正値と軌跡を確認してください。</translation>
     </message>
     <message>
         <source>{share:.0f} % of the path is not to be trusted, the longest section from {longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行経路の {share:.0f} % は信頼不可です。最長の区間は {longest_start:.0f}～{end:.0f} m です（{reason}）。パッチのレイヤを参照してください。</translation>
     </message>
     <message>
         <source>{path} has {bands} bands and is an image, no mask of road markings: {advice}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は {bands} バンドの画像で、路面標示のマスクではありません。{advice}。</translation>
     </message>
     <message>
         <source>{path} is above 0 in {marked:.0f} % of its cells, so that it is no mask of road markings: {advice}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はセルの {marked:.0f} % が0より大きく、路面標示のマスクではありません。{advice}。</translation>
     </message>
     <message>
         <source>{path} holds no road marking: no cell is above 0; {advice}, or give that of another place.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に路面標示がありません。0より大きいセルがありません。{advice}。または別の場所のものを与えてください。</translation>
     </message>
     <message>
         <source>{path} has many different values and is an image or a surface, no mask of road markings: {advice}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は多数の異なる値を持つ画像または表層データで、路面標示のマスクではありません。{advice}。</translation>
     </message>
     <message>
         <source>The trajectory drives {chainage:.2f} m, less than one patch of {length:g} m: give a longer one.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の走行距離 {chainage:.2f} m が1パッチ {length:g} m より短くなっています。より長い軌跡を与えてください。</translation>
     </message>
     <message>
         <source>The survey lies {middle:.1f} m {value} the reference's ground: heights above the ellipsoid and above sea level cannot be mixed, convert one of the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データが基準の地表面より {middle:.1f} m {value}にあります。楕円体高と標高は混在できません。どちらかを変換してください。</translation>
     </message>
     <message>
         <source>The reference markings must be polygons and at least one: choose another layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>基準の路面標示は1つ以上のポリゴンである必要があります。別のレイヤを選択してください。</translation>
     </message>
     <message>
         <source>{path} has cells of {cell:g} m: road markings need {coarsest:g} m or less, and a CRS in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}のセルは {cell:g} m です。路面標示には {coarsest:g} m 以下のセルと、メートル単位のCRSが必要です。</translation>
     </message>
     <message>
         <source>below</source>
-        <translation type="unfinished"></translation>
+        <translation>下</translation>
     </message>
     <message>
         <source>above</source>
-        <translation type="unfinished"></translation>
+        <translation>上</translation>
     </message>
     <message>
         <source>There is no bar among the markings of the survey or of the reference, whose corners could be control points.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データまたは基準の路面標示に、角を仮想検証点にできる帯状の標示がありません。</translation>
     </message>
     <message>
         <source>No corner of a marking in the survey lies near one of the reference.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測データの路面標示の角で、基準の路面標示の角に近いものがありません。</translation>
     </message>
     <message>
         <source>{name} lies {length} from where the vehicle was at its times: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は、その時刻の車両の位置から{length}離れています: {reason}。</translation>
     </message>
     <message>
         <source>All points of {name} lie more than {above:.0f} m {value} the trajectory: heights above the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model can be given for SBET).</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の全点が軌跡より{value}に {above:.0f} m 以上離れています。楕円体高と標高は混在できません。どちらかを変換してください（SBETにはジオイドモデルを指定できます）。</translation>
     </message>
     <message>
         <source>{what} {reach} {length} from the path of the survey: give those of the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}が計測の走行経路から{length}離れています。同じ場所のものを与えてください。</translation>
     </message>
     <message>
         <source>{what} cover{value} {share:.0f} % of the path only: the rest cannot be registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>{what}は走行経路の {share:.0f} % しか覆っていません。残りは位置合わせできません。</translation>
     </message>
     <message>
         <source>The vehicle is {middle:.0f} m {value} the ground elevation: heights above the ellipsoid and above sea level cannot be mixed, convert one of the two (a geoid model can be given for SBET).</source>
-        <translation type="unfinished"></translation>
+        <translation>車両が地表の標高より {middle:.0f} m {value}にあります。楕円体高と標高は混在できません。どちらかを変換してください（SBETにはジオイドモデルを指定できます）。</translation>
     </message>
     <message>
         <source>The trajectory runs from {time:.3f} to {time_2:.3f} s, but a pose is needed at {worst:.3f} s: give the trajectory of the whole survey.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡は {time:.3f}～{time_2:.3f} s ですが、{worst:.3f} s の位置姿勢が必要です。計測全体の軌跡を与えてください。</translation>
     </message>
     <message>
         <source>{name} has {there} but no {missing}: give the standard deviations of all three angles, or of none.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}には{there}がありますが、{missing}がありません。3つの角度すべての標準偏差を与えるか、すべて省略してください。</translation>
     </message>
     <message>
         <source>{path} is no RMS file of an SBET or is cut off: its length is no multiple of {itemsize} bytes; export it again, or put it elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はSBETのRMSファイルではないか、途中で切れています。長さが {itemsize} バイトの倍数ではありません。再度出力するか、別の場所に移してください。</translation>
     </message>
     <message>
         <source>{path} does not belong to the trajectory: its times run from {time:.1f} to {time_2:.1f} s, the trajectory's from {time_3:.1f} to {time_4:.1f} s; give that of the same solution, or put it elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は軌跡に対応していません。時刻は {time:.1f}～{time_2:.1f} s ですが、軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ解析結果のものを与えるか、別の場所に移してください。</translation>
     </message>
     <message>
         <source>{name} holds a standard deviation of an angle that is not above 0 and below 90 degrees: correct or remove it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に、0度より大きく90度未満でない角度の標準偏差があります。修正するか、削除してください。</translation>
     </message>
     <message>
         <source>{name} holds a standard deviation that is no number ({error}): correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に数値でない標準偏差があります（{error}）。修正してください。</translation>
     </message>
     <message>
         <source>{path}: row {ragged} has {rows_count} values, the header names {header_count}: the file may be cut off; export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {ragged} 行目の値は {rows_count} 個ですが、ヘッダの項目は {header_count} 個です。ファイルが途中で切れている可能性があります。再度出力してください。</translation>
     </message>
     <message>
         <source>{name} has no column {missing}: a trajectory needs {columns}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に列{missing}がありません。軌跡には{columns}が必要です。</translation>
     </message>
     <message>
         <source>{name} has {table_count} epochs: give a trajectory of at least two.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}のエポック数は {table_count} です。2エポック以上の軌跡を与えてください。</translation>
     </message>
     <message>
         <source>{name} has one epoch only: give a trajectory of at least two.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}は1エポックしかありません。2エポック以上の軌跡を与えてください。</translation>
     </message>
     <message>
         <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}は緯度・経度です。計測データの座標参照系が必要です。点群に保存するか、指定してください。</translation>
     </message>
     <message>
         <source>{path} is no SBET file or is cut off: its length is no multiple of {itemsize} bytes.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はSBETファイルではないか、途中で切れています。長さが {itemsize} バイトの倍数ではありません。</translation>
     </message>
     <message>
         <source>{path} is no SBET file: its latitudes are no angles in radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}はSBETファイルではありません。緯度がラジアンの角度ではありません。</translation>
     </message>
     <message>
         <source>{path} has no number in record {bad}: export it again, or remove the record.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}のレコード {bad} に数値がありません。再度出力するか、レコードを削除してください。</translation>
     </message>
     <message>
         <source>{path}: its angles are no radians, as those of an SBET are: export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: 角度がSBETのようなラジアンではありません。再度出力してください。</translation>
     </message>
     <message>
         <source>{path} lies outside the coordinate reference system of the survey at record {bad}: choose the right one.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}のレコード {bad} が計測データの座標参照系の範囲外にあります。正しい座標参照系を選択してください。</translation>
     </message>
     <message>
         <source>{name} gives two different poses for the time {time:.4f} s: remove the wrong one.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に時刻 {time:.4f} s の異なる位置姿勢が2つあります。誤っている方を削除してください。</translation>
     </message>
     <message>
         <source>A trajectory that came as a layer is written as a layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>レイヤとして入力された軌跡は、レイヤとして出力されます。</translation>
     </message>
     <message>
         <source>{name}: angles of up to {max:.0f} are no radians: they are degrees; say so.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: 最大 {max:.0f} の角度はラジアンではなく度です。度であることを指定してください。</translation>
     </message>
     <message>
         <source>{name}: the headings lie {off:.0f}° beside the direction of travel (median), but read as {angle_names} they go with it ({away:.1f}°): say that the angles are counted so, or convert them to {angle_names_2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}: 方位が進行方向から {off:.0f}°（中央値）ずれていますが、{angle_names}として読むと進行方向と一致します（{away:.1f}°）。角度をそのように指定するか、{angle_names_2}に変換してください。</translation>
     </message>
     <message>
         <source>No point of {paths} was measured beside the path at the height of its road: give points and trajectory of one drive, in one coordinate and height system.</source>
-        <translation type="unfinished"></translation>
+        <translation>{paths}には、軌跡の脇で路面の高さに計測された点がありません。同じ座標参照系・標高系の、同一走行の点群と軌跡を指定してください。</translation>
     </message>
     <message>
         <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡の脇の地表面点は1 m²あたり{found:.1f}点です。道路端の抽出には{sparse:.0f}点以上が必要です。間引いていない全計測データを指定してください。</translation>
     </message>
     <message>
         <source>A drive leads from one lane to another here, but bounds along it would cross; no virtual lane was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは走行がある車線から別の車線へ通じていますが、それに沿う境界線が交差するため、仮想車線は作成しませんでした。</translation>
     </message>
     <message>
         <source>A drive leads from one lane to another here, but bounds along it would cross; they are drawn at a lane's width about a smooth curve.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは走行がある車線から別の車線へ通じていますが、それに沿う境界線が交差するため、滑らかな曲線の両側に車線幅で描きました。</translation>
     </message>
     <message>
         <source>A drive runs {end:.0f} m outside all lanes here: lines are missing, or were not seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは走行が{end:.0f} mにわたり全車線の外を通っています。線が欠けているか、計測されていません。</translation>
     </message>
     <message>
         <source>The bound is drawn through {unseen:.1f} m without a line.</source>
-        <translation type="unfinished"></translation>
+        <translation>境界線は、線のない{unseen:.1f} mの区間を通して描かれています。</translation>
     </message>
     <message>
         <source>A strip of lane width ({width:.1f} m wide, {end:.0f} m long) shows neither drive nor arrow nor a lane line to a lane beside it; no lane was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>車線幅の帯（幅{width:.1f} m、長さ{end:.0f} m）に、走行も矢印も隣接車線との車線境界線もないため、車線を作成しませんでした。</translation>
     </message>
     <message>
         <source>Drives, arrows or stop lines contradict each other about the direction here.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは方向について、走行、矢印、停止線が互いに矛盾しています。</translation>
     </message>
     <message>
         <source>Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここでは方向について、矢印または停止線が走行と矛盾しています。走行の方向を採用しました。</translation>
     </message>
     <message>
         <source>More than one {kind} has the id {number}.</source>
-        <translation type="unfinished"></translation>
+        <translation>id {number}の{kind}が複数あります。</translation>
     </message>
     <message>
         <source>The way refers to node {missing}, which is not in the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>wayが参照するノード{missing}がファイルにありません。</translation>
     </message>
     <message>
         <source>The way has no tag type.</source>
-        <translation type="unfinished"></translation>
+        <translation>wayにタグtypeがありません。</translation>
     </message>
     <message>
         <source>The lanelet has no speed limit: that of the traffic rules will hold, or none.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletに制限速度がありません。交通規則の制限速度が適用されるか、制限なしとなります。</translation>
     </message>
     <message>
         <source>The lanelet has {left} left and {right} right ways that can be read; it needs one of each.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletの読み取れるwayは左{left}本、右{right}本です。左右1本ずつ必要です。</translation>
     </message>
     <message>
         <source>Two points of the line follow each other within {steps:.3f} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の2点が{steps:.3f} m以内で連続しています。</translation>
     </message>
     <message>
         <source>The lanelet's bounds cross or are the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletの左右の境界線が交差しているか、同じwayです。</translation>
     </message>
     <message>
         <source>A bound of the lanelet crosses itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletの境界線が自己交差しています。</translation>
     </message>
     <message>
         <source>The lanelet is {min:.2f} to {max:.2f} m wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletの幅は{min:.2f}～{max:.2f} mです。</translation>
     </message>
     <message>
         <source>The regulatory element has no tag subtype.</source>
-        <translation type="unfinished"></translation>
+        <translation>regulatory elementにタグsubtypeがありません。</translation>
     </message>
     <message>
         <source>The regulatory element refers to nothing (role refers).</source>
-        <translation type="unfinished"></translation>
+        <translation>regulatory elementの参照先（ロールrefers）がありません。</translation>
     </message>
     <message>
         <source>No regulatory element refers to this stop line.</source>
-        <translation type="unfinished"></translation>
+        <translation>この停止線を参照するregulatory elementがありません。</translation>
     </message>
     <message>
         <source>No regulatory element refers to this crosswalk.</source>
-        <translation type="unfinished"></translation>
+        <translation>この横断歩道を参照するregulatory elementがありません。</translation>
     </message>
     <message>
         <source>The lanelet has neither a next nor a previous one.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletに後続も先行もありません。</translation>
     </message>
     <message>
         <source>The lanelet is an end of the map: no other follows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletは地図の端です。後続のlaneletがありません。</translation>
     </message>
     <message>
         <source>The lanelet is an end of the map: none leads to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletは地図の端です。ここへ通じるlaneletがありません。</translation>
     </message>
     <message>
         <source>The way has fewer than two nodes.</source>
-        <translation type="unfinished"></translation>
+        <translation>wayのノードが2点未満です。</translation>
     </message>
     <message>
         <source>The relation refers to {kind} {member}, which is not in the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>relationが参照する{kind} {member}がファイルにありません。</translation>
     </message>
     <message>
         <source>The painted line has no tag subtype (solid, dashed).</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示の線にタグsubtype（solid, dashed）がありません。</translation>
     </message>
     <message>
         <source>The lanelet has no tag {tag}.</source>
-        <translation type="unfinished"></translation>
+        <translation>laneletにタグ{tag}がありません。</translation>
     </message>
     <message>
         <source>The bounds of lanelets {identifier} and {identifier_2} coincide but are two ways ({way}, {other_way}).</source>
-        <translation type="unfinished"></translation>
+        <translation>lanelet {identifier}と{identifier_2}の境界線は一致していますが、別々のway（{way}、{other_way}）です。</translation>
     </message>
     <message>
         <source>No lanelet refers to this regulatory element.</source>
-        <translation type="unfinished"></translation>
+        <translation>このregulatory elementを参照するlaneletがありません。</translation>
     </message>
     <message>
         <source>Places of the map have no latitude and longitude in its CRS: check the CRS of the lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>地図の位置を座標参照系から緯度経度に変換できません。線の座標参照系を確認してください。</translation>
     </message>
     <message>
         <source>The map lies in more than one MGRS square, in which Autoware's local coordinates would repeat: take the projector TransverseMercator.</source>
-        <translation type="unfinished"></translation>
+        <translation>地図が複数のMGRS区画にまたがるため、Autowareのローカル座標が重複します。投影法TransverseMercatorを使用してください。</translation>
     </message>
     <message>
         <source>The lines' CRS cannot be brought to latitude and longitude, which a Lanelet2 file needs: assign a projected CRS known to PROJ.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の座標参照系を、Lanelet2ファイルに必要な緯度経度に変換できません。PROJで扱える投影座標参照系を設定してください。</translation>
     </message>
     <message>
         <source>A drive runs between lines that leave less than a lane: {min:.1f} m, for {span:.0f} m; no lane was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行が通る線の間隔が車線幅に足りません（{min:.1f} m、{span:.0f} mにわたる）。車線は作成しませんでした。</translation>
     </message>
     <message>
         <source>Lane {one} leads to lane {other}, but OpenDRIVE knows one road or junction at the end of a road: the connection is missing in the OpenDRIVE file.</source>
-        <translation type="unfinished"></translation>
+        <translation>車線{one}は車線{other}に通じていますが、OpenDRIVEでは道路の端に接続できる道路または交差点は1つだけです。この接続はOpenDRIVEファイルに含まれません。</translation>
     </message>
     <message>
         <source>The lines' CRS cannot be written as a PROJ string, which OpenDRIVE needs: assign a projected CRS known to PROJ.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の座標参照系を、OpenDRIVEに必要なPROJ文字列で表せません。PROJで扱える投影座標参照系を設定してください。</translation>
     </message>
     <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
-        <translation type="unfinished"></translation>
+        <translation>軌跡が指定されていません。方向は矢印と停止線だけから判定され、交差点内の車線は接続されません。</translation>
     </message>
     <message>
         <source>No drive shows where this lane leads to.</source>
-        <translation type="unfinished"></translation>
+        <translation>この車線の行き先を示す走行がありません。</translation>
     </message>
     <message>
         <source>No drive shows where this lane comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>この車線がどこから来るかを示す走行がありません。</translation>
     </message>
     <message>
         <source>No lane of the map ends at this stop line.</source>
-        <translation type="unfinished"></translation>
+        <translation>この停止線で終わる車線が地図にありません。</translation>
     </message>
     <message>
         <source>Frame {number} of {exposures_count}</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真 {number}/{exposures_count}</translation>
     </message>
     <message>
         <source>Line scanners</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインスキャナ</translation>
     </message>
     <message>
         <source>Line camera</source>
-        <translation type="unfinished"></translation>
+        <translation>ラインカメラ</translation>
     </message>
     <message>
         <source>Mobile survey {number} of {survey_times_count}</source>
-        <translation type="unfinished"></translation>
+        <translation>移動計測 {number}/{survey_times_count}</translation>
     </message>
     <message>
         <source>There is no fault {name!r}: choose among {faults}.</source>
-        <translation type="unfinished"></translation>
+        <translation>誤差要因{name!r}はありません。{faults}から選択してください。</translation>
     </message>
     <message>
         <source>{folder} is a file: give the name of a new folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{folder}はファイルです。新しいフォルダ名を指定してください。</translation>
     </message>
     <message>
         <source>The folder {folder} is not empty: give the name of a new one.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{folder}は空ではありません。新しいフォルダ名を指定してください。</translation>
     </message>
     <message>
         <source>The folder {parent} does not exist: create it or choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{parent}がありません。作成するか、別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>The folder {parent} cannot be written: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{parent}に書き込めません。別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>There is no scene {scene!r}: choose one of {scenes}.</source>
-        <translation type="unfinished"></translation>
+        <translation>シーン{scene!r}はありません。{scenes}から選択してください。</translation>
     </message>
     <message>
         <source>The size of the city must be {min_size:g} to {max_size:g} m, not {size:g}.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市の大きさは{min_size:g}～{max_size:g} mの範囲で指定してください（{size:g}は範囲外です）。</translation>
     </message>
     <message>
         <source>{path} cannot be written: {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に書き込めません: {error}</translation>
     </message>
     <message>
         <source>The folder {folder} cannot be written ({strerror}): choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{folder}に書き込めません（{strerror}）。別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>The cloud has no point with a usable height.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に有効な高さを持つ点がありません。</translation>
     </message>
     <message>
         <source>The cloud has no points that could be ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に地表面となり得る点がありません。</translation>
     </message>
     <message>
         <source>Cloth resolution, threshold and iterations must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>クロスの解像度、しきい値、反復回数は0より大きい値にしてください。</translation>
     </message>
     <message>
         <source>The cloth's rigidness must be 1, 2 or 3.</source>
-        <translation type="unfinished"></translation>
+        <translation>クロスの剛性は1、2、3のいずれかにしてください。</translation>
     </message>
     <message>
         <source>A surface needs at least three points: check the input's extent.</source>
-        <translation type="unfinished"></translation>
+        <translation>面の作成には3点以上が必要です。入力の範囲を確認してください。</translation>
     </message>
     <message>
         <source>All points lie on one line: a surface cannot be built from them.</source>
-        <translation type="unfinished"></translation>
+        <translation>すべての点が一直線上にあるため、面を作成できません。</translation>
     </message>
     <message>
         <source>The cloud holds no usable points: all are noise or have no valid height.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に使用できる点がありません。すべてノイズか、有効な高さがありません。</translation>
     </message>
     <message>
         <source>The ground source must be automatic, classes or cloth, not {wanted}.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面の取得元はautomatic、classes、clothのいずれかにしてください（{wanted}は使用できません）。</translation>
     </message>
     <message>
         <source>The cloud has no ground points (class 2): choose the cloth filter instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に地表面の点（クラス2）がありません。クロスフィルタを選択してください。</translation>
     </message>
     <message>
         <source>The cloud has no ground points, only points classified as something else (such as buildings): give the whole cloud with its ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に地表面の点がなく、他（建物など）に分類された点だけがあります。地表面を含む点群全体を指定してください。</translation>
     </message>
     <message>
         <source>No ground points were found: check that the cloud shows the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面の点が見つかりませんでした。点群に地表面が含まれているか確認してください。</translation>
     </message>
     <message>
         <source>{name} states no coordinate reference system: assign one to the file first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}に座標参照系の記載がありません。先にファイルに設定してください。</translation>
     </message>
     <message>
         <source>{name} is in {crs}, which is not projected: reproject it to metres first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の{crs}は投影座標系ではありません。先にメートル単位の座標系に変換してください。</translation>
     </message>
     <message>
         <source>{name} is in {crs}, which is not in metres: reproject it to metres first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}の{crs}はメートル単位ではありません。先にメートル単位の座標系に変換してください。</translation>
     </message>
     <message>
         <source>Finding the highest points of the cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>各セルの最高点を求めています。</translation>
     </message>
     <message>
         <source>Settling the cloth.</source>
-        <translation type="unfinished"></translation>
+        <translation>クロスを沈めています。</translation>
     </message>
     <message>
         <source>The resolution must be greater than 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>解像度は0より大きい値にしてください。</translation>
     </message>
     <message>
         <source>The longest edge must be 0 or greater.</source>
-        <translation type="unfinished"></translation>
+        <translation>最大辺長は0以上にしてください。</translation>
     </message>
     <message>
         <source>Ground by {value}: {reason}.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面の取得元: {value}（{reason}）。</translation>
     </message>
     <message>
         <source>{left_out:,} of {triangles:,} triangles were longer than {max_edge:g} m and left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形{triangles:,}個のうち{left_out:,}個は{max_edge:g} mより長いため除外しました。</translation>
     </message>
     <message>
         <source>{far_share:.0f} % of the surface spans {far:g} m or more without points (water, gaps): set a longest edge to leave such places out.</source>
-        <translation type="unfinished"></translation>
+        <translation>面の{far_share:.0f} %は、点のない{far:g} m以上の区間（水面、欠測）にまたがっています。除外するには最大辺長を設定してください。</translation>
     </message>
     <message>
         <source>The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, or check for points far outside the area.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラスタが{columns:,} x {rows:,}セルになります。解像度を粗くするか、範囲から遠く離れた点がないか確認してください。</translation>
     </message>
     <message>
         <source>The area is too large for one cloth: choose a coarser cloth resolution.</source>
-        <translation type="unfinished"></translation>
+        <translation>範囲が1枚のクロスには広すぎます。クロスの解像度を粗くしてください。</translation>
     </message>
     <message>
         <source>Triangulating the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>地表面の三角網を作成しています。</translation>
     </message>
     <message>
         <source>Triangulating the surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>表層の三角網を作成しています。</translation>
     </message>
     <message>
         <source>The points lie in fewer than three places or on one line: a surface cannot be built from them.</source>
-        <translation type="unfinished"></translation>
+        <translation>点の位置が3か所未満か一直線上にあるため、面を作成できません。</translation>
     </message>
     <message>
         <source>classes</source>
-        <translation type="unfinished"></translation>
+        <translation>分類クラス</translation>
     </message>
     <message>
         <source>the cloth filter</source>
-        <translation type="unfinished"></translation>
+        <translation>クロスフィルタ</translation>
     </message>
     <message>
         <source>The folder of the run, {run_folder}, is not there any more or cannot be written ({strerror}): put it right and run again; tiles that are whole are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>実行フォルダ{run_folder}がなくなったか、書き込めません（{strerror}）。修正して再実行してください。完成したタイルは保持されます。</translation>
     </message>
     <message>
         <source>There is no room in the folder of the run, {run_folder} ({strerror}): make some and run again; tiles that are whole are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>実行フォルダ{run_folder}に空き容量がありません（{strerror}）。容量を確保して再実行してください。完成したタイルは保持されます。</translation>
     </message>
     <message>
         <source>The folder {run_folder} cannot be written ({strerror}): choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダ{run_folder}に書き込めません（{strerror}）。別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>Another run works in {run_folder}: wait for its end, or choose another folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{run_folder}では別の処理が実行中です。終了を待つか、別のフォルダを選択してください。</translation>
     </message>
     <message>
         <source>Map sheets need a plane rectangular system of Japan, and {plan} is none: choose squares or meshes, or reproject the data.</source>
-        <translation type="unfinished"></translation>
+        <translation>図郭には日本の平面直角座標系が必要ですが、{plan}は該当しません。正方形またはメッシュを選択するか、データの座標系を変換してください。</translation>
     </message>
     <message>
         <source>The data states no coordinate reference system, which map sheets need: give it (POINTS_CRS), or choose squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>データに図郭に必要な座標参照系の記載がありません。指定する（POINTS_CRS）か、正方形を選択してください。</translation>
     </message>
     <message>
         <source>The data leaves the area of the map sheets, 160 km east and west and 300 km north and south of the origin: choose squares or meshes.</source>
-        <translation type="unfinished"></translation>
+        <translation>データが図郭の範囲（原点から東西160 km、南北300 km）を超えています。正方形またはメッシュを選択するか、データの座標系を変換してください。</translation>
     </message>
     <message>
         <source>{path} cannot be written ({error}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}に書き込めません（{error}）。</translation>
     </message>
     <message>
         <source>{path} of the tile {parent} has other cells than the first tile: the rasters cannot be put together.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル{parent}の{path}は最初のタイルとセルが異なるため、ラスタを結合できません。</translation>
     </message>
     <message>
         <source>The data states no coordinate reference system, which meshes need: give it (POINTS_CRS), or choose squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>データにメッシュに必要な座標参照系の記載がありません。指定する（POINTS_CRS）か、正方形を選択してください。</translation>
     </message>
     <message>
         <source>The extent of the data is not a number: check its coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>データの範囲が数値ではありません。座標を確認してください。</translation>
     </message>
     <message>
         <source>The data is not in the range of Japan's meshes, 0 to 66 degrees north and 100 to 180 east: choose squares.</source>
-        <translation type="unfinished"></translation>
+        <translation>データが日本のメッシュの範囲（北緯0～66度、東経100～180度）にありません。正方形を選択してください。</translation>
     </message>
     <message>
         <source>The data would take more than a million meshes: choose larger ones, or check the coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>データのメッシュ数が100万を超えます。より大きいメッシュを選択するか、座標を確認してください。</translation>
     </message>
     <message>
         <source>This is an estimate from {records_count} of {tiles_count} tiles.</source>
-        <translation type="unfinished"></translation>
+        <translation>{tiles_count}タイル中{records_count}タイルからの推定です。</translation>
     </message>
     <message>
         <source>{failed_count} more are in the layer of tiles.</source>
-        <translation type="unfinished"></translation>
+        <translation>ほかに{failed_count}件がタイルのレイヤにあります。</translation>
     </message>
     <message>
         <source>{count} of {tiles_count} tiles failed; the others are whole. Run again with the same folder when the reasons below are put right: only the failed tiles are then done.</source>
-        <translation type="unfinished"></translation>
+        <translation>{tiles_count}タイル中{count}タイルが失敗しました。ほかのタイルは完成しています。下記の理由を解消し、同じフォルダで再実行してください。失敗したタイルだけが処理されます。</translation>
     </message>
     <message>
         <source>All {tiles_count} tiles are done.</source>
-        <translation type="unfinished"></translation>
+        <translation>全{tiles_count}タイルが完了しました。</translation>
     </message>
     <message>
         <source>The points have no GPS time, by which a survey is cut into stretches: give a point cloud with times.</source>
-        <translation type="unfinished"></translation>
+        <translation>点にGPS時刻がありません。計測の区間分割に必要です。時刻付きの点群を指定してください。</translation>
     </message>
     <message>
         <source>The drive would take more than a million stretches: give longer ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>走行の区間数が100万を超えます。区間を長くしてください。</translation>
     </message>
     <message>
         <source>The side of a tile must be a whole number of metres, and its buffer not negative: change them.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイルの辺長は整数のメートル、バッファは0以上にしてください。</translation>
     </message>
     <message>
         <source>The data would take {count:,} tiles of {size:g} m: give larger tiles, or check the coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>データは{size:g} mのタイルで{count:,}枚になります。タイルを大きくするか、座標を確認してください。</translation>
     </message>
     <message>
         <source>{0}: no raster can be opened; check the files.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ラスタを開けません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{0} has no field {1}; give the points of “Orthorectify frames”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}にフィールド{1}がありません。「写真のオルソ補正」の点を指定してください。</translation>
     </message>
     <message>
         <source>{0}: {1} x {2} pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1} x {2} 画素</translation>
     </message>
     <message>
         <source>In {0} outlines the surface shows no building.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}件の外周線では、表層モデルに建物が現れていません。</translation>
     </message>
     <message>
         <source>{0} frames used; {1:.1f} % of the ground outside buildings seen, {2:.0f} m2 in holes.</source>
-        <translation type="unfinished"></translation>
+        <translation>空中写真{0}枚を使用。建物以外の地表の{1:.1f} %が見えており、欠落は{2:.0f} m2です。</translation>
     </message>
     <message>
         <source>{0}: {1} are given for {2} frames; give one for each frame, in the same order.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 空中写真{2}枚に対して{1}件が指定されています。写真ごとに1件ずつ、同じ順で指定してください。</translation>
     </message>
     <message>
         <source>{0} has no field {1}; choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}にフィールド{1}がありません。別のフィールドを選択してください。</translation>
     </message>
     <message>
         <source>The field {0} of {1} must hold numbers: heights above the ground in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1}のフィールド{0}は数値（地上高、メートル）にしてください。</translation>
     </message>
     <message>
         <source>Nothing of the orthophoto is left to look at: check that roads, buildings and hidden areas lie where the image does; the mask is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像に対象となる範囲が残っていません。道路、建物、遮蔽範囲が画像と同じ場所にあるか確認してください。マスクは空です。</translation>
     </message>
     <message>
         <source>No markings were found: the mask is empty; check the roads, or lower the contrast.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示が見つかりませんでした。マスクは空です。道路を確認するか、コントラストを下げてください。</translation>
     </message>
     <message>
         <source>{0}: the coordinate reference system is missing; assign the one that the image is in (Layer &gt; Set CRS).</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 座標参照系がありません。画像の座標参照系を設定してください（レイヤ &gt; レイヤのCRSを設定）。</translation>
     </message>
     <message>
         <source>{0}: its pixels are measured in degrees; warp it to a projected CRS, such as the local plane rectangular or UTM zone.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 画素が度単位です。平面直角座標系やUTMなどの投影座標参照系に変換（再投影）してください。</translation>
     </message>
     <message>
         <source>{0}: there are no polygons; check the layer and its filter, or leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ポリゴンがありません。レイヤとフィルタを確認するか、指定を外してください。</translation>
     </message>
     <message>
         <source>With pixels of {0:.2f} m only wide markings can be seen; 0.15 m or finer shows lane lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>画素が{0:.2f} mでは幅の広い標示しか判別できません。車線境界線には0.15 m以下が必要です。</translation>
     </message>
     <message>
         <source>{0} has no height at {1} of {2} markings: they lie outside of it or in its gaps, and have no height there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}には標示{2}件中{1}件の位置で高さがありません。範囲外または欠測のため、その標示には高さがありません。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no model; the field “reason” says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟にモデルがありません。理由はフィールド「reason」を参照してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings ({2} %) have no ground under them: their bases are taken from neighbours or assumed; give a ground elevation or a field with the base height.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟（{2} %）は下に地表面がなく、底面は近隣の値または仮定値です。地表面の標高または基準高のフィールドを指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} models have a flaw; the fields “status” and “reason” say which.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデル{1}件中{0}件に不備があります。内容はフィールド「status」と「reason」を参照してください。</translation>
     </message>
     <message>
         <source>{0}: the field {1} is missing or has empty values; give the result of “Roof polygons”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: フィールド{1}がないか、空の値があります。「屋根ポリゴン」の結果を指定してください。</translation>
     </message>
     <message>
         <source>{0}: this system's GDAL cannot write GeoParquet; give a name that ends in .gpkg.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: このシステムのGDALはGeoParquetを書き出せません。.gpkgで終わる名前を指定してください。</translation>
     </message>
     <message>
         <source>{0} and {1} are both given: give one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}と{1}の両方が指定されています。どちらか一方を指定してください。</translation>
     </message>
     <message>
         <source>{0}: {1} is no day; give it as 2026-04-01.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}は日付ではありません。2026-04-01の形式で指定してください。</translation>
     </message>
     <message>
         <source>Give point clouds, a raster or a layer, one of them, and the output of that kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>点群、ラスタ、レイヤのいずれか1つと、同じ種類の出力を指定してください。</translation>
     </message>
     <message>
         <source>Give a grid, or one value in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>グリッドか、その代わりの1つの値を指定してください。</translation>
     </message>
     <message>
         <source>{0} heights changed by {1:+.3f} to {2:+.3f} m, {3:+.3f} m in the mean, into {4}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 高さの変化は{1:+.3f}～{2:+.3f} m、平均{3:+.3f} m、変換先: {4}</translation>
     </message>
     <message>
         <source>{0}: no feature has heights (z); there is nothing to convert.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 高さ（z）を持つ地物がなく、変換対象がありません。</translation>
     </message>
     <message>
         <source>{0}: the fields {1} hold heights of before; compute them anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: フィールド{1}は変換前の高さのままです。再計算してください。</translation>
     </message>
     <message>
         <source>No output is asked for; choose one.</source>
-        <translation type="unfinished"></translation>
+        <translation>出力が指定されていません。いずれかを選択してください。</translation>
     </message>
     <message>
         <source>A city model is written to other files only; for a layer use “Load city model”.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルは他のファイルにのみ書き出せます。レイヤにするには「都市モデルの読込」を使用してください。</translation>
     </message>
     <message>
         <source>Give either {0} or {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}または{1}のどちらかを指定してください。</translation>
     </message>
     <message>
         <source>{0}: there is no field {1}; choose one of the layer.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: フィールド{1}がありません。レイヤのフィールドを選択してください。</translation>
     </message>
     <message>
         <source>{0}: the field surface_type is missing; give the surfaces of “Building models”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: フィールドsurface_typeがありません。「建物モデル」の面を指定してください。</translation>
     </message>
     <message>
         <source>{0}: no feature has faces with heights; give building models (MultiPolygonZ), such as those of “Building models”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 高さ付きの面を持つ地物がありません。「建物モデル」の結果などの建物モデル（MultiPolygonZ）を指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no model and are written without a shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟にモデルがなく、形状なしで書き出されます。</translation>
     </message>
     <message>
         <source>{0} of {1} ids were empty or there more than once; they got a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>id {1}件中{0}件が空または重複していたため、番号を付けました。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have a solid that is not closed or not valid; it is written as surfaces, and the field “problems” says why.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟の立体が閉じていないか不正です。面として書き出されます。理由はフィールド「problems」を参照してください。</translation>
     </message>
     <message>
         <source>{0} images of textures are missing ({1}); their faces have none.</source>
-        <translation type="unfinished"></translation>
+        <translation>テクスチャ画像{0}枚がありません（{1}）。該当する面にはテクスチャがありません。</translation>
     </message>
     <message>
         <source>No face of {0} has a texture in {1}; check that both are of the same buildings.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}の面のテクスチャが{1}に1つもありません。両者が同じ建物のものか確認してください。</translation>
     </message>
     <message>
         <source>{0} is not written from a city model; for a layer use “Load city model”.</source>
-        <translation type="unfinished"></translation>
+        <translation>都市モデルから{0}は書き出されません。レイヤにするには「都市モデルの読込」を使用してください。</translation>
     </message>
     <message>
         <source>No file was given: choose a city model (.gml, .json, .jsonl, .zip) or a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルが指定されていません。都市モデル（.gml, .json, .jsonl, .zip）またはフォルダを選択してください。</translation>
     </message>
     <message>
         <source>{0} buildings in {1}, heights: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{0}棟、{1}、高さ: {2}</translation>
     </message>
     <message>
         <source>{0}: {1} is not known; choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}は不明です。別のものを選択してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have something wrong; the field “note” says what.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟に不備があります。内容はフィールド「note」を参照してください。</translation>
     </message>
     <message>
         <source>No file was given: choose building outlines of the GSI (.xml, .zip) or a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルが指定されていません。国土地理院の建築物の外周線（.xml, .zip）またはフォルダを選択してください。</translation>
     </message>
     <message>
         <source>{0} buildings, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{0}棟、{1}</translation>
     </message>
     <message>
         <source>No file was given: choose elevation models of the GSI (.xml, .zip) or a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルが指定されていません。国土地理院の数値標高モデル（.xml, .zip）またはフォルダを選択してください。</translation>
     </message>
     <message>
         <source>{0} meshes ({1}), heights in {2}, {3:.1f} to {4:.1f} m, {5:.1f} % of the cells empty</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}メッシュ（{1}）、標高系{2}、{3:.1f}～{4:.1f} m、空のセル{5:.1f} %</translation>
     </message>
     <message>
         <source>The elevation model was taken into {0} by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>標高モデルは{1}により{0}に変換されました。</translation>
     </message>
     <message>
         <source>Give the building models either as a layer or as a CityJSON file.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物モデルはレイヤかCityJSONファイルのどちらかで指定してください。</translation>
     </message>
     <message>
         <source>{0}: the walls have no field status, which tells how well each was measured; give the result of “Walls from a mobile survey”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 壁面に計測の良否を示すフィールドstatusがありません。「移動計測の壁面」の結果を指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings could not be merged and keep their models; the field “reason” tells why.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟は統合できず、元のモデルのままです。理由はフィールド「reason」を参照してください。</translation>
     </message>
     <message>
         <source>{0} walls are no upright faces and are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面{0}件は鉛直な面でないため除外しました。</translation>
     </message>
     <message>
         <source>{0}: the walls have no heights; give the result of “Walls from a mobile survey”.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 壁面に高さがありません。「移動計測の壁面」の結果を指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no mesh; the field “reason” tells why.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟にメッシュがありません。理由はフィールド「reason」を参照してください。</translation>
     </message>
     <message>
         <source>{0} of {1} meshes have fewer than 95 % of their uppermost points within the stated error; the field “within” tells how many.</source>
-        <translation type="unfinished"></translation>
+        <translation>メッシュ{1}件中{0}件で、指定誤差内の最上部の点が95 %未満です。点の割合はフィールド「within」を参照してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings got no roof polygon.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟に屋根ポリゴンがありません。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have too few points for a model.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟は点が少なすぎてモデルを作成できません。</translation>
     </message>
     <message>
         <source>{0} is {1} m, more than {2}, {3} m: heights between the bins would be lost; give at most the width.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}は{1} mで、{2}の{3} mを超えています。階級間の高さが失われるため、幅以下の値を指定してください。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings have no roof in their points.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物{1}棟中{0}棟は点群に屋根がありません。</translation>
     </message>
     <message>
         <source>No wall was found: the survey shows too little of the buildings, or does not lie on the map.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面が見つかりませんでした。計測に建物がほとんど写っていないか、地図と位置が合っていません。</translation>
     </message>
     <message>
         <source>The buildings tell no heights: coverage is counted up to the highest point seen of each wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>建物に高さの情報がありません。被覆率は各壁面の計測された最高点までで算出します。</translation>
     </message>
     <message>
         <source>{0} of {1} buildings near the survey show no wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>計測範囲付近の建物{1}棟中{0}棟に壁面がありません。</translation>
     </message>
     <message>
         <source>{0}: the files state no coordinate reference system; they are taken to be in that of {1}, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ファイルに座標参照系の記載がありません。{1}の{2}とみなします。</translation>
     </message>
     <message>
         <source>{0}: {1} does not exist; check its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}がありません。名前を確認してください。</translation>
     </message>
     <message>
         <source>{0}: no file was given; give one or several LAS or LAZ files.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ファイルが指定されていません。LASまたはLAZファイルを1つ以上指定してください。</translation>
     </message>
     <message>
         <source>{0}: {1} cannot be opened as a raster; check the file.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}をラスタとして開けません。ファイルを確認してください。</translation>
     </message>
     <message>
         <source>{0}: {1} is no file; export the layer to a GeoTIFF first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}はファイルではありません。先にレイヤをGeoTIFFに書き出してください。</translation>
     </message>
     <message>
         <source>Step: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>手順: {0}</translation>
     </message>
     <message>
         <source>{0} does not reach {1}; give a raster of the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}が{1}の範囲に届いていません。同じ場所のラスタを指定してください。</translation>
     </message>
     <message>
         <source>{0}: {1} cannot be opened as a vector layer; check the file and the layer name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}をベクタレイヤとして開けません。ファイルとレイヤ名を確認してください。</translation>
     </message>
     <message>
         <source>{0}: the file {1} does not exist; check its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ファイル{1}がありません。名前を確認してください。</translation>
     </message>
     <message>
         <source>{0}: {1} is no LAS, LAZ or COPC file; convert it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}はLAS、LAZ、COPCファイルではありません。先に変換してください。</translation>
     </message>
     <message>
         <source>{0}: no feature has a polygon; choose a layer of outlines or building models.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ポリゴンを持つ地物がありません。外周線または建物モデルのレイヤを選択してください。</translation>
     </message>
     <message>
         <source>The Dask scheduler was lost during the work; start it and run again.</source>
-        <translation type="unfinished"></translation>
+        <translation>処理中にDaskスケジューラとの接続が失われました。起動して再実行してください。</translation>
     </message>
     <message>
         <source>The Dask scheduler at {0} has no workers; start some.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}のDaskスケジューラにワーカーがありません。ワーカーを起動してください。</translation>
     </message>
     <message>
         <source>The cluster's workers were ended at one piece again and again ({0}); give them more memory.</source>
-        <translation type="unfinished"></translation>
+        <translation>クラスタのワーカーが同じ処理単位で繰り返し終了しました（{0}）。メモリを増やしてください。</translation>
     </message>
     <message>
         <source>The package distributed is not there; install it (pip install distributed) to send work to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>パッケージdistributedがありません。{0}に処理を送るにはインストールしてください（pip install distributed）。</translation>
     </message>
     <message>
         <source>No Dask scheduler answers at {0} ({1}); check the address, such as tcp://host:8786.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}でDaskスケジューラが応答しません（{1}）。tcp://host:8786のようなアドレスを確認してください。</translation>
     </message>
     <message>
         <source>The worker {0} has another version of UrbanMap loaded; restart the workers.</source>
-        <translation type="unfinished"></translation>
+        <translation>ワーカー{0}には異なる版のUrbanMapが読み込まれています。ワーカーを再起動してください。</translation>
     </message>
     <message>
         <source>The worker {0} has other packages than this machine: {1}; install the same there.</source>
-        <translation type="unfinished"></translation>
+        <translation>ワーカー{0}のパッケージがこの計算機と異なります: {1}。同じものをインストールしてください。</translation>
     </message>
     <message>
         <source>The worker {0} does not see the folder {1}; put inputs, outputs and temporary files (TMPDIR) on storage that all machines share.</source>
-        <translation type="unfinished"></translation>
+        <translation>ワーカー{0}からフォルダ{1}が見えません。入力、出力、一時ファイル（TMPDIR）を全計算機の共有ストレージに置いてください。</translation>
     </message>
     <message>
         <source>no CRS</source>
-        <translation type="unfinished"></translation>
+        <translation>座標参照系なし</translation>
     </message>
     <message>
         <source>unnamed</source>
-        <translation type="unfinished"></translation>
+        <translation>名称なし</translation>
     </message>
     <message>
         <source>{0}: the coordinate reference system is missing; assign the one that the data are in (for a layer: Layer &gt; Set CRS).</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 座標参照系がありません。データの座標参照系を設定してください（レイヤの場合: レイヤ &gt; レイヤのCRSを設定）。</translation>
     </message>
     <message>
         <source>{0}: coordinates are degrees in {1}; reproject to a projected CRS in metres, such as the local plane rectangular or UTM zone.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 座標が度単位です（{1}）。平面直角座標系やUTMなど、メートル単位の投影座標参照系に変換してください。</translation>
     </message>
     <message>
         <source>{0}: {1} counts in units of {2:.4f} m; reproject to a CRS in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}の単位は{2:.4f} mです。メートル単位の座標参照系に変換してください。</translation>
     </message>
     <message>
         <source>{0} is in {1}, but {2} is in {3}; reproject one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}は{1}、{2}は{3}です。どちらかの座標系を変換してください。</translation>
     </message>
     <message>
         <source>{0}: the coordinate reference system is missing; assign the one that the data are in.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: 座標参照系がありません。データの座標参照系を設定してください。</translation>
     </message>
     <message>
         <source>{0} would take the place of {1} ({2}); choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}が{1}（{2}）を上書きします。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{0}: {1} is one of the images in {2}; choose another output.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}は{2}の画像の1つです。別の出力先を選択してください。</translation>
     </message>
     <message>
         <source>{0} and {1} have the same name, {2}; give each its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}と{1}の名前が同じ{2}です。それぞれ別の名前を付けてください。</translation>
     </message>
     <message>
-        <source>status</source>
-        <translation type="unfinished"></translation>
+        <source>number in the point clouds</source>
+        <translation>点群内の番号</translation>
     </message>
     <message>
-        <source>reason</source>
-        <translation type="unfinished"></translation>
+        <source>object in the CityJSON file</source>
+        <translation>CityJSONファイル内のオブジェクト</translation>
     </message>
     <message>
-        <source>note</source>
-        <translation type="unfinished"></translation>
+        <source>id in the city model</source>
+        <translation>都市モデル内のID</translation>
     </message>
     <message>
-        <source>standard deviation (m)</source>
-        <translation type="unfinished"></translation>
+        <source>measured wall</source>
+        <translation>計測壁面</translation>
     </message>
     <message>
-        <source>standard deviation of the height (m)</source>
-        <translation type="unfinished"></translation>
+        <source>edge of the outline</source>
+        <translation>外周線の辺</translation>
     </message>
     <message>
-        <source>standard deviation of the heading (°)</source>
-        <translation type="unfinished"></translation>
+        <source>bound</source>
+        <translation>境界線</translation>
     </message>
     <message>
-        <source>length (m)</source>
-        <translation type="unfinished"></translation>
+        <source>area</source>
+        <translation>領域</translation>
     </message>
     <message>
-        <source>width (m)</source>
-        <translation type="unfinished"></translation>
+        <source>patch</source>
+        <translation>パッチ</translation>
     </message>
     <message>
-        <source>height (m)</source>
-        <translation type="unfinished"></translation>
+        <source>set</source>
+        <translation>組</translation>
     </message>
     <message>
-        <source>area (m²)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>volume (m³)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>points a m²</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMSE (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMSE of the height (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMSE of the height, best 95 % (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMSE of the distance (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>95th percentile of the distance (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>east (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>north (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>up (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>time (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>chainage (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>heading (°)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>azimuth (°)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>colour</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>class</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>quality, 0 to 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>confidence, 0 to 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>coverage, 0 to 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>satellites</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>level of detail</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kind of roof</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>kind of surface</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>valid solid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>watertight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Add files…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} files</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How it works</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Installing Python packages for UrbanMap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>UrbanMap: Python packages</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Install</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All Python packages that UrbanMap needs are there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The packages are installed; the algorithms can be used now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Missing: {0}. They are installed into a folder of the QGIS profile; what QGIS brought with it stays as it is.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Still missing: {0}. Restart QGIS and look again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The feature has no polygon.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The polygon was invalid and was repaired ({0}).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: none of the {1} features has a polygon; choose a polygon layer.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: there are no polygons to work on; check the layer and its filter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} of {2} polygons are empty, or invalid and were repaired (feature ids {3}{4}).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the folder {1} does not exist or cannot be written; choose another output.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be written; choose another output.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be written ({1}); close the program that has it open.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be written: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be written to {1}; choose another file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} and {1} lie on each other only where x and y of one of them are swapped; swap them in the one that counts x to the north.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the field {1} must hold the buildings' numbers as an earlier step wrote them; remove it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: some {1} is empty; give each building its own, or remove the field.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} outlines have no usable polygon; their buildings keep their rows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the field {1} must hold numbers; convert it or choose another field.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the {1} {2} is there more than once; give each building its own, or remove the field.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unknown parameter {0} is ignored; {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the name {1} must end in .laz or .las.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: reprojected from {1} to {2}, the system of the points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: its longitudes and latitudes seem to be swapped ({1:.3f}, {2:.3f}); swap x and y (“Swap X and Y coordinates” in the toolbox).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The points' heights are in {0}, which this release of QGIS cannot state in layers; files of city models state it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>result of an earlier step</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not stated by the inputs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>UrbanMap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The style {0} could not be given to {1}: {2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The style {0} is not saved in {1}: {2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be written whole: make room on its disk, and run again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The process that worked on this tile was ended, by lack of memory or a fault in a library; make the tiles smaller.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are no points in this tile.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} Tiles that are whole are kept.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There are no outlines in this tile.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} does not reach this tile.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A fault in the program ({0}: {1}); {2} in the tile's folder tells where.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was given that says where the tiles are; give point clouds or a raster.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} is cut into stretches of the drive, not into meshes or sheets: leave out the grid, and give the length of a stretch as the side of a tile.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} are needed to run {1} over tiles; give them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Settings: “{0}” is no line NAME=VALUE with a parameter of {1}; it has {2}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Settings: {0} is a parameter of the run itself; give it there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} ({1}) must be given over tiles, because each tile would choose for itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be made tile by tile; make it of the merged layers.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} is sorted into tiles.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A worker ended before its work was done, for lack of memory or because Python could not start it; run again with one worker.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No wall was moved: the observations do not decide; the field “reason” of the walls tells why.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} of {1} walls were adjusted.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} observations left out: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: no file was given.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the layer has no field {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: give three numbers, such as 0.5, 0, -1.8.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give a trajectory, or a time for an area.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: a raster is made of an area only; leave out the trajectory or it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} of {1} places lie inside buildings and have no number.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None of the {0} facades is seen in an image, so that there is no result: check that building models, trajectory and images are of one place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} of {1} facades have no texture; the field “reason” of the layer of facades tells why.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The coordinate reference system is not known: the point cloud is written without one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scanner {0}: {1} points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} returns were measured outside the trajectory or in a gap of it and are left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No image was given; give line images, frames or an orthophoto.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No image was given; give line images or frames.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: is needed for these images; give it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} of {1} outlines could not be measured; the field “reason” tells why.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There is nothing to draw; give laser points, or models or lines.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing lies in {0} of {1} images: {2}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} was given, but not {1}; give both.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The tie points have neither columns x_mms,y_mms,x_ref,y_ref nor lines from survey to reference.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The height of the origin above the ground was not given: the mean height stays as reported ({0:.2f} m above the ground).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} would be written over another trajectory; choose another folder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Corrected image poses are wanted, but no image poses are given.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as reported</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>corrected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} is neither a raster nor a polygon layer; check the file.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} is neither a raster nor a polygon layer; choose another one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sample city…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Documentation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Install Python packages…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The model {0} cannot be loaded.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The module {0} cannot be loaded:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Check of a lane map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Faults by rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Severity</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} lanelets, {1} errors, {2} warnings. Where errors are, the map cannot be loaded or routed; warnings are worth a look.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Element</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: the file holds no lanelets (relations of type lanelet); give a Lanelet2 map.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The first 500 of {0} are shown; the layer holds all.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: no building has a height; give solids or outlines with heights.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: no feature has an edge; give polygons or lines of markings.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} has no field sigma; give walls whose accuracy was measured.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give buildings, markings or both: there is no map without them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give roads or trajectories, not both.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing can be said of any place: see the field status.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was simulated: no building has a height.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: satellites need buildings that hide them; give these too.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: scans are simulated of buildings; give these.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} of {2} features have no heights and are left out; give the field with the height of their tops.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of lanes (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bounds seen, share</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Median sigma of bounds (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Driven near the map (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Of it inside lanes, share</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No lane was made: nothing shows the direction of any strip between lines.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No trajectory was given: only paint and road axes tell directions, and nothing leads through junctions.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not shown by drives; left assumed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Junctions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the findings “bound not seen”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Evidence on directions contradicts itself at {0} places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Direction from: {0} (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Junction {0}, about {1:.0f}, {2:.0f}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The first {0} of {1} are shown; the layer holds all.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The map is not connected along the drives at {0} places; see the findings “driven without lane” and “way not drawn”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No lines.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} is given but {1} is not: name the GeoPackage that it is to go into.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}, {1}: {2}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No kerb was found along {0:.0f} m of path: the road has none, or the points are too sparse or too noisy to show steps of a few centimetres.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and nothing connects lanes through junctions.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No lane was made: the drives run beside all lines; check that both are of one place, in one CRS, and that the trajectories are corrected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} has no field class; give the lines of “Lines from road markings”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} has no fields class and heading; give the areas of “Lines from road markings”.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No folder was given: give the name of a new one.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m².</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} tiles, {1} kept from an earlier run, {2} to do.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}, tile by tile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} cannot be run over tiles: {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All {0} tiles are empty; check that the inputs lie in one place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tile {0} failed: {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Road markings from the air</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of these white</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of these yellow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Marked area (m²)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Searched area (m²)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Marked share of it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pixel (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Median width (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Total length of strokes (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shifts between overlapping frames</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The same markings in two frames, the second against the first, median over the places. A good block agrees to half a pixel. “height”: without a surface, heights may explain the shift.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>second</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sigma (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>places</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>apart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>agree</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pictures</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing stands out; check some markings against the picture all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What to distrust</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Figures of the markings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markings by width</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>grey values above the road</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markings by contrast</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Coverage</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>confidence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markings by confidence</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Merged building models</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean offset of the moved walls (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>number</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by the largest offset of a wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no points, no roof, no outline, or no valid solid could be made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>level roofs or one height for all, as the detailed solid was not valid or did not fit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>too few points for roofs: one height for the whole outline</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>many points that can be roof lie far from the model: roofs are missing or metres off</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a roof found in the points is not in the model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>lower than a storey over the ground: a deck, a platform, or ground taken for a roof</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its ground is not known: taken from neighbours, or put under the lowest roof</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a large part of the outline has no model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a large part of the plan has no roof points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>so few points that parts of the roof cannot be separated</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a plan too small for the shape of a roof to be seen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a valid solid from its roofs, near all of its points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean RMSE of roof heights (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean RMSE of the best 95 % (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean point to model distance, RMSE (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean quality, 0 to 1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>what it says</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Distances to the models of all points that can be roof, whether or not a roof was made of them. Level roofs (lod 1.3) in place of sloped ones show the slope as height differences.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by quality</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>% of the points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by points that the model does not explain</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMSE of height, best 95 % (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by height error</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>95th percentile of distance (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by point to model distance</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by point density</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>% of the plan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings by plan without points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walls adjusted by GNSS</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Held back to keep buildings valid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not observable</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Independent observations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Signals in them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Median sigma of adjusted walls, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Median size of their offsets, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Iterations until nothing changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walls before and after</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walls that stay where they are</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A wall that is not observable may stand where the model has it or a metre off: nothing is known of it. More passes help where observations are few; nothing helps under open sky.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Walls with observations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sigma, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>moved, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>observations</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>passes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>share of inliers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How the observations scatter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Error of an observation besides its noise, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Factor of the noise expected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Share of NLOS-delayed ones</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Their mean delay, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Share of outliers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What the offsets leave of the observations: NLOS-delayed ones are to the right; the first and the last bar hold all that is beyond.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>By system</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Residuals in line of sight: median, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Residuals in line of sight: quartile range, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reflected signals with a known clock</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of these within 5 m of prediction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of these within 10 m of prediction</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>of these: median difference, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sky plot (grid north up, horizon outside): green in line of sight, orange reflected, grey blocked.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>what</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>how many</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>signals without a known receiver clock (fewer than three in line of sight)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>share of signals near an edge: class not sure</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>epochs with the antenna within a building</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reflections by ground, vehicles, bridges and trees, two reflections in a row and diffraction at edges are not traced; walls are taken for flat and upright.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No wall was moved: the observations do not decide. The table below tells why; more drives along the walls help.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Measured against predicted excess path of reflected signals, m: dark where the class is sure. Above the line signals are late, at the foot the direct signal got through.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>residual, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>in line of sight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>blocked, no single wall reflects it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>reflected by one wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Edges over images, before and after</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Images</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No edge lies in any of the images: they are of another place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of road, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Median sigma of the weakest direction, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Places that look like others</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>length, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>share</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>source</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>along, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>across, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>heading, degrees</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Medians over the places of which the source tells something. A direction without evidence keeps the sigma from before matching.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>sigma of the weakest direction, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Places by the semi-major axis of their error ellipse.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Plan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Error ellipses, ten times enlarged, by class: green good, yellow usable, red poor, grey nothing can be said.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Status</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Worst stretches</source>
-        <translation type="unfinished"></translation>
+        <source>control point</source>
+        <translation>基準点・検証点</translation>
     </message>
     <message>
         <source>street</source>
-        <translation type="unfinished"></translation>
+        <translation>街路</translation>
     </message>
     <message>
-        <source>from, m</source>
-        <translation type="unfinished"></translation>
+        <source>chain of parts</source>
+        <translation>部分の連なり</translation>
     </message>
     <message>
-        <source>to, m</source>
-        <translation type="unfinished"></translation>
+        <source>chain of the double line</source>
+        <translation>二重線の相手</translation>
     </message>
     <message>
-        <source>bearing, degrees</source>
-        <translation type="unfinished"></translation>
+        <source>element of the file</source>
+        <translation>ファイルの要素</translation>
     </message>
     <message>
-        <source>Predicted against observed</source>
-        <translation type="unfinished"></translation>
+        <source>seam of tiles</source>
+        <translation>タイルの継ぎ目</translation>
     </message>
     <message>
-        <source>Scans were simulated at some of the places, with noise, vehicles and trees in the way, and registered to the map with the plugin's own NDT.</source>
-        <translation type="unfinished"></translation>
+        <source>status</source>
+        <translation>状態</translation>
     </message>
     <message>
-        <source>Spearman's coefficient over all places</source>
-        <translation type="unfinished"></translation>
+        <source>reason</source>
+        <translation>理由</translation>
     </message>
     <message>
-        <source>Median of it within a street</source>
-        <translation type="unfinished"></translation>
+        <source>note</source>
+        <translation>備考</translation>
     </message>
     <message>
-        <source>Share of the errors within the 95 % ellipse</source>
-        <translation type="unfinished"></translation>
+        <source>problems</source>
+        <translation>問題</translation>
     </message>
     <message>
-        <source>Median observed error in plan, m</source>
-        <translation type="unfinished"></translation>
+        <source>what was found</source>
+        <translation>見つかった内容</translation>
     </message>
     <message>
-        <source>Median predicted error in plan, m</source>
-        <translation type="unfinished"></translation>
+        <source>rule</source>
+        <translation>規則</translation>
     </message>
     <message>
-        <source>Share of the rays to walls that were hidden</source>
-        <translation type="unfinished"></translation>
+        <source>severity</source>
+        <translation>重大度</translation>
     </message>
     <message>
-        <source>Scans that fit another place better</source>
-        <translation type="unfinished"></translation>
+        <source>kind</source>
+        <translation>種別</translation>
     </message>
     <message>
-        <source>Root mean square errors in plan of each place; those above the picture are drawn at its edge.</source>
-        <translation type="unfinished"></translation>
+        <source>class</source>
+        <translation>クラス</translation>
     </message>
     <message>
-        <source>way, m</source>
-        <translation type="unfinished"></translation>
+        <source>colour</source>
+        <translation>色</translation>
     </message>
     <message>
-        <source>predicted along, across, m</source>
-        <translation type="unfinished"></translation>
+        <source>evidence of the direction</source>
+        <translation>方向の根拠</translation>
     </message>
     <message>
-        <source>observed along, across, m</source>
-        <translation type="unfinished"></translation>
+        <source>quality, 0 to 1</source>
+        <translation>品質（0～1）</translation>
     </message>
     <message>
-        <source>within 95 %</source>
-        <translation type="unfinished"></translation>
+        <source>confidence, 0 to 1</source>
+        <translation>信頼度（0～1）</translation>
     </message>
     <message>
-        <source>elsewhere</source>
-        <translation type="unfinished"></translation>
+        <source>coverage, 0 to 1</source>
+        <translation>被覆率（0～1）</translation>
     </message>
     <message>
-        <source>Nothing can be said of any place; the table below tells why.</source>
-        <translation type="unfinished"></translation>
+        <source>agreement with the shape, 0 to 1</source>
+        <translation>形状との一致度、0～1</translation>
     </message>
     <message>
-        <source>No place could be simulated: walls tell nothing of any.</source>
-        <translation type="unfinished"></translation>
+        <source>weight kept, 0 to 1</source>
+        <translation>残された重み、0～1</translation>
     </message>
     <message>
-        <source>Accuracy at control points</source>
-        <translation type="unfinished"></translation>
+        <source>points a m²</source>
+        <translation>1 m²あたりの点数</translation>
     </message>
     <message>
-        <source>Survey</source>
-        <translation type="unfinished"></translation>
+        <source>passes that saw it</source>
+        <translation>観測した走行回数</translation>
     </message>
     <message>
-        <source>mean 2D (m)</source>
-        <translation type="unfinished"></translation>
+        <source>time (s)</source>
+        <translation>時刻 (s)</translation>
     </message>
     <message>
-        <source>max 2D (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>std 2D (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mean 3D (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>max 3D (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>std 3D (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>East, north and up are mean errors: what is left in all points alike.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Control point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Horizontal error over time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Horizontal error of each control point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>seconds since the first control point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Adjustment of several drives</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Residuals by kind</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Observation</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>without weight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMS in plan (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>largest in plan (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RMS in height (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>largest in height (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drives</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Drive</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>path length (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>mean correction in plan (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>median sigma in plan (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>largest sigma in plan (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest residuals</source>
-        <translation type="unfinished"></translation>
+        <source>chainage (m)</source>
+        <translation>縦断距離 (m)</translation>
     </message>
     <message>
         <source>drive</source>
-        <translation type="unfinished"></translation>
+        <translation>走行</translation>
     </message>
     <message>
         <source>other drive</source>
-        <translation type="unfinished"></translation>
+        <translation>相手の走行</translation>
+    </message>
+    <message>
+        <source>east (m)</source>
+        <translation>東 (m)</translation>
+    </message>
+    <message>
+        <source>north (m)</source>
+        <translation>北 (m)</translation>
+    </message>
+    <message>
+        <source>up (m)</source>
+        <translation>上 (m)</translation>
     </message>
     <message>
         <source>in plan (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>平面 (m)</translation>
     </message>
     <message>
-        <source>in height (m)</source>
-        <translation type="unfinished"></translation>
+        <source>roll (°)</source>
+        <translation>ロール (°)</translation>
     </message>
     <message>
-        <source>weight</source>
-        <translation type="unfinished"></translation>
+        <source>pitch (°)</source>
+        <translation>ピッチ (°)</translation>
     </message>
     <message>
-        <source>Correction along the path</source>
-        <translation type="unfinished"></translation>
+        <source>heading (°)</source>
+        <translation>方位 (°)</translation>
     </message>
     <message>
-        <source>Standard deviation of the correction</source>
-        <translation type="unfinished"></translation>
+        <source>azimuth (°)</source>
+        <translation>方位角 (°)</translation>
     </message>
     <message>
-        <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
-        <translation type="unfinished"></translation>
+        <source>x (m)</source>
+        <translation>x (m)</translation>
     </message>
     <message>
-        <source>plan</source>
-        <translation type="unfinished"></translation>
+        <source>y (m)</source>
+        <translation>y (m)</translation>
     </message>
     <message>
-        <source>placed</source>
-        <translation type="unfinished"></translation>
+        <source>z (m)</source>
+        <translation>z (m)</translation>
     </message>
     <message>
-        <source>bridged</source>
-        <translation type="unfinished"></translation>
+        <source>length (m)</source>
+        <translation>長さ (m)</translation>
     </message>
     <message>
-        <source>relative only</source>
-        <translation type="unfinished"></translation>
+        <source>width (m)</source>
+        <translation>幅 (m)</translation>
     </message>
     <message>
-        <source>not tied</source>
-        <translation type="unfinished"></translation>
+        <source>narrowest width (m)</source>
+        <translation>最小幅 (m)</translation>
     </message>
     <message>
-        <source>Distance between planes before, RMS (mm)</source>
-        <translation type="unfinished"></translation>
+        <source>height (m)</source>
+        <translation>高さ (m)</translation>
     </message>
     <message>
-        <source>Distance between planes after, RMS (mm)</source>
-        <translation type="unfinished"></translation>
+        <source>highest point (m)</source>
+        <translation>最高点 (m)</translation>
     </message>
     <message>
-        <source>Passes apart, RMS (m)</source>
-        <translation type="unfinished"></translation>
+        <source>area (m²)</source>
+        <translation>面積 (m²)</translation>
     </message>
     <message>
-        <source>value</source>
-        <translation type="unfinished"></translation>
+        <source>volume (m³)</source>
+        <translation>体積 (m³)</translation>
     </message>
     <message>
-        <source>unit</source>
-        <translation type="unfinished"></translation>
+        <source>slope (°)</source>
+        <translation>勾配 (°)</translation>
     </message>
     <message>
-        <source>standard deviation</source>
-        <translation type="unfinished"></translation>
+        <source>lean backwards (°)</source>
+        <translation>後方への傾き (°)</translation>
     </message>
     <message>
-        <source>Lever arms in metres forward, right and down; angles in degrees about the body's axes. A misalignment of the inertial unit that all passes have in common is part of the angles.</source>
-        <translation type="unfinished"></translation>
+        <source>distance (m)</source>
+        <translation>距離 (m)</translation>
     </message>
     <message>
-        <source>Calibration of scanners</source>
-        <translation type="unfinished"></translation>
+        <source>offset (m)</source>
+        <translation>オフセット (m)</translation>
     </message>
     <message>
-        <source>The course as reported (grey) and rectified (blue; dashed where it is extrapolated beyond the sets), and the sets of tie points: green used, orange suspect, red left out.</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation (m)</source>
+        <translation>標準偏差 (m)</translation>
     </message>
     <message>
-        <source>Drift</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation of the height (m)</source>
+        <translation>高さの標準偏差 (m)</translation>
     </message>
     <message>
-        <source>Sets of tie points</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation, east (m)</source>
+        <translation>東方向の標準偏差 (m)</translation>
     </message>
     <message>
-        <source>Set</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation, north (m)</source>
+        <translation>北方向の標準偏差 (m)</translation>
     </message>
     <message>
-        <source>Time, s</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation of the roll (°)</source>
+        <translation>ロールの標準偏差 (°)</translation>
     </message>
     <message>
-        <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation of the pitch (°)</source>
+        <translation>ピッチの標準偏差 (°)</translation>
     </message>
     <message>
-        <source>Before, m</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation of the heading (°)</source>
+        <translation>方位の標準偏差 (°)</translation>
     </message>
     <message>
-        <source>After, m</source>
-        <translation type="unfinished"></translation>
+        <source>RMSE (m)</source>
+        <translation>RMSE (m)</translation>
     </message>
     <message>
-        <source>East, m</source>
-        <translation type="unfinished"></translation>
+        <source>RMSE of the height (m)</source>
+        <translation>高さのRMSE (m)</translation>
     </message>
     <message>
-        <source>North, m</source>
-        <translation type="unfinished"></translation>
+        <source>RMSE of the height, best 95 % (m)</source>
+        <translation>高さのRMSE、良い方の95 % (m)</translation>
     </message>
     <message>
-        <source>Heading, °</source>
-        <translation type="unfinished"></translation>
+        <source>median height difference (m)</source>
+        <translation>高さの較差の中央値 (m)</translation>
     </message>
     <message>
-        <source>Misfit within, m</source>
-        <translation type="unfinished"></translation>
+        <source>RMSE of the distance (m)</source>
+        <translation>距離のRMSE (m)</translation>
     </message>
     <message>
-        <source>Off without itself, m</source>
-        <translation type="unfinished"></translation>
+        <source>95th percentile of the distance (m)</source>
+        <translation>距離の95パーセンタイル (m)</translation>
     </message>
     <message>
-        <source>Before and after: mean distance of the set's pairs from the reference. Off without itself: how far the set would lie from the reference if it were not used, which is more than what to expect halfway between sets.</source>
-        <translation type="unfinished"></translation>
+        <source>maximum distance (m)</source>
+        <translation>最大距離 (m)</translation>
     </message>
     <message>
-        <source>Correction to the heading with its sigma.</source>
-        <translation type="unfinished"></translation>
+        <source>points within the error, 0 to 1</source>
+        <translation>許容誤差内の点の割合、0～1</translation>
     </message>
     <message>
-        <source>Height of the origin above the ground, m</source>
-        <translation type="unfinished"></translation>
+        <source>residual (m)</source>
+        <translation>残差 (m)</translation>
     </message>
     <message>
-        <source>Samples along the course</source>
-        <translation type="unfinished"></translation>
+        <source>error east, before (m)</source>
+        <translation>東方向の誤差、補正前 (m)</translation>
     </message>
     <message>
-        <source>left out, they stand out of their neighbours</source>
-        <translation type="unfinished"></translation>
+        <source>error north, before (m)</source>
+        <translation>北方向の誤差、補正前 (m)</translation>
     </message>
     <message>
-        <source>Share of the course with a ground</source>
-        <translation type="unfinished"></translation>
+        <source>error up, before (m)</source>
+        <translation>高さの誤差、補正前 (m)</translation>
     </message>
     <message>
-        <source>Distance from the ground before, root mean square, m</source>
-        <translation type="unfinished"></translation>
+        <source>error in plan, before (m)</source>
+        <translation>水平誤差、補正前 (m)</translation>
     </message>
     <message>
-        <source>after, m</source>
-        <translation type="unfinished"></translation>
+        <source>error in space, before (m)</source>
+        <translation>三次元誤差、補正前 (m)</translation>
     </message>
     <message>
-        <source>Sigma of a sample, m</source>
-        <translation type="unfinished"></translation>
+        <source>error east, after (m)</source>
+        <translation>東方向の誤差、補正後 (m)</translation>
     </message>
     <message>
-        <source>Sigma of the heights, mean, m</source>
-        <translation type="unfinished"></translation>
+        <source>error north, after (m)</source>
+        <translation>北方向の誤差、補正後 (m)</translation>
     </message>
     <message>
-        <source>maximum, m</source>
-        <translation type="unfinished"></translation>
+        <source>error up, after (m)</source>
+        <translation>高さの誤差、補正後 (m)</translation>
     </message>
     <message>
-        <source>Correction to the height with its sigma, and the samples of the ground.</source>
-        <translation type="unfinished"></translation>
+        <source>error in plan, after (m)</source>
+        <translation>水平誤差、補正後 (m)</translation>
     </message>
     <message>
-        <source>The sigma of the tie points was found from how well they fit each other. An error that they share, such as that of the reference, is not in it nor in the sigmas of the epochs.</source>
-        <translation type="unfinished"></translation>
+        <source>error in space, after (m)</source>
+        <translation>三次元誤差、補正後 (m)</translation>
     </message>
     <message>
-        <source>Heights</source>
-        <translation type="unfinished"></translation>
+        <source>roofs</source>
+        <translation>屋根</translation>
     </message>
     <message>
-        <source>Heading correction</source>
-        <translation type="unfinished"></translation>
+        <source>parts</source>
+        <translation>部分</translation>
     </message>
     <message>
-        <source>ground says</source>
-        <translation type="unfinished"></translation>
+        <source>height of the base (m)</source>
+        <translation>底面の標高 (m)</translation>
     </message>
     <message>
-        <source>taken</source>
-        <translation type="unfinished"></translation>
+        <source>height of the ground (m)</source>
+        <translation>地表の標高 (m)</translation>
     </message>
     <message>
-        <source>sets</source>
-        <translation type="unfinished"></translation>
+        <source>height of the top (m)</source>
+        <translation>上端の標高 (m)</translation>
     </message>
     <message>
-        <source>used</source>
-        <translation type="unfinished"></translation>
+        <source>height of the ground face (m)</source>
+        <translation>底面の高さ (m)</translation>
     </message>
     <message>
-        <source>used; its pairs lie too close together, as seen from the vehicle, to tell the heading</source>
-        <translation type="unfinished"></translation>
+        <source>share without points, 0 to 1</source>
+        <translation>点のない割合、0～1</translation>
     </message>
     <message>
-        <source>used, but far from where the other sets put it: check it</source>
-        <translation type="unfinished"></translation>
+        <source>points far from the model, 0 to 1</source>
+        <translation>モデルから離れた点の割合、0～1</translation>
     </message>
     <message>
-        <source>left out: the other sets put it elsewhere</source>
-        <translation type="unfinished"></translation>
+        <source>level of detail</source>
+        <translation>詳細度</translation>
     </message>
     <message>
-        <source>left out: its pairs do not fit each other</source>
-        <translation type="unfinished"></translation>
+        <source>kind of roof</source>
+        <translation>屋根の種別</translation>
     </message>
     <message>
-        <source>left out: the paper's method needs two pairs</source>
-        <translation type="unfinished"></translation>
+        <source>kind of surface</source>
+        <translation>面の種別</translation>
     </message>
     <message>
-        <source>relative</source>
-        <translation type="unfinished"></translation>
+        <source>valid solid</source>
+        <translation>有効な立体</translation>
     </message>
     <message>
-        <source>iterative</source>
-        <translation type="unfinished"></translation>
+        <source>watertight</source>
+        <translation>水密</translation>
     </message>
     <message>
-        <source>paper</source>
-        <translation type="unfinished"></translation>
+        <source>triangles</source>
+        <translation>三角形</translation>
     </message>
     <message>
-        <source>best estimate of the drift from all tie points together</source>
-        <translation type="unfinished"></translation>
+        <source>surfaces</source>
+        <translation>面</translation>
     </message>
     <message>
-        <source>relative motions adjusted between sets, closed form (Z 3.1)</source>
-        <translation type="unfinished"></translation>
+        <source>lowest roof above the ground (m)</source>
+        <translation>最も低い屋根の地上高 (m)</translation>
     </message>
     <message>
-        <source>relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)</source>
-        <translation type="unfinished"></translation>
+        <source>roof height above the ground, half of the area below (m)</source>
+        <translation>屋根の地上高（面積の半分がこれより低い） (m)</translation>
     </message>
     <message>
-        <source>Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)</source>
-        <translation type="unfinished"></translation>
+        <source>roof height above the ground, 70 % of the area below (m)</source>
+        <translation>屋根の地上高（面積の70 %がこれより低い） (m)</translation>
     </message>
     <message>
-        <source>Their intensities follow the curves of the scanners.</source>
-        <translation type="unfinished"></translation>
+        <source>highest roof above the ground (m)</source>
+        <translation>最も高い屋根の地上高 (m)</translation>
     </message>
     <message>
-        <source>Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b (1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).</source>
-        <translation type="unfinished"></translation>
+        <source>volume at LOD 1.2 (m³)</source>
+        <translation>LOD 1.2の体積 (m³)</translation>
     </message>
     <message>
-        <source>Files</source>
-        <translation type="unfinished"></translation>
+        <source>volume at LOD 1.3 (m³)</source>
+        <translation>LOD 1.3の体積 (m³)</translation>
     </message>
     <message>
-        <source>Outside the trajectory's time</source>
-        <translation type="unfinished"></translation>
+        <source>volume at LOD 2.2 (m³)</source>
+        <translation>LOD 2.2の体積 (m³)</translation>
     </message>
     <message>
-        <source>Measured while standing (left out)</source>
-        <translation type="unfinished"></translation>
+        <source>area of the ground face (m²)</source>
+        <translation>底面の面積 (m²)</translation>
     </message>
     <message>
-        <source>Within range of the vehicle</source>
-        <translation type="unfinished"></translation>
+        <source>area of flat roofs (m²)</source>
+        <translation>陸屋根の面積 (m²)</translation>
     </message>
     <message>
-        <source>On the ground</source>
-        <translation type="unfinished"></translation>
+        <source>area of sloped roofs (m²)</source>
+        <translation>勾配屋根の面積 (m²)</translation>
     </message>
     <message>
-        <source>Ground told by</source>
-        <translation type="unfinished"></translation>
+        <source>area of outer walls (m²)</source>
+        <translation>外壁の面積 (m²)</translation>
     </message>
     <message>
-        <source>Ground within R2</source>
-        <translation type="unfinished"></translation>
+        <source>area of party walls (m²)</source>
+        <translation>界壁の面積 (m²)</translation>
     </message>
     <message>
-        <source>Share of marking points among these, %</source>
-        <translation type="unfinished"></translation>
+        <source>storeys, estimated</source>
+        <translation>推定階数</translation>
     </message>
     <message>
-        <source>Contrast of paint to the ground beside it (median)</source>
-        <translation type="unfinished"></translation>
+        <source>date of the data</source>
+        <translation>データの日付</translation>
     </message>
     <message>
-        <source>Path with markings, %</source>
-        <translation type="unfinished"></translation>
+        <source>attributes of the file</source>
+        <translation>ファイルの属性</translation>
     </message>
     <message>
-        <source>Scatter of the ground's heights, m</source>
-        <translation type="unfinished"></translation>
+        <source>shift east (m)</source>
+        <translation>東方向のずれ (m)</translation>
     </message>
     <message>
-        <source>Reference intensity</source>
-        <translation type="unfinished"></translation>
+        <source>shift north (m)</source>
+        <translation>北方向のずれ (m)</translation>
     </message>
     <message>
-        <source>cloth filter</source>
-        <translation type="unfinished"></translation>
+        <source>standard deviation of the shift (m)</source>
+        <translation>ずれの標準偏差 (m)</translation>
     </message>
     <message>
-        <source>Lasers told apart by</source>
-        <translation type="unfinished"></translation>
+        <source>status of the shift</source>
+        <translation>ずれの状態</translation>
     </message>
     <message>
-        <source>Lasers (of the angle: bins of 0.1 degrees) used</source>
-        <translation type="unfinished"></translation>
+        <source>open ground, 0 to 1</source>
+        <translation>開けた地面の割合、0～1</translation>
     </message>
     <message>
-        <source>Left out (no signal or too much scatter)</source>
-        <translation type="unfinished"></translation>
+        <source>RMS of the edge (m)</source>
+        <translation>辺のRMS (m)</translation>
     </message>
     <message>
-        <source>Smallest gain</source>
-        <translation type="unfinished"></translation>
+        <source>outer walls</source>
+        <translation>外壁</translation>
     </message>
     <message>
-        <source>Largest gain</source>
-        <translation type="unfinished"></translation>
+        <source>walls moved</source>
+        <translation>移動した壁面</translation>
     </message>
     <message>
-        <source>Scatter on even ground before, %</source>
-        <translation type="unfinished"></translation>
+        <source>length on measured walls, 0 to 1</source>
+        <translation>計測壁面上の長さの割合、0～1</translation>
     </message>
     <message>
-        <source>After, %</source>
-        <translation type="unfinished"></translation>
+        <source>mean offset (m)</source>
+        <translation>平均オフセット (m)</translation>
     </message>
     <message>
-        <source>Asphalt's intensity in bins of 0.25 m (dots; grey: not used), the fitted curve as it is applied (line), R1 and R2.</source>
-        <translation type="unfinished"></translation>
+        <source>maximum offset (m)</source>
+        <translation>最大オフセット (m)</translation>
     </message>
     <message>
-        <source>C (floor)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A (at 1 m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>b (fall)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>d (loss near the scanner), m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Shortest range, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>I_M (largest intensity of asphalt)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>I_m (smallest)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>I_ref</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bins used</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Residual of the bins (robust), %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scatter of single asphalt points, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Range, m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Asphalt</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Curve</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Difference, %</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Used</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>registered</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not to be trusted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>weak</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ambiguous</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no markings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not converged</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Registration of a mobile survey</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations include what the reference itself is off by.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> Heights, roll and pitch were not touched.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Correction of the reported positions</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Correction of the reported angles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Windows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Length of the window of each patch: as long as it needs for enough markings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Share of a window's marking points that lie on reference markings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>from time (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to time (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>why</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>largest sigma (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Markings before and after</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Marking points of the survey over the </source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>aerial image</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>reference markings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No part of the path is registered: the result is as reported. Check that the reference is of the same place, and its date.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Each patch is moved by its own window, as in the paper: between patches there are steps, nothing is bridged, and patches that are not to be trusted are moved all the same.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Distance of each window's own correction from the smooth one, in plan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>window length</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>overlap</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>windows</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Empty</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Failed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Kept from an earlier run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Buffer (m)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time of all tiles (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Processor time of all tiles (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slowest tile (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Greatest memory of a process (MB)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disk of the results (MB)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tiles: done green, empty grey, failed red, not done white. North is up.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>time of a tile (s)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How long the tiles took.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>placed, σ up to 5 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>placed, σ above 5 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>residual below 2 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2 to 5 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>5 cm and more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ok</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>error exceeded</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>ground assumed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>small</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>few points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>part of the plan without points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>part of the outline without model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>low</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>lost roofs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>points not explained</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>simplified</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>plain block</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not modelled (see table)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>outer wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>inner wall</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>error below 3 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>3 to 10 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>10 to 30 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>more than 30 cm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>seen well</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>seen in part</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rough</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>inside the outline</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>textured</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not seen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>agree to half a pixel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>displaced by heights</source>
-        <translation type="unfinished"></translation>
+        <source>change of the volume (m³)</source>
+        <translation>体積の変化 (m³)</translation>
     </message>
     <message>
         <source>walls adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面を調整</translation>
+    </message>
+    <message>
+        <source>largest move of a wall (m)</source>
+        <translation>壁面の最大移動量 (m)</translation>
+    </message>
+    <message>
+        <source>normal, east</source>
+        <translation>法線、東成分</translation>
+    </message>
+    <message>
+        <source>normal, north</source>
+        <translation>法線、北成分</translation>
+    </message>
+    <message>
+        <source>normal, up</source>
+        <translation>法線、上成分</translation>
+    </message>
+    <message>
+        <source>spread between passes (m)</source>
+        <translation>走行間のばらつき (m)</translation>
+    </message>
+    <message>
+        <source>hidden by what stands in front, 0 to 1</source>
+        <translation>手前の物に隠れた割合、0～1</translation>
+    </message>
+    <message>
+        <source>openings, 0 to 1</source>
+        <translation>開口部の割合、0～1</translation>
+    </message>
+    <message>
+        <source>filled gaps, 0 to 1</source>
+        <translation>補間した欠損の割合、0～1</translation>
+    </message>
+    <message>
+        <source>turn (°)</source>
+        <translation>回転 (°)</translation>
+    </message>
+    <message>
+        <source>share seen, 0 to 1</source>
+        <translation>見えた割合、0～1</translation>
+    </message>
+    <message>
+        <source>pixel on the facade (m)</source>
+        <translation>壁面上の画素寸法 (m)</translation>
+    </message>
+    <message>
+        <source>height of the lower edge (m)</source>
+        <translation>下端の標高 (m)</translation>
+    </message>
+    <message>
+        <source>height of the upper edge (m)</source>
+        <translation>上端の標高 (m)</translation>
+    </message>
+    <message>
+        <source>height of the foot (m)</source>
+        <translation>下端の高さ (m)</translation>
+    </message>
+    <message>
+        <source>moved by (m)</source>
+        <translation>移動量 (m)</translation>
+    </message>
+    <message>
+        <source>observations</source>
+        <translation>観測値数</translation>
+    </message>
+    <message>
+        <source>signals</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>observations neither delayed nor outliers, 0 to 1</source>
+        <translation>遅延でも外れ値でもない観測の割合、0～1</translation>
+    </message>
+    <message>
+        <source>satellites</source>
+        <translation>衛星数</translation>
+    </message>
+    <message>
+        <source>GLONASS</source>
+        <translation>GLONASS</translation>
+    </message>
+    <message>
+        <source>Galileo</source>
+        <translation>Galileo</translation>
+    </message>
+    <message>
+        <source>BeiDou</source>
+        <translation>BeiDou</translation>
+    </message>
+    <message>
+        <source>QZSS</source>
+        <translation>QZSS</translation>
+    </message>
+    <message>
+        <source>satellites above the mask</source>
+        <translation>仰角マスク以上の衛星数</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>走行</translation>
+    </message>
+    <message>
+        <source>system</source>
+        <translation>衛星系</translation>
+    </message>
+    <message>
+        <source>class is sure</source>
+        <translation>分類が確実</translation>
+    </message>
+    <message>
+        <source>elevation (°)</source>
+        <translation>仰角 (°)</translation>
+    </message>
+    <message>
+        <source>C/N0 (dB-Hz)</source>
+        <translation>C/N0 (dB-Hz)</translation>
+    </message>
+    <message>
+        <source>excess path, predicted (m)</source>
+        <translation>予測した経路超過 (m)</translation>
+    </message>
+    <message>
+        <source>residual less prediction (m)</source>
+        <translation>残差と予測の差 (m)</translation>
+    </message>
+    <message>
+        <source>walls that may reflect</source>
+        <translation>反射し得る壁面</translation>
+    </message>
+    <message>
+        <source>contrast (grey values)</source>
+        <translation>コントラスト（階調）</translation>
+    </message>
+    <message>
+        <source>length without paint that should be there (m)</source>
+        <translation>塗装があるはずで無い長さ (m)</translation>
+    </message>
+    <message>
+        <source>dash and gap together (m)</source>
+        <translation>塗装と間隔の合計 (m)</translation>
+    </message>
+    <message>
+        <source>length of a dash (m)</source>
+        <translation>塗装部分の長さ (m)</translation>
+    </message>
+    <message>
+        <source>begin and end of the dashes (m)</source>
+        <translation>塗装部分の始点と終点 (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation along the road (m)</source>
+        <translation>道路方向の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation across the road (m)</source>
+        <translation>道路直交方向の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>measured share of the line, 0 to 1</source>
+        <translation>線の実測割合、0～1</translation>
+    </message>
+    <message>
+        <source>gap to the next part (m)</source>
+        <translation>次の部分までの間隔 (m)</translation>
+    </message>
+    <message>
+        <source>arrows</source>
+        <translation>矢印</translation>
+    </message>
+    <message>
+        <source>lanes that follow</source>
+        <translation>次の車線</translation>
+    </message>
+    <message>
+        <source>lane on the left</source>
+        <translation>左の車線</translation>
+    </message>
+    <message>
+        <source>lane on the right</source>
+        <translation>右の車線</translation>
+    </message>
+    <message>
+        <source>oncoming lane beside</source>
+        <translation>隣の対向車線</translation>
+    </message>
+    <message>
+        <source>stop lines</source>
+        <translation>停止線</translation>
+    </message>
+    <message>
+        <source>crosswalks</source>
+        <translation>横断歩道</translation>
+    </message>
+    <message>
+        <source>speed limit (km/h)</source>
+        <translation>制限速度 (km/h)</translation>
+    </message>
+    <message>
+        <source>double line</source>
+        <translation>二重線</translation>
+    </message>
+    <message>
+        <source>lanes that have it</source>
+        <translation>この線をもつ車線</translation>
+    </message>
+    <message>
+        <source>along the road, by walls (m)</source>
+        <translation>道路方向、壁面による (m)</translation>
+    </message>
+    <message>
+        <source>across the road, by walls (m)</source>
+        <translation>道路直交方向、壁面による (m)</translation>
+    </message>
+    <message>
+        <source>heading, by walls (°)</source>
+        <translation>方位、壁面による (°)</translation>
+    </message>
+    <message>
+        <source>along the road, by markings (m)</source>
+        <translation>道路方向、路面標示による (m)</translation>
+    </message>
+    <message>
+        <source>across the road, by markings (m)</source>
+        <translation>道路直交方向、路面標示による (m)</translation>
+    </message>
+    <message>
+        <source>heading, by markings (°)</source>
+        <translation>方位、路面標示による (°)</translation>
+    </message>
+    <message>
+        <source>along the road, by satellites (m)</source>
+        <translation>道路方向、衛星による (m)</translation>
+    </message>
+    <message>
+        <source>across the road, by satellites (m)</source>
+        <translation>道路直交方向、衛星による (m)</translation>
+    </message>
+    <message>
+        <source>heading, by satellites (°)</source>
+        <translation>方位、衛星による (°)</translation>
+    </message>
+    <message>
+        <source>error ellipse, semi-major axis (m)</source>
+        <translation>誤差楕円の長半径 (m)</translation>
+    </message>
+    <message>
+        <source>error ellipse, semi-minor axis (m)</source>
+        <translation>誤差楕円の短半径 (m)</translation>
+    </message>
+    <message>
+        <source>weakest direction (°)</source>
+        <translation>最も弱い方向 (°)</translation>
+    </message>
+    <message>
+        <source>probability of other places, 0 to 1</source>
+        <translation>他の場所である確率、0～1</translation>
+    </message>
+    <message>
+        <source>distance of the likeliest other place (m)</source>
+        <translation>最も紛らわしい場所までの距離 (m)</translation>
+    </message>
+    <message>
+        <source>direction of the likeliest other place (°)</source>
+        <translation>最も紛らわしい場所の方向 (°)</translation>
+    </message>
+    <message>
+        <source>horizon with a wall, 0 to 1</source>
+        <translation>壁面がある水平方向の割合、0～1</translation>
+    </message>
+    <message>
+        <source>sky hidden by buildings, 0 to 1</source>
+        <translation>建物に隠れた天空の割合、0～1</translation>
+    </message>
+    <message>
+        <source>walls from the plane of their cell, RMS (m)</source>
+        <translation>セルの平面からの壁面のずれ、RMS (m)</translation>
+    </message>
+    <message>
+        <source>points where two surfaces meet, 0 to 1</source>
+        <translation>二つの面が接する点の割合、0～1</translation>
+    </message>
+    <message>
+        <source>first image</source>
+        <translation>一枚目の画像</translation>
+    </message>
+    <message>
+        <source>second image</source>
+        <translation>二枚目の画像</translation>
+    </message>
+    <message>
+        <source>median of the pair, east (m)</source>
+        <translation>組の中央値、東方向 (m)</translation>
+    </message>
+    <message>
+        <source>median of the pair, north (m)</source>
+        <translation>組の中央値、北方向 (m)</translation>
+    </message>
+    <message>
+        <source>median of the pair (m)</source>
+        <translation>組の中央値 (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation of the median (m)</source>
+        <translation>中央値の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>places compared</source>
+        <translation>比較した箇所</translation>
+    </message>
+    <message>
+        <source>pairs</source>
+        <translation>対応点</translation>
+    </message>
+    <message>
+        <source>distance before (m)</source>
+        <translation>補正前の距離 (m)</translation>
+    </message>
+    <message>
+        <source>distance after (m)</source>
+        <translation>補正後の距離 (m)</translation>
+    </message>
+    <message>
+        <source>misfit within the set (m)</source>
+        <translation>組の中の不一致 (m)</translation>
+    </message>
+    <message>
+        <source>off without itself (m)</source>
+        <translation>一つ抜き残差 (m)</translation>
+    </message>
+    <message>
+        <source>corners shifted likewise</source>
+        <translation>同様にずれた角</translation>
+    </message>
+    <message>
+        <source>RMS of the walls (m)</source>
+        <translation>壁面のRMS (m)</translation>
+    </message>
+    <message>
+        <source>length of the window (m)</source>
+        <translation>ウィンドウの長さ (m)</translation>
+    </message>
+    <message>
+        <source>cells with paint</source>
+        <translation>塗装のあるセル</translation>
+    </message>
+    <message>
+        <source>paint on the reference, 0 to 1</source>
+        <translation>基準上にある塗装の割合、0～1</translation>
+    </message>
+    <message>
+        <source>lead over other places (log-likelihood)</source>
+        <translation>他の場所に対する優位（対数尤度）</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>パラメータ</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>単位</translation>
+    </message>
+    <message>
+        <source>time taken (s)</source>
+        <translation>所要時間 (s)</translation>
+    </message>
+    <message>
+        <source>memory (MB)</source>
+        <translation>メモリ (MB)</translation>
+    </message>
+    <message>
+        <source>height of the roof (m)</source>
+        <translation>屋根の標高 (m)</translation>
+    </message>
+    <message>
+        <source>length without a line (m)</source>
+        <translation>線のない長さ (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation across (m)</source>
+        <translation>直交方向の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>height above the road (m)</source>
+        <translation>路面からの高さ (m)</translation>
+    </message>
+    <message>
+        <source>width of the stroke (m)</source>
+        <translation>線の幅 (m)</translation>
+    </message>
+    <message>
+        <source>direction of reading (°)</source>
+        <translation>読む方向 (°)</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>進行方向</translation>
+    </message>
+    <message>
+        <source>not seen, nothing in front, 0 to 1</source>
+        <translation>手前に何もないのに見えない割合、0～1</translation>
+    </message>
+    <message>
+        <source>before the outline (m)</source>
+        <translation>外周線より手前 (m)</translation>
+    </message>
+    <message>
+        <source>offset from the model (m)</source>
+        <translation>モデルからのオフセット (m)</translation>
+    </message>
+    <message>
+        <source>offset outwards (m)</source>
+        <translation>外側へのオフセット (m)</translation>
+    </message>
+    <message>
+        <source>distance of the nearest antenna (m)</source>
+        <translation>最も近いアンテナの距離 (m)</translation>
+    </message>
+    <message>
+        <source>residual less the receiver clock (m)</source>
+        <translation>受信機時計を除いた残差 (m)</translation>
+    </message>
+    <message>
+        <source>azimuth from grid north (°)</source>
+        <translation>格子北からの方位角 (°)</translation>
+    </message>
+    <message>
+        <source>wall: edge of the outline</source>
+        <translation>壁面：外周線の辺</translation>
+    </message>
+    <message>
+        <source>correction east (m)</source>
+        <translation>補正量、東 (m)</translation>
+    </message>
+    <message>
+        <source>correction north (m)</source>
+        <translation>補正量、北 (m)</translation>
+    </message>
+    <message>
+        <source>correction up (m)</source>
+        <translation>補正量、上 (m)</translation>
+    </message>
+    <message>
+        <source>correction of the roll (°)</source>
+        <translation>ロールの補正量 (°)</translation>
+    </message>
+    <message>
+        <source>correction of the pitch (°)</source>
+        <translation>ピッチの補正量 (°)</translation>
+    </message>
+    <message>
+        <source>correction of the heading (°)</source>
+        <translation>方位の補正量 (°)</translation>
+    </message>
+    <message>
+        <source>score of the window (log-likelihood)</source>
+        <translation>ウィンドウの評価値（対数尤度）</translation>
+    </message>
+    <message>
+        <source>weight of its own evidence, 0 to 1</source>
+        <translation>自身の観測の重み、0～1</translation>
+    </message>
+    <message>
+        <source>correction in plan (m)</source>
+        <translation>水平補正量 (m)</translation>
+    </message>
+    <message>
+        <source>correction, in the unit beside</source>
+        <translation>補正量（単位は隣の列）</translation>
+    </message>
+    <message>
+        <source>standard deviation, in the unit beside</source>
+        <translation>標準偏差（単位は隣の列）</translation>
+    </message>
+    <message>
+        <source>standard deviation in plan (m)</source>
+        <translation>水平の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>own correction less the smooth one (m)</source>
+        <translation>自身の補正量と平滑化後の差 (m)</translation>
+    </message>
+    <message>
+        <source>marking points</source>
+        <translation>路面標示の点</translation>
+    </message>
+    <message>
+        <source>residual east (m)</source>
+        <translation>残差、東 (m)</translation>
+    </message>
+    <message>
+        <source>residual north (m)</source>
+        <translation>残差、北 (m)</translation>
+    </message>
+    <message>
+        <source>residual up (m)</source>
+        <translation>残差、上 (m)</translation>
+    </message>
+    <message>
+        <source>residual in plan (m)</source>
+        <translation>水平残差 (m)</translation>
+    </message>
+    <message>
+        <source>shift (m)</source>
+        <translation>ずれ (m)</translation>
+    </message>
+    <message>
+        <source>standard deviation of one place (m)</source>
+        <translation>一箇所の標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>survey to reference (m)</source>
+        <translation>計測から基準まで (m)</translation>
+    </message>
+    <message>
+        <source>laser rays on walls</source>
+        <translation>壁面に当たるレーザ光線</translation>
+    </message>
+    <message>
+        <source>satellites in line of sight</source>
+        <translation>見通し内の衛星数</translation>
+    </message>
+    <message>
+        <source>heading of the road (°)</source>
+        <translation>道路の方位 (°)</translation>
+    </message>
+    <message>
+        <source>height of the building (m)</source>
+        <translation>建物の高さ (m)</translation>
+    </message>
+    <message>
+        <source>height above the base (m)</source>
+        <translation>底面からの高さ (m)</translation>
+    </message>
+    <message>
+        <source>kind of building</source>
+        <translation>建物の種別</translation>
+    </message>
+    <message>
+        <source>id in the GSI data</source>
+        <translation>国土地理院データのID</translation>
+    </message>
+    <message>
+        <source>fid in the GSI data</source>
+        <translation>国土地理院データのfid</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>existing since</source>
+        <translation>存在開始</translation>
+    </message>
+    <message>
+        <source>existing until</source>
+        <translation>存在終了</translation>
+    </message>
+    <message>
+        <source>date of the survey</source>
+        <translation>測量日</translation>
+    </message>
+    <message>
+        <source>scale of the source map (1 : n)</source>
+        <translation>原図の縮尺（1 : n）</translation>
+    </message>
+    <message>
+        <source>source’s metadata</source>
+        <translation>元データのメタデータ</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Add files…</source>
+        <translation>ファイルを追加…</translation>
+    </message>
+    <message>
+        <source>{0} files</source>
+        <translation>{0}ファイル</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名前</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>独自</translation>
+    </message>
+    <message>
+        <source>How it works</source>
+        <translation>処理の仕組み</translation>
+    </message>
+    <message>
+        <source>Installing Python packages for UrbanMap</source>
+        <translation>UrbanMap用Pythonパッケージのインストール</translation>
+    </message>
+    <message>
+        <source>UrbanMap: Python packages</source>
+        <translation>UrbanMap: Pythonパッケージ</translation>
+    </message>
+    <message>
+        <source>Install</source>
+        <translation>インストール</translation>
+    </message>
+    <message>
+        <source>All Python packages that UrbanMap needs are there.</source>
+        <translation>UrbanMapに必要なPythonパッケージはすべて揃っています。</translation>
+    </message>
+    <message>
+        <source>The packages are installed; the algorithms can be used now.</source>
+        <translation>パッケージをインストールしました。アルゴリズムを使用できます。</translation>
+    </message>
+    <message>
+        <source>Missing: {0}. They are installed into a folder of the QGIS profile; what QGIS brought with it stays as it is.</source>
+        <translation>不足: {0}。QGISプロファイルのフォルダにインストールされます。QGIS付属のものは変更されません。</translation>
+    </message>
+    <message>
+        <source>Still missing: {0}. Restart QGIS and look again.</source>
+        <translation>まだ不足しています: {0}。QGISを再起動して再確認してください。</translation>
+    </message>
+    <message>
+        <source>The feature has no polygon.</source>
+        <translation>地物にポリゴンがありません。</translation>
+    </message>
+    <message>
+        <source>The polygon was invalid and was repaired ({0}).</source>
+        <translation>ポリゴンが不正だったため修復しました（{0}）。</translation>
+    </message>
+    <message>
+        <source>{0}: none of the {1} features has a polygon; choose a polygon layer.</source>
+        <translation>{0}: 地物{1}件のいずれにもポリゴンがありません。ポリゴンレイヤを選択してください。</translation>
+    </message>
+    <message>
+        <source>{0}: there are no polygons to work on; check the layer and its filter.</source>
+        <translation>{0}: 処理対象のポリゴンがありません。レイヤとフィルタを確認してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} of {2} polygons are empty, or invalid and were repaired (feature ids {3}{4}).</source>
+        <translation>{0}: ポリゴン{2}件中{1}件が空か、不正のため修復されました（地物id {3}{4}）。</translation>
+    </message>
+    <message>
+        <source>{0}: the folder {1} does not exist or cannot be written; choose another output.</source>
+        <translation>{0}: フォルダ{1}がないか、書き込めません。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written; choose another output.</source>
+        <translation>{0}に書き込めません。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written ({1}); close the program that has it open.</source>
+        <translation>{0}に書き込めません（{1}）。ファイルを開いているプログラムを閉じてください。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written: {1}</source>
+        <translation>{0}に書き込めません: {1}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written to {1}; choose another file.</source>
+        <translation>{0}を{1}に書き込めません。別のファイルを選択してください。</translation>
+    </message>
+    <message>
+        <source>{0} and {1} lie on each other only where x and y of one of them are swapped; swap them in the one that counts x to the north.</source>
+        <translation>{0}と{1}は、一方のxとyを入れ替えた場合にのみ重なります。xが北向きの方のxとyを入れ替えてください。</translation>
+    </message>
+    <message>
+        <source>{0}: the field {1} must hold the buildings' numbers as an earlier step wrote them; remove it.</source>
+        <translation>{0}: フィールド{1}には前の処理が書いた建物番号が必要です。このフィールドを削除してください。</translation>
+    </message>
+    <message>
+        <source>{0}: some {1} is empty; give each building its own, or remove the field.</source>
+        <translation>{0}: {1}に空の値があります。建物ごとに値を付けるか、フィールドを削除してください。</translation>
+    </message>
+    <message>
+        <source>{0} outlines have no usable polygon; their buildings keep their rows.</source>
+        <translation>外周線{0}件に使用できるポリゴンがありません。該当する建物の行は残ります。</translation>
+    </message>
+    <message>
+        <source>{0}: the field {1} must hold numbers; convert it or choose another field.</source>
+        <translation>{0}: フィールド{1}は数値にしてください。変換するか、別のフィールドを選択してください。</translation>
+    </message>
+    <message>
+        <source>{0}: the {1} {2} is there more than once; give each building its own, or remove the field.</source>
+        <translation>{0}: {1} {2}が重複しています。建物ごとに固有の値を付けるか、フィールドを削除してください。</translation>
+    </message>
+    <message>
+        <source>Unknown parameter {0} is ignored; {1}</source>
+        <translation>不明なパラメータ{0}は無視します。{1}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is none of {2}; give one of these words, or its number from 0 on.</source>
+        <translation>{0}: {1}は{2}のいずれでもありません。これらの語のいずれか、または0から始まる番号を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: the name {1} must end in .laz or .las.</source>
+        <translation>{0}: 名前{1}は.lazまたは.lasで終わるように指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: reprojected from {1} to {2}, the system of the points</source>
+        <translation>{0}: {1}から点群の座標系{2}に変換しました</translation>
+    </message>
+    <message>
+        <source>{0}: its longitudes and latitudes seem to be swapped ({1:.3f}, {2:.3f}); swap x and y (“Swap X and Y coordinates” in the toolbox).</source>
+        <translation>{0}: 経度と緯度が入れ替わっているようです（{1:.3f}, {2:.3f}）。xとyを入れ替えてください（ツールボックスの「座標のXY入れ替え」）。</translation>
+    </message>
+    <message>
+        <source>The points' heights are in {0}, which this release of QGIS cannot state in layers; files of city models state it.</source>
+        <translation>点の高さは{0}ですが、この版のQGISではレイヤに記録できません。都市モデルのファイルには記録されます。</translation>
+    </message>
+    <message>
+        <source>result of an earlier step</source>
+        <translation>前の処理の結果</translation>
+    </message>
+    <message>
+        <source>not stated by the inputs</source>
+        <translation>入力に記載なし</translation>
+    </message>
+    <message>
+        <source>UrbanMap</source>
+        <translation>UrbanMap</translation>
+    </message>
+    <message>
+        <source>The style {0} could not be given to {1}: {2}</source>
+        <translation>スタイル{0}を{1}に適用できませんでした: {2}</translation>
+    </message>
+    <message>
+        <source>The style {0} is not saved in {1}: {2}</source>
+        <translation>スタイル{0}は{1}に保存されていません: {2}</translation>
+    </message>
+    <message>
+        <source>{0} cannot be written whole: make room on its disk, and run again.</source>
+        <translation>{0}を最後まで書き込めません。ディスクの空き容量を確保して再実行してください。</translation>
+    </message>
+    <message>
+        <source>The process that worked on this tile was ended, by lack of memory or a fault in a library; make the tiles smaller.</source>
+        <translation>このタイルの処理プロセスが、メモリ不足またはライブラリの不具合により終了しました。タイルを小さくしてください。</translation>
+    </message>
+    <message>
+        <source>There are no points in this tile.</source>
+        <translation>このタイルには点がありません。</translation>
+    </message>
+    <message>
+        <source>{0} Tiles that are whole are kept.</source>
+        <translation>{0} 完成したタイルは保持されます。</translation>
+    </message>
+    <message>
+        <source>There are no outlines in this tile.</source>
+        <translation>このタイルには外周線がありません。</translation>
+    </message>
+    <message>
+        <source>{0} does not reach this tile.</source>
+        <translation>{0}がこのタイルに届いていません。</translation>
+    </message>
+    <message>
+        <source>A fault in the program ({0}: {1}); {2} in the tile's folder tells where.</source>
+        <translation>プログラムの不具合です（{0}: {1}）。箇所はタイルのフォルダの{2}を参照してください。</translation>
+    </message>
+    <message>
+        <source>Nothing was given that says where the tiles are; give point clouds or a raster.</source>
+        <translation>タイルの位置を決める入力がありません。点群またはラスタを指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} is cut into stretches of the drive, not into meshes or sheets: leave out the grid, and give the length of a stretch as the side of a tile.</source>
+        <translation>{0}はメッシュや図郭ではなく走行の区間に分割されます。グリッドの指定を外し、タイルの辺長に区間の長さを指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} are needed to run {1} over tiles; give them.</source>
+        <translation>{1}のタイル処理には{0}が必要です。指定してください。</translation>
+    </message>
+    <message>
+        <source>Settings: “{0}” is no line NAME=VALUE with a parameter of {1}; it has {2}.</source>
+        <translation>設定: 「{0}」は{1}のパラメータのNAME=VALUE形式の行ではありません。使用できるもの: {2}。</translation>
+    </message>
+    <message>
+        <source>Settings: {0} is a parameter of the run itself; give it there.</source>
+        <translation>設定: {0}は実行自体のパラメータです。そちらで指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} ({1}) must be given over tiles, because each tile would choose for itself.</source>
+        <translation>タイル処理では{0}（{1}）の指定が必要です。指定しないとタイルごとに異なる値が選ばれます。</translation>
+    </message>
+    <message>
+        <source>{0} cannot be made tile by tile; make it of the merged layers.</source>
+        <translation>{0}はタイルごとに作成できません。結合後のレイヤから作成してください。</translation>
+    </message>
+    <message>
+        <source>{0} is sorted into tiles.</source>
+        <translation>{0}をタイルに振り分けています。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.</source>
+        <translation>{0}: {1}はCSV、SBET、点レイヤのいずれでもありません。ファイルを確認してください。</translation>
+    </message>
+    <message>
+        <source>A worker ended before its work was done, for lack of memory or because Python could not start it; run again with one worker.</source>
+        <translation>ワーカーが、メモリ不足またはPythonを起動できないため処理完了前に終了しました。ワーカー1つで再実行してください。</translation>
+    </message>
+    <message>
+        <source>No wall was moved: the observations do not decide; the field “reason” of the walls tells why.</source>
+        <translation>移動した壁面はありません。観測値では判定できません。理由は壁面のフィールド「reason」を参照してください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} walls were adjusted.</source>
+        <translation>壁面{1}件中{0}件を調整しました。</translation>
+    </message>
+    <message>
+        <source>{0} observations left out: {1}</source>
+        <translation>観測値{0}件を除外: {1}</translation>
+    </message>
+    <message>
+        <source>{0}: no file was given.</source>
+        <translation>{0}: ファイルが指定されていません。</translation>
+    </message>
+    <message>
+        <source>{0}: the layer has no field {1}.</source>
+        <translation>{0}: レイヤにフィールド{1}がありません。</translation>
+    </message>
+    <message>
+        <source>{0}: give three numbers, such as 0.5, 0, -1.8.</source>
+        <translation>{0}: 0.5, 0, -1.8のように3つの数値を指定してください。</translation>
+    </message>
+    <message>
+        <source>Give a trajectory, or a time for an area.</source>
+        <translation>軌跡を指定するか、範囲に対する時刻を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: a raster is made of an area only; leave out the trajectory or it.</source>
+        <translation>{0}: ラスタは範囲に対してのみ作成されます。軌跡かラスタのどちらかの指定を外してください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} places lie inside buildings and have no number.</source>
+        <translation>地点{1}か所中{0}か所は建物内のため数値がありません。</translation>
+    </message>
+    <message>
+        <source>None of the {0} facades is seen in an image, so that there is no result: check that building models, trajectory and images are of one place.</source>
+        <translation>壁面{0}件のいずれも画像に写っていないため、結果がありません。建物モデル、軌跡、画像が同じ場所のものか確認してください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} facades have no texture; the field “reason” of the layer of facades tells why.</source>
+        <translation>壁面{1}件中{0}件にテクスチャがありません。理由は壁面レイヤのフィールド「reason」を参照してください。</translation>
+    </message>
+    <message>
+        <source>The coordinate reference system is not known: the point cloud is written without one.</source>
+        <translation>座標参照系が不明です。点群は座標参照系なしで書き出されます。</translation>
+    </message>
+    <message>
+        <source>Scanner {0}: {1} points</source>
+        <translation>スキャナ{0}: {1}点</translation>
+    </message>
+    <message>
+        <source>{0} returns were measured outside the trajectory or in a gap of it and are left out.</source>
+        <translation>反射信号{0}件は、軌跡の範囲外または欠測区間で計測されたため除外しました。</translation>
+    </message>
+    <message>
+        <source>No image was given; give line images, frames or an orthophoto.</source>
+        <translation>画像が指定されていません。ライン画像、空中写真、オルソ画像のいずれかを指定してください。</translation>
+    </message>
+    <message>
+        <source>No image was given; give line images or frames.</source>
+        <translation>画像が指定されていません。ライン画像または空中写真を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: is needed for these images; give it.</source>
+        <translation>{0}: これらの画像に必要です。指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} of {1} outlines could not be measured; the field “reason” tells why.</source>
+        <translation>外周線{1}件中{0}件は計測できませんでした。理由はフィールド「reason」を参照してください。</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw; give laser points, or models or lines.</source>
+        <translation>描画するものがありません。レーザ点群、モデル、線のいずれかを指定してください。</translation>
+    </message>
+    <message>
+        <source>Nothing lies in {0} of {1} images: {2}.</source>
+        <translation>画像{1}枚中{0}枚には何も写りません: {2}。</translation>
+    </message>
+    <message>
+        <source>{0} was given, but not {1}; give both.</source>
+        <translation>{0}が指定されていますが、{1}がありません。両方を指定してください。</translation>
+    </message>
+    <message>
+        <source>The tie points have neither columns x_mms,y_mms,x_ref,y_ref nor lines from survey to reference.</source>
+        <translation>タイポイントに列x_mms,y_mms,x_ref,y_refがなく、計測から基準への線もありません。</translation>
+    </message>
+    <message>
+        <source>The height of the origin above the ground was not given: the mean height stays as reported ({0:.2f} m above the ground).</source>
+        <translation>原点の地上高が指定されていません。平均の高さは補正前のままです（地上{0:.2f} m）。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} would be written over another trajectory; choose another folder.</source>
+        <translation>{0}: {1}が別の軌跡を上書きします。別のフォルダを選択してください。</translation>
+    </message>
+    <message>
+        <source>Corrected image poses are wanted, but no image poses are given.</source>
+        <translation>補正後の画像の位置姿勢が求められていますが、画像の位置姿勢が指定されていません。</translation>
+    </message>
+    <message>
+        <source>as reported</source>
+        <translation>補正前</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>補正後</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is neither a raster nor a polygon layer; check the file.</source>
+        <translation>{0}: {1}はラスタでもポリゴンレイヤでもありません。ファイルを確認してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is neither a raster nor a polygon layer; choose another one.</source>
+        <translation>{0}: {1}はラスタでもポリゴンレイヤでもありません。別のものを選択してください。</translation>
+    </message>
+    <message>
+        <source>Sample city…</source>
+        <translation>サンプル都市…</translation>
+    </message>
+    <message>
+        <source>Documentation</source>
+        <translation>ドキュメント</translation>
+    </message>
+    <message>
+        <source>Install Python packages…</source>
+        <translation>Pythonパッケージのインストール…</translation>
+    </message>
+    <message>
+        <source>The model {0} cannot be loaded.</source>
+        <translation>モデル{0}を読み込めません。</translation>
+    </message>
+    <message>
+        <source>The module {0} cannot be loaded:</source>
+        <translation>モジュール{0}を読み込めません:</translation>
+    </message>
+    <message>
+        <source>Check of a lane map</source>
+        <translation>車線地図の検査</translation>
+    </message>
+    <message>
+        <source>Faults by rule</source>
+        <translation>規則別の不備</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>重大度</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>規則</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>{0} lanelets, {1} errors, {2} warnings. Where errors are, the map cannot be loaded or routed; warnings are worth a look.</source>
+        <translation>lanelet {0}件、エラー{1}件、警告{2}件。エラーのある箇所では地図の読込や経路探索ができません。警告は確認をお勧めします。</translation>
+    </message>
+    <message>
+        <source>Element</source>
+        <translation>要素</translation>
+    </message>
+    <message>
+        <source>{0}: the file holds no lanelets (relations of type lanelet); give a Lanelet2 map.</source>
+        <translation>{0}: ファイルにlanelet（タイプlaneletのrelation）がありません。Lanelet2地図を指定してください。</translation>
+    </message>
+    <message>
+        <source>The first 500 of {0} are shown; the layer holds all.</source>
+        <translation>{0}件のうち最初の500件を表示しています。レイヤにはすべて含まれます。</translation>
+    </message>
+    <message>
+        <source>{0}: no building has a height; give solids or outlines with heights.</source>
+        <translation>{0}: 高さを持つ建物がありません。立体または高さ付きの外周線を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: no feature has an edge; give polygons or lines of markings.</source>
+        <translation>{0}: 辺を持つ地物がありません。路面標示のポリゴンまたは線を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} has no field sigma; give walls whose accuracy was measured.</source>
+        <translation>{0}にフィールドsigmaがありません。精度が計測された壁面を指定してください。</translation>
+    </message>
+    <message>
+        <source>Give buildings, markings or both: there is no map without them.</source>
+        <translation>建物、路面標示、またはその両方を指定してください。これらがないと地図を作成できません。</translation>
+    </message>
+    <message>
+        <source>Give roads or trajectories, not both.</source>
+        <translation>道路か軌跡のどちらか一方を指定してください。</translation>
+    </message>
+    <message>
+        <source>Nothing can be said of any place: see the field status.</source>
+        <translation>どの地点についても判定できません。フィールドstatusを参照してください。</translation>
+    </message>
+    <message>
+        <source>Nothing was simulated: no building has a height.</source>
+        <translation>シミュレーションを行いませんでした。高さを持つ建物がありません。</translation>
+    </message>
+    <message>
+        <source>{0}: satellites need buildings that hide them; give these too.</source>
+        <translation>{0}: 衛星の計算には遮蔽する建物が必要です。建物も指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: scans are simulated of buildings; give these.</source>
+        <translation>{0}: スキャンのシミュレーションには建物が必要です。指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1} of {2} features have no heights and are left out; give the field with the height of their tops.</source>
+        <translation>{0}: 地物{2}件中{1}件に高さがなく、除外しました。上端の高さのフィールドを指定してください。</translation>
+    </message>
+    <message>
+        <source>Length of lanes (m)</source>
+        <translation>車線の長さ (m)</translation>
+    </message>
+    <message>
+        <source>Bounds seen, share</source>
+        <translation>計測された境界線の割合</translation>
+    </message>
+    <message>
+        <source>Median sigma of bounds (m)</source>
+        <translation>境界線のσの中央値 (m)</translation>
+    </message>
+    <message>
+        <source>Driven near the map (m)</source>
+        <translation>地図付近の走行距離 (m)</translation>
+    </message>
+    <message>
+        <source>Of it inside lanes, share</source>
+        <translation>うち車線内の割合</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>地図</translation>
+    </message>
+    <message>
+        <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered.</source>
+        <translation>車線は淡色、交差点内の経路は赤、矢印は進行方向。走行は点線、指摘箇所は番号で示します。</translation>
+    </message>
+    <message>
+        <source>No lane was made: nothing shows the direction of any strip between lines.</source>
+        <translation>車線は作成されませんでした。線の間の帯の方向を示すものがありません。</translation>
+    </message>
+    <message>
+        <source>No trajectory was given: only paint and road axes tell directions, and nothing leads through junctions.</source>
+        <translation>軌跡が指定されていません。方向は路面標示と道路中心線だけから判定され、交差点内の経路はありません。</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>not shown by drives; left assumed</source>
+        <translation>走行なし（左側通行と仮定）</translation>
+    </message>
+    <message>
+        <source>Junctions</source>
+        <translation>交差点</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>種別</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.</source>
+        <translation>車線{0}本（延長{1:.0f} m）、走行された交差点内の経路{2}本。</translation>
+    </message>
+    <message>
+        <source>{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the findings “bound not seen”.</source>
+        <translation>境界線の長さの{0:.0%}は計測されておらず、欠落部を通して描かれています。指摘「境界線の未計測」を参照してください。</translation>
+    </message>
+    <message>
+        <source>Evidence on directions contradicts itself at {0} places.</source>
+        <translation>方向の根拠が{0}か所で矛盾しています。</translation>
+    </message>
+    <message>
+        <source>Direction from: {0} (m)</source>
+        <translation>方向の根拠: {0} (m)</translation>
+    </message>
+    <message>
+        <source>Junction {0}, about {1:.0f}, {2:.0f}</source>
+        <translation>交差点{0}、およそ{1:.0f}, {2:.0f}</translation>
+    </message>
+    <message>
+        <source>The first {0} of {1} are shown; the layer holds all.</source>
+        <translation>{1}件のうち最初の{0}件を表示しています。レイヤにはすべて含まれます。</translation>
+    </message>
+    <message>
+        <source>The map is not connected along the drives at {0} places; see the findings “driven without lane” and “way not drawn”.</source>
+        <translation>地図は走行に沿って{0}か所で接続されていません。指摘「車線のない走行」と「経路の未描画」を参照してください。</translation>
+    </message>
+    <message>
+        <source>No lines.</source>
+        <translation>線がありません。</translation>
+    </message>
+    <message>
+        <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
+        <translation>ポリゴン{0}件から線が見つかりませんでした。メートル単位の路面標示であることを確認し、短い線の場合は最小線長を小さくしてください。</translation>
+    </message>
+    <message>
+        <source>{0} is given but {1} is not: name the GeoPackage that it is to go into.</source>
+        <translation>{0}が指定されていますが、{1}がありません。書き込み先のGeoPackageを指定してください。</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2}</source>
+        <translation>{0}、{1}: {2}</translation>
+    </message>
+    <message>
+        <source>No kerb was found along {0:.0f} m of path: the road has none, or the points are too sparse or too noisy to show steps of a few centimetres.</source>
+        <translation>軌跡{0:.0f} mに沿って縁石が見つかりませんでした。道路に縁石がないか、点が疎またはノイズが大きく、数cmの段差を判別できません。</translation>
+    </message>
+    <message>
+        <source>Without trajectories only arrows and stop lines tell directions: most strips stay findings, and nothing connects lanes through junctions.</source>
+        <translation>軌跡がない場合、方向は矢印と停止線だけから判定されます。帯の多くは指摘のまま残り、交差点内の車線は接続されません。</translation>
+    </message>
+    <message>
+        <source>No lane was made: the drives run beside all lines; check that both are of one place, in one CRS, and that the trajectories are corrected.</source>
+        <translation>車線は作成されませんでした。走行がすべての線から外れています。両者が同じ場所・同じ座標参照系で、軌跡が補正済みであることを確認してください。</translation>
+    </message>
+    <message>
+        <source>{0} has no field class; give the lines of “Lines from road markings”.</source>
+        <translation>{0}にフィールドclassがありません。「路面標示からの線」の線を指定してください。</translation>
+    </message>
+    <message>
+        <source>{0} has no fields class and heading; give the areas of “Lines from road markings”.</source>
+        <translation>{0}にフィールドclassとheadingがありません。「路面標示からの線」の面を指定してください。</translation>
+    </message>
+    <message>
+        <source>No folder was given: give the name of a new one.</source>
+        <translation>フォルダが指定されていません。新しいフォルダ名を指定してください。</translation>
+    </message>
+    <message>
+        <source>Frames used: {0}; holes that no frame sees outside buildings: {1:.0f} m².</source>
+        <translation>使用した空中写真: {0}枚。建物以外でどの写真にも写らない欠落: {1:.0f} m²。</translation>
+    </message>
+    <message>
+        <source>{0} tiles, {1} kept from an earlier run, {2} to do.</source>
+        <translation>{0}タイル: 以前の実行から保持{1}、未処理{2}。</translation>
+    </message>
+    <message>
+        <source>{0}, tile by tile</source>
+        <translation>{0}（タイルごと）</translation>
+    </message>
+    <message>
+        <source>{0} cannot be run over tiles: {1}.</source>
+        <translation>{0}はタイル処理できません: {1}。</translation>
+    </message>
+    <message>
+        <source>All {0} tiles are empty; check that the inputs lie in one place.</source>
+        <translation>全{0}タイルが空です。入力が同じ場所にあるか確認してください。</translation>
+    </message>
+    <message>
+        <source>{0}: {1}</source>
+        <translation>{0}: {1}</translation>
+    </message>
+    <message>
+        <source>Tile {0} failed: {1}</source>
+        <translation>タイル{0}が失敗しました: {1}</translation>
+    </message>
+    <message>
+        <source>Road markings from the air</source>
+        <translation>空中写真からの路面標示</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>結果</translation>
+    </message>
+    <message>
+        <source>of these white</source>
+        <translation>うち白</translation>
+    </message>
+    <message>
+        <source>of these yellow</source>
+        <translation>うち黄</translation>
+    </message>
+    <message>
+        <source>Marked area (m²)</source>
+        <translation>標示の面積 (m²)</translation>
+    </message>
+    <message>
+        <source>Searched area (m²)</source>
+        <translation>探索面積 (m²)</translation>
+    </message>
+    <message>
+        <source>Marked share of it</source>
+        <translation>うち標示の割合</translation>
+    </message>
+    <message>
+        <source>Pixel (m)</source>
+        <translation>画素 (m)</translation>
+    </message>
+    <message>
+        <source>Median width (m)</source>
+        <translation>幅の中央値 (m)</translation>
+    </message>
+    <message>
+        <source>Total length of strokes (m)</source>
+        <translation>線の総延長 (m)</translation>
+    </message>
+    <message>
+        <source>Shifts between overlapping frames</source>
+        <translation>重複する空中写真間のずれ</translation>
+    </message>
+    <message>
+        <source>The same markings in two frames, the second against the first, median over the places. A good block agrees to half a pixel. “height”: without a surface, heights may explain the shift.</source>
+        <translation>2枚の写真に写る同じ標示の、1枚目に対する2枚目のずれ（各箇所の中央値）です。良好なブロックでは半画素以内で一致します。「高さ」: 表層モデルがないと、高さがずれの原因となり得ます。</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>1枚目</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>2枚目</translation>
+    </message>
+    <message>
+        <source>sigma (m)</source>
+        <translation>σ (m)</translation>
+    </message>
+    <message>
+        <source>places</source>
+        <translation>箇所数</translation>
+    </message>
+    <message>
+        <source>apart</source>
+        <translation>ずれ</translation>
+    </message>
+    <message>
+        <source>agree</source>
+        <translation>一致</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>写真</translation>
+    </message>
+    <message>
+        <source>Nothing stands out; check some markings against the picture all the same.</source>
+        <translation>特に問題は見られません。それでも、いくつかの標示を画像と照合してください。</translation>
+    </message>
+    <message>
+        <source>What to distrust</source>
+        <translation>注意すべき点</translation>
+    </message>
+    <message>
+        <source>Figures of the markings</source>
+        <translation>標示の数値</translation>
+    </message>
+    <message>
+        <source>Markings by width</source>
+        <translation>幅別の標示</translation>
+    </message>
+    <message>
+        <source>grey values above the road</source>
+        <translation>路面に対する濃淡値の差</translation>
+    </message>
+    <message>
+        <source>Markings by contrast</source>
+        <translation>コントラスト別の標示</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <translation>被覆率</translation>
+    </message>
+    <message>
+        <source>confidence</source>
+        <translation>信頼度</translation>
+    </message>
+    <message>
+        <source>Markings by confidence</source>
+        <translation>信頼度別の標示</translation>
+    </message>
+    <message>
+        <source>Merged building models</source>
+        <translation>統合した建物モデル</translation>
+    </message>
+    <message>
+        <source>Mean offset of the moved walls (m)</source>
+        <translation>移動した壁面の平均オフセット (m)</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>件数</translation>
+    </message>
+    <message>
+        <source>Buildings by the largest offset of a wall</source>
+        <translation>壁面の最大オフセット別の建物</translation>
+    </message>
+    <message>
+        <source>no points, no roof, no outline, or no valid solid could be made</source>
+        <translation>点、屋根、外周線のいずれかがないか、有効な立体を作成できませんでした</translation>
+    </message>
+    <message>
+        <source>level roofs or one height for all, as the detailed solid was not valid or did not fit</source>
+        <translation>詳細な立体が不正または不適合のため、陸屋根または全体を一つの高さとしました</translation>
+    </message>
+    <message>
+        <source>too few points for roofs: one height for the whole outline</source>
+        <translation>屋根には点が少なすぎるため、外周線全体を一つの高さとしました</translation>
+    </message>
+    <message>
+        <source>many points that can be roof lie far from the model: roofs are missing or metres off</source>
+        <translation>屋根となり得る多くの点がモデルから離れています。屋根の欠落または数mのずれがあります</translation>
+    </message>
+    <message>
+        <source>a roof found in the points is not in the model</source>
+        <translation>点群で見つかった屋根がモデルにありません</translation>
+    </message>
+    <message>
+        <source>lower than a storey over the ground: a deck, a platform, or ground taken for a roof</source>
+        <translation>地表からの高さが1階分未満です。デッキ、プラットホーム、または地表面を屋根とみなしたものです</translation>
+    </message>
+    <message>
+        <source>its ground is not known: taken from neighbours, or put under the lowest roof</source>
+        <translation>地表面が不明です。近隣の値を用いたか、最も低い屋根の下に置きました</translation>
+    </message>
+    <message>
+        <source>a large part of the outline has no model</source>
+        <translation>外周線の大部分にモデルがありません</translation>
+    </message>
+    <message>
+        <source>a large part of the plan has no roof points</source>
+        <translation>平面の大部分に屋根の点がありません</translation>
+    </message>
+    <message>
+        <source>so few points that parts of the roof cannot be separated</source>
+        <translation>点が少なく、屋根の各部を分離できません</translation>
+    </message>
+    <message>
+        <source>a plan too small for the shape of a roof to be seen</source>
+        <translation>平面が小さく、屋根の形状を判別できません</translation>
+    </message>
+    <message>
+        <source>a valid solid from its roofs, near all of its points</source>
+        <translation>屋根から作成した有効な立体で、ほぼすべての点に近接しています</translation>
+    </message>
+    <message>
+        <source>Mean RMSE of roof heights (m)</source>
+        <translation>屋根の高さの平均RMSE (m)</translation>
+    </message>
+    <message>
+        <source>Mean RMSE of the best 95 % (m)</source>
+        <translation>良い方の95 %の平均RMSE (m)</translation>
+    </message>
+    <message>
+        <source>Mean point to model distance, RMSE (m)</source>
+        <translation>点とモデルの平均距離、RMSE (m)</translation>
+    </message>
+    <message>
+        <source>Mean quality, 0 to 1</source>
+        <translation>平均品質（0～1）</translation>
+    </message>
+    <message>
+        <source>what it says</source>
+        <translation>内容</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>品質</translation>
+    </message>
+    <message>
+        <source>Distances to the models of all points that can be roof, whether or not a roof was made of them. Level roofs (lod 1.3) in place of sloped ones show the slope as height differences.</source>
+        <translation>屋根となり得るすべての点からモデルまでの距離です。屋根が作成されたかどうかは問いません。傾斜屋根を陸屋根（lod 1.3）で表した場合、勾配は高さの差として現れます。</translation>
+    </message>
+    <message>
+        <source>Buildings by quality</source>
+        <translation>品質別の建物</translation>
+    </message>
+    <message>
+        <source>% of the points</source>
+        <translation>点の%</translation>
+    </message>
+    <message>
+        <source>Buildings by points that the model does not explain</source>
+        <translation>モデルで説明できない点の割合別の建物</translation>
+    </message>
+    <message>
+        <source>RMSE of height, best 95 % (m)</source>
+        <translation>高さのRMSE、良い方の95 % (m)</translation>
+    </message>
+    <message>
+        <source>Buildings by height error</source>
+        <translation>高さの誤差別の建物</translation>
+    </message>
+    <message>
+        <source>95th percentile of distance (m)</source>
+        <translation>距離の95パーセンタイル (m)</translation>
+    </message>
+    <message>
+        <source>Buildings by point to model distance</source>
+        <translation>点とモデルの距離別の建物</translation>
+    </message>
+    <message>
+        <source>Buildings by point density</source>
+        <translation>点密度別の建物</translation>
+    </message>
+    <message>
+        <source>% of the plan</source>
+        <translation>平面の%</translation>
+    </message>
+    <message>
+        <source>Buildings by plan without points</source>
+        <translation>点のない平面の割合別の建物</translation>
+    </message>
+    <message>
+        <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up.</source>
+        <translation>建物ごとの高さのRMSE（良い方の95 %）です。最も悪いものに番号を付けています。上が北です。</translation>
+    </message>
+    <message>
+        <source>Walls adjusted by GNSS</source>
+        <translation>GNSSで調整した壁面</translation>
+    </message>
+    <message>
+        <source>Held back to keep buildings valid</source>
+        <translation>建物の有効性維持のため移動を保留</translation>
+    </message>
+    <message>
+        <source>Not observable</source>
+        <translation>観測不可</translation>
+    </message>
+    <message>
+        <source>Independent observations</source>
+        <translation>独立な観測値</translation>
+    </message>
+    <message>
+        <source>Signals in them</source>
+        <translation>含まれる信号数</translation>
+    </message>
+    <message>
+        <source>Median sigma of adjusted walls, m</source>
+        <translation>調整した壁面のσの中央値、m</translation>
+    </message>
+    <message>
+        <source>Median size of their offsets, m</source>
+        <translation>オフセットの大きさの中央値、m</translation>
+    </message>
+    <message>
+        <source>Iterations until nothing changed</source>
+        <translation>収束までの反復回数</translation>
+    </message>
+    <message>
+        <source>Walls before and after</source>
+        <translation>調整前後の壁面</translation>
+    </message>
+    <message>
+        <source>Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.</source>
+        <translation>入力の建物（灰）。調整した壁面: 元の位置（破線）と現在の位置（青は内側、赤は外側へ移動）、ラベルはオフセット（cm）。橙: 観測されたが判定できない壁面。</translation>
+    </message>
+    <message>
+        <source>Walls that stay where they are</source>
+        <translation>移動しない壁面</translation>
+    </message>
+    <message>
+        <source>A wall that is not observable may stand where the model has it or a metre off: nothing is known of it. More passes help where observations are few; nothing helps under open sky.</source>
+        <translation>観測できない壁面は、モデルの位置にある場合も1 mずれている場合もあり、何も分かりません。観測が少ない箇所では走行を増やすと有効ですが、上空が開けた場所では効果がありません。</translation>
+    </message>
+    <message>
+        <source>Walls with observations</source>
+        <translation>観測値のある壁面</translation>
+    </message>
+    <message>
+        <source>offset, m</source>
+        <translation>オフセット、m</translation>
+    </message>
+    <message>
+        <source>sigma, m</source>
+        <translation>σ、m</translation>
+    </message>
+    <message>
+        <source>moved, m</source>
+        <translation>移動量、m</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>走行数</translation>
+    </message>
+    <message>
+        <source>share of inliers</source>
+        <translation>正常値の割合</translation>
+    </message>
+    <message>
+        <source>How the observations scatter</source>
+        <translation>観測値のばらつき</translation>
+    </message>
+    <message>
+        <source>Error of an observation besides its noise, m</source>
+        <translation>観測値の雑音以外の誤差、m</translation>
+    </message>
+    <message>
+        <source>Factor of the noise expected</source>
+        <translation>予想雑音に対する倍率</translation>
+    </message>
+    <message>
+        <source>Share of NLOS-delayed ones</source>
+        <translation>NLOS遅延の割合</translation>
+    </message>
+    <message>
+        <source>Their mean delay, m</source>
+        <translation>その平均遅延、m</translation>
+    </message>
+    <message>
+        <source>Share of outliers</source>
+        <translation>外れ値の割合</translation>
+    </message>
+    <message>
+        <source>What the offsets leave of the observations: NLOS-delayed ones are to the right; the first and the last bar hold all that is beyond.</source>
+        <translation>オフセット適用後の観測値の残差です。NLOS遅延のものは右側に現れます。両端の棒は範囲外をすべて含みます。</translation>
+    </message>
+    <message>
+        <source>By system</source>
+        <translation>衛星系別</translation>
+    </message>
+    <message>
+        <source>Residuals in line of sight: median, m</source>
+        <translation>見通し内の残差: 中央値、m</translation>
+    </message>
+    <message>
+        <source>Residuals in line of sight: quartile range, m</source>
+        <translation>見通し内の残差: 四分位範囲、m</translation>
+    </message>
+    <message>
+        <source>Reflected signals with a known clock</source>
+        <translation>時計誤差が既知の反射信号</translation>
+    </message>
+    <message>
+        <source>of these within 5 m of prediction</source>
+        <translation>うち予測との差が5 m以内</translation>
+    </message>
+    <message>
+        <source>of these within 10 m of prediction</source>
+        <translation>うち予測との差が10 m以内</translation>
+    </message>
+    <message>
+        <source>of these: median difference, m</source>
+        <translation>その差の中央値、m</translation>
+    </message>
+    <message>
+        <source>Sky plot (grid north up, horizon outside): green in line of sight, orange reflected, grey blocked.</source>
+        <translation>天空図（上が座標北、外周が地平線）: 緑は見通し内、橙は反射、灰は遮蔽。</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>項目</translation>
+    </message>
+    <message>
+        <source>how many</source>
+        <translation>数</translation>
+    </message>
+    <message>
+        <source>signals without a known receiver clock (fewer than three in line of sight)</source>
+        <translation>受信機時計誤差が不明な信号（見通し内が3衛星未満）</translation>
+    </message>
+    <message>
+        <source>share of signals near an edge: class not sure</source>
+        <translation>縁付近の信号の割合: 分類が不確実</translation>
+    </message>
+    <message>
+        <source>epochs with the antenna within a building</source>
+        <translation>アンテナが建物内にあるエポック</translation>
+    </message>
+    <message>
+        <source>Reflections by ground, vehicles, bridges and trees, two reflections in a row and diffraction at edges are not traced; walls are taken for flat and upright.</source>
+        <translation>地面、車両、橋、樹木による反射、2回反射、縁での回折は追跡していません。壁面は平らで鉛直とみなしています。</translation>
+    </message>
+    <message>
+        <source>No wall was moved: the observations do not decide. The table below tells why; more drives along the walls help.</source>
+        <translation>移動した壁面はありません。観測値では判定できません。理由は下表のとおりです。壁面沿いの走行を増やすと有効です。</translation>
+    </message>
+    <message>
+        <source>Measured against predicted excess path of reflected signals, m: dark where the class is sure. Above the line signals are late, at the foot the direct signal got through.</source>
+        <translation>反射信号の過剰経路長の実測値と予測値、m。分類が確実なものは濃色です。線より上は信号の遅れ、下端は直接波の受信を示します。</translation>
+    </message>
+    <message>
+        <source>residual, m</source>
+        <translation>残差、m</translation>
+    </message>
+    <message>
+        <source>in line of sight</source>
+        <translation>見通し内</translation>
+    </message>
+    <message>
+        <source>blocked, no single wall reflects it</source>
+        <translation>遮蔽、単一の壁面による反射なし</translation>
+    </message>
+    <message>
+        <source>reflected by one wall</source>
+        <translation>1つの壁面で反射</translation>
+    </message>
+    <message>
+        <source>Edges over images, before and after</source>
+        <translation>画像に重ねたエッジ（補正前後）</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>画像</translation>
+    </message>
+    <message>
+        <source>No edge lies in any of the images: they are of another place.</source>
+        <translation>どの画像にもエッジがありません。別の場所の画像です。</translation>
+    </message>
+    <message>
+        <source>Length of road, m</source>
+        <translation>道路の長さ、m</translation>
+    </message>
+    <message>
+        <source>Median sigma of the weakest direction, m</source>
+        <translation>最も弱い方向のσの中央値、m</translation>
+    </message>
+    <message>
+        <source>Places that look like others</source>
+        <translation>他と紛らわしい地点</translation>
+    </message>
+    <message>
+        <source>length, m</source>
+        <translation>長さ、m</translation>
+    </message>
+    <message>
+        <source>share</source>
+        <translation>割合</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>情報源</translation>
+    </message>
+    <message>
+        <source>along, m</source>
+        <translation>進行方向、m</translation>
+    </message>
+    <message>
+        <source>across, m</source>
+        <translation>横方向、m</translation>
+    </message>
+    <message>
+        <source>heading, degrees</source>
+        <translation>方位、度</translation>
+    </message>
+    <message>
+        <source>Medians over the places of which the source tells something. A direction without evidence keeps the sigma from before matching.</source>
+        <translation>その情報源から何らかの情報が得られる地点の中央値です。根拠のない方向のσは照合前の値のままです。</translation>
+    </message>
+    <message>
+        <source>sigma of the weakest direction, m</source>
+        <translation>最も弱い方向のσ、m</translation>
+    </message>
+    <message>
+        <source>Places by the semi-major axis of their error ellipse.</source>
+        <translation>誤差楕円の長半径別の地点数。</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>平面図</translation>
+    </message>
+    <message>
+        <source>Error ellipses, ten times enlarged, by class: green good, yellow usable, red poor, grey nothing can be said.</source>
+        <translation>区分別の誤差楕円（10倍に拡大）: 緑は良好、黄は使用可、赤は不良、灰は判定不可。</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状態</translation>
+    </message>
+    <message>
+        <source>Worst stretches</source>
+        <translation>最も悪い区間</translation>
+    </message>
+    <message>
+        <source>from, m</source>
+        <translation>始点、m</translation>
+    </message>
+    <message>
+        <source>to, m</source>
+        <translation>終点、m</translation>
+    </message>
+    <message>
+        <source>bearing, degrees</source>
+        <translation>方位、度</translation>
+    </message>
+    <message>
+        <source>Predicted against observed</source>
+        <translation>予測と観測の比較</translation>
+    </message>
+    <message>
+        <source>Scans were simulated at some of the places, with noise, vehicles and trees in the way, and registered to the map with the plugin's own NDT.</source>
+        <translation>一部の地点で、雑音、車両、樹木による遮りを含むスキャンをシミュレートし、プラグインのNDTで地図に位置合わせしました。</translation>
+    </message>
+    <message>
+        <source>Spearman's coefficient over all places</source>
+        <translation>全地点のスピアマン順位相関係数</translation>
+    </message>
+    <message>
+        <source>Median of it within a street</source>
+        <translation>同一街路内での中央値</translation>
+    </message>
+    <message>
+        <source>Share of the errors within the 95 % ellipse</source>
+        <translation>95 %誤差楕円内の誤差の割合</translation>
+    </message>
+    <message>
+        <source>Median observed error in plan, m</source>
+        <translation>観測された平面誤差の中央値、m</translation>
+    </message>
+    <message>
+        <source>Median predicted error in plan, m</source>
+        <translation>予測された平面誤差の中央値、m</translation>
+    </message>
+    <message>
+        <source>Share of the rays to walls that were hidden</source>
+        <translation>壁面への光線のうち遮られた割合</translation>
+    </message>
+    <message>
+        <source>Scans that fit another place better</source>
+        <translation>別の地点により適合したスキャン</translation>
+    </message>
+    <message>
+        <source>Root mean square errors in plan of each place; those above the picture are drawn at its edge.</source>
+        <translation>各地点の平面の二乗平均平方根誤差です。図の範囲を超えるものは縁に描いています。</translation>
+    </message>
+    <message>
+        <source>way, m</source>
+        <translation>距離、m</translation>
+    </message>
+    <message>
+        <source>predicted along, across, m</source>
+        <translation>予測: 進行方向・横方向、m</translation>
+    </message>
+    <message>
+        <source>observed along, across, m</source>
+        <translation>観測: 進行方向・横方向、m</translation>
+    </message>
+    <message>
+        <source>within 95 %</source>
+        <translation>95 %以内</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>別の地点</translation>
+    </message>
+    <message>
+        <source>Nothing can be said of any place; the table below tells why.</source>
+        <translation>どの地点についても判定できません。理由は下表のとおりです。</translation>
+    </message>
+    <message>
+        <source>No place could be simulated: walls tell nothing of any.</source>
+        <translation>シミュレートできる地点がありません。どの地点でも壁面から情報が得られません。</translation>
+    </message>
+    <message>
+        <source>Accuracy at control points</source>
+        <translation>検証点での精度</translation>
+    </message>
+    <message>
+        <source>Survey</source>
+        <translation>計測</translation>
+    </message>
+    <message>
+        <source>mean 2D (m)</source>
+        <translation>2D平均 (m)</translation>
+    </message>
+    <message>
+        <source>max 2D (m)</source>
+        <translation>2D最大 (m)</translation>
+    </message>
+    <message>
+        <source>std 2D (m)</source>
+        <translation>2D標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>mean 3D (m)</source>
+        <translation>3D平均 (m)</translation>
+    </message>
+    <message>
+        <source>max 3D (m)</source>
+        <translation>3D最大 (m)</translation>
+    </message>
+    <message>
+        <source>std 3D (m)</source>
+        <translation>3D標準偏差 (m)</translation>
+    </message>
+    <message>
+        <source>East, north and up are mean errors: what is left in all points alike.</source>
+        <translation>東、北、上は平均誤差です。全点に共通して残る誤差を示します。</translation>
+    </message>
+    <message>
+        <source>Control point</source>
+        <translation>検証点</translation>
+    </message>
+    <message>
+        <source>Horizontal error over time</source>
+        <translation>水平誤差の時間変化</translation>
+    </message>
+    <message>
+        <source>Horizontal error of each control point</source>
+        <translation>各検証点の水平誤差</translation>
+    </message>
+    <message>
+        <source>seconds since the first control point</source>
+        <translation>最初の検証点からの秒数</translation>
+    </message>
+    <message>
+        <source>Adjustment of several drives</source>
+        <translation>複数走行の調整</translation>
+    </message>
+    <message>
+        <source>Residuals by kind</source>
+        <translation>種別ごとの残差</translation>
+    </message>
+    <message>
+        <source>Observation</source>
+        <translation>観測値</translation>
+    </message>
+    <message>
+        <source>without weight</source>
+        <translation>重みなし</translation>
+    </message>
+    <message>
+        <source>RMS in plan (m)</source>
+        <translation>平面のRMS (m)</translation>
+    </message>
+    <message>
+        <source>largest in plan (m)</source>
+        <translation>平面の最大値 (m)</translation>
+    </message>
+    <message>
+        <source>RMS in height (m)</source>
+        <translation>高さのRMS (m)</translation>
+    </message>
+    <message>
+        <source>largest in height (m)</source>
+        <translation>高さの最大値 (m)</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>走行</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>走行</translation>
+    </message>
+    <message>
+        <source>path length (m)</source>
+        <translation>走行距離 (m)</translation>
+    </message>
+    <message>
+        <source>mean correction in plan (m)</source>
+        <translation>平面の平均補正量 (m)</translation>
+    </message>
+    <message>
+        <source>median sigma in plan (m)</source>
+        <translation>平面のσの中央値 (m)</translation>
+    </message>
+    <message>
+        <source>largest sigma in plan (m)</source>
+        <translation>平面のσの最大値 (m)</translation>
+    </message>
+    <message>
+        <source>Largest residuals</source>
+        <translation>最大の残差</translation>
+    </message>
+    <message>
+        <source>in height (m)</source>
+        <translation>高さ (m)</translation>
+    </message>
+    <message>
+        <source>weight</source>
+        <translation>重み</translation>
+    </message>
+    <message>
+        <source>Correction along the path</source>
+        <translation>軌跡に沿った補正量</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the correction</source>
+        <translation>補正量の標準偏差</translation>
+    </message>
+    <message>
+        <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
+        <translation>走行どうしは整合していますが、位置を固定するものがありません。基準点または基準となる路面標示を指定するか、結果を走行間の比較にのみ使用してください。</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>placed</source>
+        <translation>位置決定済み</translation>
+    </message>
+    <message>
+        <source>bridged</source>
+        <translation>補間</translation>
+    </message>
+    <message>
+        <source>relative only</source>
+        <translation>相対のみ</translation>
+    </message>
+    <message>
+        <source>not tied</source>
+        <translation>未結合</translation>
+    </message>
+    <message>
+        <source>Distance between planes before, RMS (mm)</source>
+        <translation>調整前の平面間距離、RMS (mm)</translation>
+    </message>
+    <message>
+        <source>Distance between planes after, RMS (mm)</source>
+        <translation>調整後の平面間距離、RMS (mm)</translation>
+    </message>
+    <message>
+        <source>Passes apart, RMS (m)</source>
+        <translation>走行間のずれ、RMS (m)</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>値</translation>
+    </message>
+    <message>
+        <source>standard deviation</source>
+        <translation>標準偏差</translation>
+    </message>
+    <message>
+        <source>Lever arms in metres forward, right and down; angles in degrees about the body's axes. A misalignment of the inertial unit that all passes have in common is part of the angles.</source>
+        <translation>レバーアームは前方・右・下のメートル、角度は車体軸まわりの度です。全走行に共通する慣性計測装置の取付誤差は角度に含まれます。</translation>
+    </message>
+    <message>
+        <source>Calibration of scanners</source>
+        <translation>スキャナの校正</translation>
+    </message>
+    <message>
+        <source>The course as reported (grey) and rectified (blue; dashed where it is extrapolated beyond the sets), and the sets of tie points: green used, orange suspect, red left out.</source>
+        <translation>補正前の軌跡（灰）と補正後の軌跡（青、対応点の組の範囲外への外挿は破線）、およびタイポイントの組: 緑は使用、橙は要注意、赤は除外。</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>ドリフト</translation>
+    </message>
+    <message>
+        <source>Sets of tie points</source>
+        <translation>タイポイントの組</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>組</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>時刻、s</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>対応点数</translation>
+    </message>
+    <message>
+        <source>Before, m</source>
+        <translation>補正前、m</translation>
+    </message>
+    <message>
+        <source>After, m</source>
+        <translation>補正後、m</translation>
+    </message>
+    <message>
+        <source>East, m</source>
+        <translation>東、m</translation>
+    </message>
+    <message>
+        <source>North, m</source>
+        <translation>北、m</translation>
+    </message>
+    <message>
+        <source>Heading, °</source>
+        <translation>方位、°</translation>
+    </message>
+    <message>
+        <source>Misfit within, m</source>
+        <translation>組内の残差、m</translation>
+    </message>
+    <message>
+        <source>Off without itself, m</source>
+        <translation>一つ抜き残差、m</translation>
+    </message>
+    <message>
+        <source>Before and after: mean distance of the set's pairs from the reference. Off without itself: how far the set would lie from the reference if it were not used, which is more than what to expect halfway between sets.</source>
+        <translation>補正前と補正後: 組の対応点の基準からの平均距離。一つ抜き残差: その組を使用しない場合の基準からのずれで、組と組の中間で予想される値より大きくなります。</translation>
+    </message>
+    <message>
+        <source>Correction to the heading with its sigma.</source>
+        <translation>方位の補正量とそのσ。</translation>
+    </message>
+    <message>
+        <source>Height of the origin above the ground, m</source>
+        <translation>原点の地上高、m</translation>
+    </message>
+    <message>
+        <source>Samples along the course</source>
+        <translation>軌跡に沿った標本数</translation>
+    </message>
+    <message>
+        <source>left out, they stand out of their neighbours</source>
+        <translation>除外、近隣から外れた標本</translation>
+    </message>
+    <message>
+        <source>Share of the course with a ground</source>
+        <translation>地表面のある軌跡の割合</translation>
+    </message>
+    <message>
+        <source>Distance from the ground before, root mean square, m</source>
+        <translation>補正前の地表面からの距離、二乗平均平方根、m</translation>
+    </message>
+    <message>
+        <source>after, m</source>
+        <translation>補正後、m</translation>
+    </message>
+    <message>
+        <source>Sigma of a sample, m</source>
+        <translation>標本のσ、m</translation>
+    </message>
+    <message>
+        <source>Sigma of the heights, mean, m</source>
+        <translation>高さのσ、平均、m</translation>
+    </message>
+    <message>
+        <source>maximum, m</source>
+        <translation>最大、m</translation>
+    </message>
+    <message>
+        <source>Correction to the height with its sigma, and the samples of the ground.</source>
+        <translation>高さの補正量とそのσ、および地表面の標本。</translation>
+    </message>
+    <message>
+        <source>The sigma of the tie points was found from how well they fit each other. An error that they share, such as that of the reference, is not in it nor in the sigmas of the epochs.</source>
+        <translation>タイポイントのσは、相互の適合度から求めました。基準の誤差など共通する誤差は、このσにもエポックのσにも含まれません。</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>高さ</translation>
+    </message>
+    <message>
+        <source>Heading correction</source>
+        <translation>方位の補正</translation>
+    </message>
+    <message>
+        <source>ground says</source>
+        <translation>地表面による値</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>採用値</translation>
+    </message>
+    <message>
+        <source>sets</source>
+        <translation>対応点の組</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>used; its pairs lie too close together, as seen from the vehicle, to tell the heading</source>
+        <translation>使用。対応点が車両から見て近接しすぎており、方位を決定できません</translation>
+    </message>
+    <message>
+        <source>used, but far from where the other sets put it: check it</source>
+        <translation>使用。ただし他の組による位置から離れています。確認してください</translation>
+    </message>
+    <message>
+        <source>left out: the other sets put it elsewhere</source>
+        <translation>除外: 他の組による位置と一致しません</translation>
+    </message>
+    <message>
+        <source>left out: its pairs do not fit each other</source>
+        <translation>除外: 対応点が互いに適合しません</translation>
+    </message>
+    <message>
+        <source>left out: the paper's method needs two pairs</source>
+        <translation>除外: 論文の手法には2つの対応点が必要です</translation>
+    </message>
+    <message>
+        <source>relative</source>
+        <translation>相対</translation>
+    </message>
+    <message>
+        <source>iterative</source>
+        <translation>反復</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>論文</translation>
+    </message>
+    <message>
+        <source>best estimate of the drift from all tie points together</source>
+        <translation>すべてのタイポイントを同時に用いたドリフトの最良推定</translation>
+    </message>
+    <message>
+        <source>relative motions adjusted between sets, closed form (Z 3.1)</source>
+        <translation>組の間で相対運動を調整、閉形式（Z 3.1）</translation>
+    </message>
+    <message>
+        <source>relative motions adjusted between sets by the paper's iteration (Z eq. 8, 9)</source>
+        <translation>組の間で相対運動を論文の反復法により調整（Z 式8、9）</translation>
+    </message>
+    <message>
+        <source>Z 3 to the letter: sets of two pairs (eq. 13 to 17), relative motions by iteration (eq. 8, 9)</source>
+        <translation>Z 3の手法どおり: 2つの対応点からなる組（式13～17）、反復法による相対運動（式8、9）</translation>
+    </message>
+    <message>
+        <source>Their intensities follow the curves of the scanners.</source>
+        <translation>反射強度はスキャナの補正曲線に従います。</translation>
+    </message>
+    <message>
+        <source>Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b (1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).</source>
+        <translation>アスファルトの反射強度は斜距離と入射角に応じて低下します。曲線f(R) = C + A R^-b (1 - exp(-(R/d)^2))をスキャナごとにアスファルトに当てはめ、反射強度をR1まではこの値で、R1からR2までは最小値で除し、R2を超えるものは除外します(Javanmardi 2018, 式4)。</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Outside the trajectory's time</source>
+        <translation>軌跡の時間範囲外</translation>
+    </message>
+    <message>
+        <source>Measured while standing (left out)</source>
+        <translation>停車中の計測（除外）</translation>
+    </message>
+    <message>
+        <source>Within range of the vehicle</source>
+        <translation>車両からの距離範囲内</translation>
+    </message>
+    <message>
+        <source>On the ground</source>
+        <translation>地表面上</translation>
+    </message>
+    <message>
+        <source>Ground told by</source>
+        <translation>地表面の判定</translation>
+    </message>
+    <message>
+        <source>Ground within R2</source>
+        <translation>R2以内の地表面</translation>
+    </message>
+    <message>
+        <source>Share of marking points among these, %</source>
+        <translation>うち路面標示点の割合、%</translation>
+    </message>
+    <message>
+        <source>Contrast of paint to the ground beside it (median)</source>
+        <translation>標示と隣接路面のコントラスト（中央値）</translation>
+    </message>
+    <message>
+        <source>Path with markings, %</source>
+        <translation>標示のある軌跡の割合、%</translation>
+    </message>
+    <message>
+        <source>Scatter of the ground's heights, m</source>
+        <translation>地表面の高さのばらつき、m</translation>
+    </message>
+    <message>
+        <source>Reference intensity</source>
+        <translation>基準反射強度</translation>
+    </message>
+    <message>
+        <source>cloth filter</source>
+        <translation>クロスフィルタ</translation>
+    </message>
+    <message>
+        <source>Lasers told apart by</source>
+        <translation>レーザの区別</translation>
+    </message>
+    <message>
+        <source>Lasers (of the angle: bins of 0.1 degrees) used</source>
+        <translation>使用したレーザ（角度の場合は0.1度の階級）</translation>
+    </message>
+    <message>
+        <source>Left out (no signal or too much scatter)</source>
+        <translation>除外（信号なし、またはばらつき過大）</translation>
+    </message>
+    <message>
+        <source>Smallest gain</source>
+        <translation>最小ゲイン</translation>
+    </message>
+    <message>
+        <source>Largest gain</source>
+        <translation>最大ゲイン</translation>
+    </message>
+    <message>
+        <source>Scatter on even ground before, %</source>
+        <translation>補正前の平坦な地表面でのばらつき、%</translation>
+    </message>
+    <message>
+        <source>After, %</source>
+        <translation>補正後、%</translation>
+    </message>
+    <message>
+        <source>Asphalt's intensity in bins of 0.25 m (dots; grey: not used), the fitted curve as it is applied (line), R1 and R2.</source>
+        <translation>0.25 mの階級ごとのアスファルトの反射強度（点、灰は不使用）、適用する近似曲線（線）、R1とR2。</translation>
+    </message>
+    <message>
+        <source>C (floor)</source>
+        <translation>C（下限）</translation>
+    </message>
+    <message>
+        <source>A (at 1 m)</source>
+        <translation>A（1 mでの値）</translation>
+    </message>
+    <message>
+        <source>b (fall)</source>
+        <translation>b（減衰）</translation>
+    </message>
+    <message>
+        <source>d (loss near the scanner), m</source>
+        <translation>d（スキャナ近傍の損失）、m</translation>
+    </message>
+    <message>
+        <source>Shortest range, m</source>
+        <translation>最短斜距離、m</translation>
+    </message>
+    <message>
+        <source>I_M (largest intensity of asphalt)</source>
+        <translation>I_M（アスファルトの最大反射強度）</translation>
+    </message>
+    <message>
+        <source>I_m (smallest)</source>
+        <translation>I_m（最小）</translation>
+    </message>
+    <message>
+        <source>I_ref</source>
+        <translation>I_ref</translation>
+    </message>
+    <message>
+        <source>Bins used</source>
+        <translation>使用した階級</translation>
+    </message>
+    <message>
+        <source>Residual of the bins (robust), %</source>
+        <translation>階級の残差（ロバスト）、%</translation>
+    </message>
+    <message>
+        <source>Scatter of single asphalt points, %</source>
+        <translation>アスファルト単点のばらつき、%</translation>
+    </message>
+    <message>
+        <source>Range, m</source>
+        <translation>斜距離、m</translation>
+    </message>
+    <message>
+        <source>Asphalt</source>
+        <translation>アスファルト</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>差、%</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>registered</source>
+        <translation>登録済み</translation>
+    </message>
+    <message>
+        <source>not to be trusted</source>
+        <translation>信頼不可</translation>
+    </message>
+    <message>
+        <source>weak</source>
+        <translation>拘束が弱い</translation>
+    </message>
+    <message>
+        <source>ambiguous</source>
+        <translation>曖昧</translation>
+    </message>
+    <message>
+        <source>no markings</source>
+        <translation>標示なし</translation>
+    </message>
+    <message>
+        <source>not converged</source>
+        <translation>収束せず</translation>
+    </message>
+    <message>
+        <source>Registration of a mobile survey</source>
+        <translation>移動計測のレジストレーション</translation>
+    </message>
+    <message>
+        <source>Registered: found from markings around. Bridged: between or beyond registered parts, by how trajectories drift. Not to be trusted: too far from them, or markings that contradict. Standard deviations include what the reference itself is off by.</source>
+        <translation>登録済み: 周囲の標示から決定。補間: 登録済み区間の間または外側で、軌跡のドリフト特性により決定。信頼不可: 登録済み区間から遠すぎるか、標示が矛盾。標準偏差には基準自体の誤差を含みます。</translation>
+    </message>
+    <message>
+        <source> Heights, roll and pitch were not touched.</source>
+        <translation> 高さ、ロール、ピッチは変更していません。</translation>
+    </message>
+    <message>
+        <source>Correction of the reported positions</source>
+        <translation>補正前の位置に対する補正量</translation>
+    </message>
+    <message>
+        <source>Correction of the reported angles</source>
+        <translation>補正前の角度に対する補正量</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>ウィンドウ</translation>
+    </message>
+    <message>
+        <source>Length of the window of each patch: as long as it needs for enough markings</source>
+        <translation>各パッチのウィンドウ長: 十分な標示が得られる長さ</translation>
+    </message>
+    <message>
+        <source>Share of a window's marking points that lie on reference markings</source>
+        <translation>ウィンドウの路面標示点のうち基準の標示上にある割合</translation>
+    </message>
+    <message>
+        <source>From (m)</source>
+        <translation>始点 (m)</translation>
+    </message>
+    <message>
+        <source>to (m)</source>
+        <translation>終点 (m)</translation>
+    </message>
+    <message>
+        <source>from time (s)</source>
+        <translation>開始時刻 (s)</translation>
+    </message>
+    <message>
+        <source>to time (s)</source>
+        <translation>終了時刻 (s)</translation>
+    </message>
+    <message>
+        <source>why</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>largest sigma (m)</source>
+        <translation>最大のσ (m)</translation>
+    </message>
+    <message>
+        <source>Markings before and after</source>
+        <translation>補正前後の標示</translation>
+    </message>
+    <message>
+        <source>Marking points of the survey over the </source>
+        <translation>計測の路面標示点の重ね図、背景は </translation>
+    </message>
+    <message>
+        <source>aerial image</source>
+        <translation>空中写真画像</translation>
+    </message>
+    <message>
+        <source>reference markings</source>
+        <translation>基準の路面標示</translation>
+    </message>
+    <message>
+        <source>No part of the path is registered: the result is as reported. Check that the reference is of the same place, and its date.</source>
+        <translation>登録済みの区間がないため、結果は補正前のままです。基準が同じ場所のものか、またその時期を確認してください。</translation>
+    </message>
+    <message>
+        <source>Each patch is moved by its own window, as in the paper: between patches there are steps, nothing is bridged, and patches that are not to be trusted are moved all the same.</source>
+        <translation>論文どおり、各パッチを固有のウィンドウで移動しています。パッチ間には段差が生じ、補間は行わず、信頼不可のパッチも移動しています。</translation>
+    </message>
+    <message>
+        <source>Distance of each window's own correction from the smooth one, in plan</source>
+        <translation>各ウィンドウ固有の補正と平滑化した補正の平面距離</translation>
+    </message>
+    <message>
+        <source>window length</source>
+        <translation>ウィンドウ長</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>重なり率</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>ウィンドウ数</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>失敗</translation>
+    </message>
+    <message>
+        <source>Kept from an earlier run</source>
+        <translation>以前の実行から保持</translation>
+    </message>
+    <message>
+        <source>Buffer (m)</source>
+        <translation>バッファ (m)</translation>
+    </message>
+    <message>
+        <source>Time of all tiles (s)</source>
+        <translation>全タイルの時間 (s)</translation>
+    </message>
+    <message>
+        <source>Processor time of all tiles (s)</source>
+        <translation>全タイルのプロセッサ時間 (s)</translation>
+    </message>
+    <message>
+        <source>Slowest tile (s)</source>
+        <translation>最も遅いタイル (s)</translation>
+    </message>
+    <message>
+        <source>Greatest memory of a process (MB)</source>
+        <translation>プロセスの最大メモリ (MB)</translation>
+    </message>
+    <message>
+        <source>Disk of the results (MB)</source>
+        <translation>結果のディスク使用量 (MB)</translation>
+    </message>
+    <message>
+        <source>Tiles: done green, empty grey, failed red, not done white. North is up.</source>
+        <translation>タイル: 緑は完了、灰は空、赤は失敗、白は未処理。上が北です。</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>時間 (s)</translation>
+    </message>
+    <message>
+        <source>time of a tile (s)</source>
+        <translation>タイルの処理時間 (s)</translation>
+    </message>
+    <message>
+        <source>How long the tiles took.</source>
+        <translation>タイルの所要時間。</translation>
+    </message>
+    <message>
+        <source>placed, σ up to 5 cm</source>
+        <translation>位置決定済み、σ 5 cm以下</translation>
+    </message>
+    <message>
+        <source>placed, σ above 5 cm</source>
+        <translation>位置決定済み、σ 5 cm超</translation>
+    </message>
+    <message>
+        <source>residual below 2 cm</source>
+        <translation>残差 2 cm未満</translation>
+    </message>
+    <message>
+        <source>2 to 5 cm</source>
+        <translation>2～5 cm</translation>
+    </message>
+    <message>
+        <source>5 cm and more</source>
+        <translation>5 cm以上</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>error exceeded</source>
+        <translation>誤差超過</translation>
+    </message>
+    <message>
+        <source>ground assumed</source>
+        <translation>地表面は仮定</translation>
+    </message>
+    <message>
+        <source>small</source>
+        <translation>小規模</translation>
+    </message>
+    <message>
+        <source>few points</source>
+        <translation>点不足</translation>
+    </message>
+    <message>
+        <source>part of the plan without points</source>
+        <translation>平面の一部に点なし</translation>
+    </message>
+    <message>
+        <source>part of the outline without model</source>
+        <translation>外周線の一部にモデルなし</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>低い</translation>
+    </message>
+    <message>
+        <source>lost roofs</source>
+        <translation>屋根の欠落</translation>
+    </message>
+    <message>
+        <source>points not explained</source>
+        <translation>説明できない点あり</translation>
+    </message>
+    <message>
+        <source>simplified</source>
+        <translation>簡略化</translation>
+    </message>
+    <message>
+        <source>plain block</source>
+        <translation>単純ブロック</translation>
+    </message>
+    <message>
+        <source>not modelled (see table)</source>
+        <translation>モデルなし（表を参照）</translation>
+    </message>
+    <message>
+        <source>outer wall</source>
+        <translation>外壁</translation>
+    </message>
+    <message>
+        <source>inner wall</source>
+        <translation>内壁</translation>
+    </message>
+    <message>
+        <source>error below 3 cm</source>
+        <translation>誤差 3 cm未満</translation>
+    </message>
+    <message>
+        <source>3 to 10 cm</source>
+        <translation>3～10 cm</translation>
+    </message>
+    <message>
+        <source>10 to 30 cm</source>
+        <translation>10～30 cm</translation>
+    </message>
+    <message>
+        <source>more than 30 cm</source>
+        <translation>30 cm超</translation>
+    </message>
+    <message>
+        <source>seen well</source>
+        <translation>良好に計測</translation>
+    </message>
+    <message>
+        <source>seen in part</source>
+        <translation>一部計測</translation>
+    </message>
+    <message>
+        <source>rough</source>
+        <translation>ばらつき大</translation>
+    </message>
+    <message>
+        <source>inside the outline</source>
+        <translation>外周線の内側</translation>
+    </message>
+    <message>
+        <source>textured</source>
+        <translation>テクスチャあり</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>未計測</translation>
+    </message>
+    <message>
+        <source>agree to half a pixel</source>
+        <translation>半画素以内で一致</translation>
+    </message>
+    <message>
+        <source>displaced by heights</source>
+        <translation>高さによるずれ</translation>
     </message>
     <message>
         <source>as given</source>
-        <translation type="unfinished"></translation>
+        <translation>入力のまま</translation>
     </message>
     <message>
         <source>reflected</source>
-        <translation type="unfinished"></translation>
+        <translation>反射</translation>
     </message>
     <message>
         <source>blocked</source>
-        <translation type="unfinished"></translation>
+        <translation>遮蔽</translation>
     </message>
     <message>
         <source>adjusted inwards</source>
-        <translation type="unfinished"></translation>
+        <translation>内側へ調整</translation>
     </message>
     <message>
         <source>adjusted outwards</source>
-        <translation type="unfinished"></translation>
+        <translation>外側へ調整</translation>
     </message>
     <message>
         <source>held: the building would not stay valid</source>
-        <translation type="unfinished"></translation>
+        <translation>保留: 建物が有効でなくなるため</translation>
     </message>
     <message>
         <source>observed, not decided</source>
-        <translation type="unfinished"></translation>
+        <translation>観測あり、判定不可</translation>
     </message>
     <message>
         <source>not observable</source>
-        <translation type="unfinished"></translation>
+        <translation>観測不可</translation>
     </message>
     <message>
         <source>普通建物 ordinary building</source>
-        <translation type="unfinished"></translation>
+        <translation>普通建物</translation>
     </message>
     <message>
         <source>堅ろう建物 solid building</source>
-        <translation type="unfinished"></translation>
+        <translation>堅ろう建物</translation>
     </message>
     <message>
         <source>普通無壁舎 ordinary, no walls</source>
-        <translation type="unfinished"></translation>
+        <translation>普通無壁舎</translation>
     </message>
     <message>
         <source>堅ろう無壁舎 solid, no walls</source>
-        <translation type="unfinished"></translation>
+        <translation>堅ろう無壁舎</translation>
     </message>
     <message>
         <source>other</source>
-        <translation type="unfinished"></translation>
+        <translation>その他</translation>
     </message>
     <message>
         <source>road border</source>
-        <translation type="unfinished"></translation>
+        <translation>道路境界</translation>
     </message>
     <message>
         <source>virtual</source>
-        <translation type="unfinished"></translation>
+        <translation>仮想</translation>
     </message>
     <message>
         <source>virtual, through a junction</source>
-        <translation type="unfinished"></translation>
+        <translation>仮想（交差点内）</translation>
     </message>
     <message>
         <source>sound</source>
-        <translation type="unfinished"></translation>
+        <translation>良好</translation>
     </message>
     <message>
         <source>with a note</source>
-        <translation type="unfinished"></translation>
+        <translation>備考あり</translation>
     </message>
     <message>
         <source>good</source>
-        <translation type="unfinished"></translation>
+        <translation>良好</translation>
     </message>
     <message>
         <source>usable</source>
-        <translation type="unfinished"></translation>
+        <translation>使用可</translation>
     </message>
     <message>
         <source>poor</source>
-        <translation type="unfinished"></translation>
+        <translation>不良</translation>
     </message>
     <message>
         <source>nothing can be said</source>
-        <translation type="unfinished"></translation>
+        <translation>判定不可</translation>
     </message>
     <message>
         <source>below 10 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>10 cm未満</translation>
     </message>
     <message>
         <source>30 to 50 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>30～50 cm</translation>
     </message>
     <message>
         <source>50 cm to 1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>50 cm～1 m</translation>
     </message>
     <message>
         <source>above 1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>1 m超</translation>
     </message>
     <message>
         <source>warning</source>
-        <translation type="unfinished"></translation>
+        <translation>警告</translation>
     </message>
     <message>
         <source>info</source>
-        <translation type="unfinished"></translation>
+        <translation>情報</translation>
     </message>
     <message>
         <source>no lane made</source>
-        <translation type="unfinished"></translation>
+        <translation>車線の作成なし</translation>
     </message>
     <message>
         <source>open end</source>
-        <translation type="unfinished"></translation>
+        <translation>開放端</translation>
     </message>
     <message>
         <source>bound not seen</source>
-        <translation type="unfinished"></translation>
+        <translation>境界線の未計測</translation>
     </message>
     <message>
         <source>direction contradicts</source>
-        <translation type="unfinished"></translation>
+        <translation>方向の矛盾</translation>
     </message>
     <message>
         <source>driven without lane</source>
-        <translation type="unfinished"></translation>
+        <translation>車線のない走行</translation>
     </message>
     <message>
         <source>no drive</source>
-        <translation type="unfinished"></translation>
+        <translation>走行なし</translation>
     </message>
     <message>
         <source>stop line without lane</source>
-        <translation type="unfinished"></translation>
+        <translation>車線のない停止線</translation>
     </message>
     <message>
         <source>too narrow</source>
-        <translation type="unfinished"></translation>
+        <translation>幅不足</translation>
     </message>
     <message>
         <source>way not drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>経路の未描画</translation>
     </message>
     <message>
         <source>way drawn by width</source>
-        <translation type="unfinished"></translation>
+        <translation>車線幅で描いた経路</translation>
     </message>
     <message>
         <source>no height</source>
-        <translation type="unfinished"></translation>
+        <translation>高さなし</translation>
     </message>
     <message>
         <source>others</source>
-        <translation type="unfinished"></translation>
+        <translation>その他</translation>
     </message>
     <message>
         <source>diamond</source>
-        <translation type="unfinished"></translation>
+        <translation>ひし形</translation>
     </message>
     <message>
         <source>unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>不明</translation>
     </message>
     <message>
         <source>arrow straight</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印 直進</translation>
     </message>
     <message>
         <source>arrow left</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印 左折</translation>
     </message>
     <message>
         <source>arrow right</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印 右折</translation>
     </message>
     <message>
         <source>arrow straight left</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印 直進・左折</translation>
     </message>
     <message>
         <source>arrow straight right</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印 直進・右折</translation>
     </message>
     <message>
         <source>arrow, kind unknown</source>
-        <translation type="unfinished"></translation>
+        <translation>矢印 種別不明</translation>
     </message>
     <message>
         <source>guiding strip</source>
-        <translation type="unfinished"></translation>
+        <translation>視覚障害者誘導用ブロック</translation>
     </message>
     <message>
         <source>no marking</source>
-        <translation type="unfinished"></translation>
+        <translation>標示なし</translation>
     </message>
     <message>
         <source>on measured walls</source>
-        <translation type="unfinished"></translation>
+        <translation>計測壁面上</translation>
     </message>
     <message>
         <source>unchanged</source>
-        <translation type="unfinished"></translation>
+        <translation>変更なし</translation>
     </message>
     <message>
         <source>not merged (see table)</source>
-        <translation type="unfinished"></translation>
+        <translation>統合なし（表を参照）</translation>
     </message>
     <message>
         <source>on the measured wall</source>
-        <translation type="unfinished"></translation>
+        <translation>計測壁面上へ移動</translation>
     </message>
     <message>
         <source>lay on it already</source>
-        <translation type="unfinished"></translation>
+        <translation>元から計測壁面上</translation>
     </message>
     <message>
         <source>beyond the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>限界値超過</translation>
     </message>
     <message>
         <source>would cross a neighbour</source>
-        <translation type="unfinished"></translation>
+        <translation>隣接建物と交差</translation>
     </message>
     <message>
         <source>does not fit the plan</source>
-        <translation type="unfinished"></translation>
+        <translation>平面形状に不適合</translation>
     </message>
     <message>
         <source>registered, σ up to 3 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>登録済み、σ 3 cm以下</translation>
     </message>
     <message>
         <source>registered, σ 3 to 6 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>登録済み、σ 3～6 cm</translation>
     </message>
     <message>
         <source>registered, σ above 6 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>登録済み、σ 6 cm超</translation>
     </message>
     <message>
         <source>σ up to 5 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>σ 5 cm以下</translation>
     </message>
     <message>
         <source>σ 5 to 20 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>σ 5～20 cm</translation>
     </message>
     <message>
         <source>σ above 20 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>σ 20 cm超</translation>
     </message>
     <message>
         <source>carried on before the first or after the last set</source>
-        <translation type="unfinished"></translation>
+        <translation>最初の組より前または最後の組より後への外挿</translation>
     </message>
     <message>
         <source>used for the position only</source>
-        <translation type="unfinished"></translation>
+        <translation>位置にのみ使用</translation>
     </message>
     <message>
         <source>used, but hardly fits its neighbours</source>
-        <translation type="unfinished"></translation>
+        <translation>使用、ただし近隣との適合が不十分</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>除外</translation>
     </message>
     <message>
         <source>kerb, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石（計測）</translation>
     </message>
     <message>
         <source>kerb, doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>縁石（不確実）</translation>
     </message>
     <message>
         <source>lowered kerb, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>切下げ縁石（計測）</translation>
     </message>
     <message>
         <source>lowered kerb, doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>切下げ縁石（不確実）</translation>
     </message>
     <message>
         <source>road border, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>道路境界（計測）</translation>
     </message>
     <message>
         <source>road border, doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>道路境界（不確実）</translation>
     </message>
     <message>
         <source>guard rail, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>防護柵（計測）</translation>
     </message>
     <message>
         <source>guard rail, doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>防護柵（不確実）</translation>
     </message>
     <message>
         <source>wall, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面（計測）</translation>
     </message>
     <message>
         <source>wall, doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>壁面（不確実）</translation>
     </message>
     <message>
         <source>white</source>
-        <translation type="unfinished"></translation>
+        <translation>白</translation>
     </message>
     <message>
         <source>yellow</source>
-        <translation type="unfinished"></translation>
+        <translation>黄</translation>
     </message>
     <message>
         <source>lowest roofs</source>
-        <translation type="unfinished"></translation>
+        <translation>最も低い屋根</translation>
     </message>
     <message>
         <source>highest roofs</source>
-        <translation type="unfinished"></translation>
+        <translation>最も高い屋根</translation>
     </message>
     <message>
-        <source>below 4: no position</source>
-        <translation type="unfinished"></translation>
+        <source>below 4 satellites: no position</source>
+        <translation>衛星4個未満：測位不可</translation>
     </message>
     <message>
-        <source>4 to 5</source>
-        <translation type="unfinished"></translation>
+        <source>4 to 5 satellites</source>
+        <translation>衛星4～5個</translation>
     </message>
     <message>
-        <source>6 to 8</source>
-        <translation type="unfinished"></translation>
+        <source>6 to 8 satellites</source>
+        <translation>衛星6～8個</translation>
     </message>
     <message>
-        <source>9 to 12</source>
-        <translation type="unfinished"></translation>
+        <source>9 to 12 satellites</source>
+        <translation>衛星9～12個</translation>
     </message>
     <message>
-        <source>13 and more</source>
-        <translation type="unfinished"></translation>
+        <source>13 satellites and more</source>
+        <translation>衛星13個以上</translation>
     </message>
     <message>
         <source>inside a building</source>
-        <translation type="unfinished"></translation>
+        <translation>建物内</translation>
     </message>
     <message>
         <source>in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>正しい位置</translation>
     </message>
     <message>
         <source>moved to its points</source>
-        <translation type="unfinished"></translation>
+        <translation>点群に合わせて移動</translation>
     </message>
     <message>
         <source>place not observable</source>
-        <translation type="unfinished"></translation>
+        <translation>位置の観測不可</translation>
     </message>
     <message>
         <source>too few points</source>
-        <translation type="unfinished"></translation>
+        <translation>点不足</translation>
     </message>
     <message>
         <source>no points</source>
-        <translation type="unfinished"></translation>
+        <translation>点なし</translation>
     </message>
     <message>
         <source>survey to outline</source>
-        <translation type="unfinished"></translation>
+        <translation>計測から外周線へ</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>完了</translation>
     </message>
     <message>
         <source>empty</source>
-        <translation type="unfinished"></translation>
+        <translation>空</translation>
     </message>
     <message>
         <source>failed (see table)</source>
-        <translation type="unfinished"></translation>
+        <translation>失敗（表を参照）</translation>
     </message>
 </context>
 </TS>
