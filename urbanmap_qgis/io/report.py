@@ -26,7 +26,7 @@ from .atomic import written_beside
 from .svg import bars
 
 _STYLE = """
-body { font-family: sans-serif; color: #222; max-width: 62em; margin: 2em auto; padding: 0 1em;
+body { font-family: sans-serif; color: #222; background: #fff; max-width: 62em; margin: 2em auto; padding: 0 1em;
   line-height: 1.45; overflow-wrap: anywhere; }
 h1 { font-size: 1.6em; border-bottom: 3px solid #2f6f8f; padding-bottom: .3em; }
 h2 { font-size: 1.2em; margin-top: 2em; color: #2f6f8f; }
@@ -35,6 +35,7 @@ table { border-collapse: collapse; margin: 1em 0; font-size: .92em; overflow-wra
 th, td { border-bottom: 1px solid #ddd; padding: .3em .8em; text-align: left; vertical-align: top; }
 th { background: #eef4f7; }
 td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.long { min-width: 15em; }
 p.verdict { font-size: 1.1em; padding: .7em 1em; border-left: 6px solid #7b8b95; background: #eef1f3; }
 p.good { background: #e6f4ea; border-color: #1a9850; }
 p.look { background: #fff4e0; border-color: #e09a2b; }
@@ -78,6 +79,9 @@ _SIZE = re.compile(r'<svg((?:(?!viewBox)[^>])*?)width="(\d+)" height="(\d+)"(?![
 _WIDTH = re.compile(r'<svg[^>]*? width="(\d+)"')
 _BROAD = 600
 """Pictures of more pixels are not shrunk to the width of a phone, where their words would be too small: they scroll."""
+
+_LONG = 30
+"""Texts of more letters keep a width at which they can be read, where a table is wider than its page."""
 
 Cell = object
 
@@ -303,4 +307,6 @@ def _cell(value: Cell) -> str:
         return f'<td class="number">{rounded(float(value))}</td>'
     if isinstance(value, Fixed):
         return f'<td class="number">{value}</td>'
-    return f"<td>{html.escape(known(str(value)))}</td>"
+    text = known(str(value))
+    long = ' class="long"' if len(text) > _LONG else ""
+    return f"<td{long}>{html.escape(text)}</td>"

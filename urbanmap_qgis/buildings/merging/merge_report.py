@@ -10,7 +10,7 @@ import numpy as np
 
 from ...io.report import BAD, GOOD, LOOK, Report
 from ...wording import say
-from .merge_stage import MERGED, NOT_MERGED, MergedBuilding
+from .merge_stage import MERGED, NOT_MERGED, UNCHANGED, MergedBuilding
 
 _ROWS = 50
 
@@ -30,11 +30,14 @@ def write_merge_report(path: str | os.PathLike, merged: Sequence[MergedBuilding]
     text = f"{status[MERGED]} of {len(merged)} buildings have walls that lie on measured ones now."
     if status[NOT_MERGED]:
         text += f" {status[NOT_MERGED]} could not be merged and keep their models; the table tells why."
+    if status[UNCHANGED]:
+        text += " " + say("Unchanged: {count}; the table tells why.", count=status[UNCHANGED])
     report.verdict(BAD if not status[MERGED] else LOOK if status[NOT_MERGED] else GOOD, text)
-    failed = [row for row, building in enumerate(merged) if building.status == NOT_MERGED]
-    if failed:
-        report.section("Not merged")
-        report.table(("building", "reason"), [(names[row], merged[row].reason) for row in failed[:_ROWS]])
+    others = sorted((building.status, row) for row, building in enumerate(merged) if building.status != MERGED)
+    if others:
+        report.section("Not merged or unchanged")
+        report.table(("building", "status", "reason"),
+                     [(names[row], word, merged[row].reason) for word, row in others[:_ROWS]])
     more(report)
     report.section("Result")
     offsets = np.array([value for value in columns["mean_offset"] if value is not None], float)
