@@ -54,12 +54,13 @@ TABLES = re.compile(r"STATUS|NAMES|MEANING|METHOD|REASON|WORDS|SHADES|KINDS|CLAS
 def constants_shown(folder: Path) -> Iterator[str]:
     """Texts that reports show: constants given to them, and words that are data too."""
     for path in sorted(folder.rglob("*.py")):
-        tree = ast.parse(path.read_text(encoding="utf-8"))
+        code = path.read_text(encoding="utf-8")
+        tree = ast.parse(code)
         for node in ast.walk(tree):
             if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) in SHOWN:
                 for argument in (*node.args, *(item.value for item in node.keywords)):
                     yield from _plain_texts(argument)
-        for node in tree.body if "io.report" in path.read_text(encoding="utf-8") or "STATUS" in ast.unparse(tree) else ():
+        for node in tree.body if "io.report" in code or "STATUS" in code else ():
             targets = [item.id for item in getattr(node, "targets", []) if isinstance(item, ast.Name)]
             if targets and TABLES.search(targets[0]):
                 yield from (text for text in _plain_texts(node.value) if " " in text or text.islower())

@@ -47,6 +47,7 @@ def run_tiles(jobs: Sequence[TileJob], count: int, cancelled: Callable[[], bool]
 def _until_broken(waiting: list[TileJob], count: int, cancelled: Callable[[], bool]
                   ) -> Iterator[TileRecord]:
     """Take jobs from the end of `waiting` until all are done or a process ends; gives back those lost with it."""
+    others = set(multiprocessing.active_children())
     executor = _processes(count)
     at_work = {}
     try:
@@ -61,14 +62,20 @@ def _until_broken(waiting: list[TileJob], count: int, cancelled: Callable[[], bo
                 del at_work[future]
                 yield record
     except BrokenExecutor:
+        _kill_but(others)
         return list(at_work.values())
     except BaseException:
-        for process in list(executor._processes.values()):
-            process.kill()
+        _kill_but(others)
         raise
     finally:
         executor.shutdown(wait=False, cancel_futures=True)
     return []
+
+
+def _kill_but(others: set) -> None:
+    """End the pool's processes: they pass over a request to end, for which a broken pool would wait for ever."""
+    for process in set(multiprocessing.active_children()) - others:
+        process.kill()
 
 
 def _killed(job: TileJob) -> TileRecord:

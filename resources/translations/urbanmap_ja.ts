@@ -3988,8 +3988,8 @@
         <translation>路面標示の線</translation>
     </message>
     <message>
-        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it).</source>
-        <translation>線（地表を指定した場合は高さ付き）: class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour、width（m）、sigma（m、横断方向）、length（m）、bridged（あるべき塗装のない部分、m）、periodとdash（m）、dashes（線に沿った始点と終点、m）、chain（1本の線の区間）、partner（二重線をなす相手のchain）、confidence（0～1: あるべき塗装のうち見えるものの割合。線の端または横断歩道だけから分かる停止線ではこれより低い値）。</translation>
+        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m).</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -4462,6 +4462,10 @@
     <message>
         <source>Polygons: class (crosswalk, arrow straight, ..., diamond, unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
         <translation>ポリゴン: class（crosswalk 横断歩道、arrow straight 直進矢印 ...、diamond ひし形、unknown 不明）、colour、heading（読む向き、座標北からの度）、score（0～1: 形状との一致度。横断歩道では縞の位置の塗装から縞の間の塗装を引いた値）。</translation>
+    </message>
+    <message>
+        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it).</source>
+        <translation>線（地表を指定した場合は高さ付き）: class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour、width（m）、sigma（m、横断方向）、length（m）、bridged（あるべき塗装のない部分、m）、periodとdash（m）、dashes（線に沿った始点と終点、m）、chain（1本の線の区間）、partner（二重線をなす相手のchain）、confidence（0～1: あるべき塗装のうち見えるものの割合。線の端または横断歩道だけから分かる停止線ではこれより低い値）。</translation>
     </message>
     <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
@@ -5948,8 +5952,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{polygons_count} 個の路面標示が見つかりました。 </translation>
     </message>
     <message>
+        <source>Markings (green) over the orthophoto. Look for paint without an outline, and outlines on roofs, kerbs and vehicles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{doubts_count} things are to be looked at first.</source>
         <translation>先に確認すべき点が {doubts_count} 件あります。</translation>
+    </message>
+    <message>
+        <source>The part with most markings, enlarged</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No frame shows any of the ground: check that frames, exterior orientation and ground lie in the same place and coordinate system.</source>
@@ -6068,6 +6080,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>モデルに体積のある部分がありません。</translation>
     </message>
     <message>
+        <source>Buildings by the largest offset of a wall. Offsets of metres hint at another building, or another date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Two buildings have the same building_id: give each building its own.</source>
         <translation>2つの建物のbuilding_idが同じです。建物ごとに異なるbuilding_idを付けてください。</translation>
     </message>
@@ -6122,6 +6138,30 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The worst {worst_count}</source>
         <translation>最も悪い {worst_count} 件</translation>
+    </message>
+    <message>
+        <source>Buildings by quality. Those far left are to be looked at first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{good} of {count} buildings have a model that explains their points.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{good} of {count} buildings have a valid model. How well it fits is not known: no points were given.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up. Red ones side by side hint at a shift or another date; single ones at their roofs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With a remark: {others}; look at the worst below first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without a model: {missing}; they keep their rows, with the reason, in the result.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The building evidence does not lie on its grid: give both the same rows and columns.</source>
@@ -6636,8 +6676,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}に立体がありません。LoD 1以上の建物モデルを与えてください。</translation>
     </message>
     <message>
-        <source>{count} of {kind_count} signals are reflected by one wall; of {sure:.0f} % of all signals the class is sure.</source>
-        <translation>{kind_count} 信号のうち {count} 信号が1つの壁面で反射しています。全信号の {sure:.0f} % は分類が確実です。</translation>
+        <source>Where measured and predicted paths agree below, the models can be adjusted by them.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m. The others stay where they were: nothing is known of them.</source>
@@ -6650,6 +6690,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The geoid separation was estimated from the satellites ({geoid_separation:.1f} m, sigma {geoid_sigma:.1f} m). An error of it is mostly taken up by the clock.</source>
         <translation>ジオイド高は衛星から推定しました（{geoid_separation:.1f} m、σ {geoid_sigma:.1f} m）。その誤差の大部分は時計誤差に吸収されます。</translation>
+    </message>
+    <message>
+        <source>{count} of {kind_count} signals are reflected by one wall; of {sure:.0f} % of all signals the class is sure.</source>
+        <translation>{kind_count} 信号のうち {count} 信号が1つの壁面で反射しています。全信号の {sure:.0f} % は分類が確実です。</translation>
     </message>
     <message>
         <source>Residuals of signals {names} ({sum:,}).</source>
@@ -7384,6 +7428,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>検証点 {left_out} 点はこの計測の時間内に計測されていないため、除外しました。</translation>
     </message>
     <message>
+        <source>Horizontal error of each control point. Points that stand out alone hint at the control; errors that grow with time, at a part that is not corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction along the path. Look for steps that no loss of satellites explains.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the correction. It grows away from ties and control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; largest {max:.0f} cm).</source>
         <translation>走行の水平位置の標準偏差は {sigma:.1f} cm です（中央値、最大 {max:.0f} cm）。</translation>
     </message>
@@ -7478,6 +7534,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A point lies outside the bounds that the header of its file states: repair the header (lasinfo -repair).</source>
         <translation>ファイルのヘッダに記載された範囲の外に点があります。ヘッダを修復してください（lasinfo -repair）。</translation>
+    </message>
+    <message>
+        <source>Planes seen twice lie {before:.1f} mm apart before and {after:.1f} mm after.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drives in both directions and past walls at several angles determine more.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{patches_count:,} planes in {first_pass} passes.</source>
@@ -7724,8 +7788,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>組{name}は他の組から求めた位置から {away:.2f} m 離れています。計測データと基準データが同じ場所を示しているか確認してください。</translation>
     </message>
     <message>
-        <source>Correction to the {name} with its sigma.</source>
-        <translation>補正量（{name}）とそのσ</translation>
+        <source>Halfway between sets expect less than {predicted:.2f} m.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read the remarks below first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction to the {name} with its sigma. A set that lies beside the curve's band does not fit the others.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The height of the origin above the ground was not given: the mean height stays as reported ({sensor_height:.2f} m above the ground).</source>
@@ -7864,6 +7936,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>路面標示点が見つかりません。路面に標示がないか、反射強度に表れていません。</translation>
     </message>
     <message>
+        <source>Their intensities follow the curves of the scanners. Look at them over an aerial image before they are matched.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The marking points are only {contrast_of:.1f} times as bright as the ground beside them: look at them before they are used.</source>
         <translation>路面標示点の明るさが周囲の地表面の {contrast_of:.1f} 倍しかありません。使用する前に確認してください。</translation>
     </message>
@@ -7990,6 +8066,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>There is no reference marking near the survey: check the CRS of both and that the reference covers the drive.</source>
         <translation>計測データの近くに基準の路面標示がありません。両方のCRSと、基準データが走行範囲を覆っているか確認してください。</translation>
+    </message>
+    <message>
+        <source>Look at the markings before and after below: where they lie on the reference, use the result.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, and jumps only where its satellites were lost or found again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the correction. It grows where markings are few or run one way only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of a window's marking points that lie on reference markings. Where it falls, paint has changed or the match is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of each window's own correction from the smooth one, in plan. Windows that stand out saw something else than the reference.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
@@ -8554,6 +8650,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The data would take more than a million meshes: choose larger ones, or check the coordinates.</source>
         <translation>データのメッシュ数が100万を超えます。より大きいメッシュを選択するか、座標を確認してください。</translation>
+    </message>
+    <message>
+        <source>Tiles: done green, empty grey, failed red, not done white. North is up. Look for empty tiles where data should be.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>This is an estimate from {records_count} of {tiles_count} tiles.</source>
@@ -10408,6 +10508,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>規則別の不備</translation>
     </message>
     <message>
+        <source>{0} lanelets, {1} errors, {2} warnings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the errors right first: with them programs refuse the map or lead the wrong way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Severity</source>
         <translation>重大度</translation>
     </message>
@@ -10420,8 +10528,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>件数</translation>
     </message>
     <message>
-        <source>{0} lanelets, {1} errors, {2} warnings. Where errors are, the map cannot be loaded or routed; warnings are worth a look.</source>
-        <translation>lanelet {0}件、エラー{1}件、警告{2}件。エラーのある箇所では地図の読込や経路探索ができません。警告は確認をお勧めします。</translation>
+        <source>The map can be loaded; look at the warnings before routes rely on it.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Element</source>
@@ -10500,8 +10608,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>地図</translation>
     </message>
     <message>
-        <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered.</source>
-        <translation>車線は淡色、交差点内の経路は赤、矢印は進行方向。走行は点線、指摘箇所は番号で示します。</translation>
+        <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered. Look for arrows against the traffic, and for strips of road without a lane.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No lane was made: nothing shows the direction of any strip between lines.</source>
@@ -10536,12 +10644,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>番号</translation>
     </message>
     <message>
-        <source>{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.</source>
-        <translation>車線{0}本（延長{1:.0f} m）、走行された交差点内の経路{2}本。</translation>
+        <source>What is missing or contradicts is numbered in the map and listed below: {0} findings.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the findings “bound not seen”.</source>
         <translation>境界線の長さの{0:.0%}は計測されておらず、欠落部を通して描かれています。指摘「境界線の未計測」を参照してください。</translation>
+    </message>
+    <message>
+        <source>Of {0} strips beside lines no lane was made; see the findings “no lane made”.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Evidence on directions contradicts itself at {0} places.</source>
@@ -10552,12 +10664,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>方向の根拠: {0} (m)</translation>
     </message>
     <message>
-        <source>Junction {0}, about {1:.0f}, {2:.0f}</source>
-        <translation>交差点{0}、およそ{1:.0f}, {2:.0f}</translation>
+        <source>Junction {0}, about {1:.0f}, {2:.0f}: each way that may be driven should be drawn red.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The first {0} of {1} are shown; the layer holds all.</source>
         <translation>{1}件のうち最初の{0}件を表示しています。レイヤにはすべて含まれます。</translation>
+    </message>
+    <message>
+        <source>{0} lanes of {1:.0f} m together, and {2} ways through junctions that were driven.</source>
+        <translation>車線{0}本（延長{1:.0f} m）、走行された交差点内の経路{2}本。</translation>
     </message>
     <message>
         <source>The map is not connected along the drives at {0} places; see the findings “driven without lane” and “way not drawn”.</source>
@@ -10756,8 +10872,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>件数</translation>
     </message>
     <message>
-        <source>Buildings by the largest offset of a wall</source>
-        <translation>壁面の最大オフセット別の建物</translation>
+        <source>largest offset of a wall (m)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>no points, no roof, no outline, or no valid solid could be made</source>
@@ -10836,10 +10952,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>屋根となり得るすべての点からモデルまでの距離です。屋根が作成されたかどうかは問いません。傾斜屋根を陸屋根（lod 1.3）で表した場合、勾配は高さの差として現れます。</translation>
     </message>
     <message>
-        <source>Buildings by quality</source>
-        <translation>品質別の建物</translation>
-    </message>
-    <message>
         <source>% of the points</source>
         <translation>点の%</translation>
     </message>
@@ -10874,10 +10986,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Buildings by plan without points</source>
         <translation>点のない平面の割合別の建物</translation>
-    </message>
-    <message>
-        <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up.</source>
-        <translation>建物ごとの高さのRMSE（良い方の95 %）です。最も悪いものに番号を付けています。上が北です。</translation>
     </message>
     <message>
         <source>Walls adjusted by GNSS</source>
@@ -11260,10 +11368,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>水平誤差の時間変化</translation>
     </message>
     <message>
-        <source>Horizontal error of each control point</source>
-        <translation>各検証点の水平誤差</translation>
-    </message>
-    <message>
         <source>seconds since the first control point</source>
         <translation>最初の検証点からの秒数</translation>
     </message>
@@ -11334,14 +11438,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>weight</source>
         <translation>重み</translation>
-    </message>
-    <message>
-        <source>Correction along the path</source>
-        <translation>軌跡に沿った補正量</translation>
-    </message>
-    <message>
-        <source>Standard deviation of the correction</source>
-        <translation>補正量の標準偏差</translation>
     </message>
     <message>
         <source>The drives agree with each other, but nothing fixes their place: give control points or reference markings, or use the result only for comparing drives.</source>
@@ -11572,10 +11668,6 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>Z 3の手法どおり: 2つの対応点からなる組（式13～17）、反復法による相対運動（式8、9）</translation>
     </message>
     <message>
-        <source>Their intensities follow the curves of the scanners.</source>
-        <translation>反射強度はスキャナの補正曲線に従います。</translation>
-    </message>
-    <message>
         <source>Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b (1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).</source>
         <translation>アスファルトの反射強度は斜距離と入射角に応じて低下します。曲線f(R) = C + A R^-b (1 - exp(-(R/d)^2))をスキャナごとにアスファルトに当てはめ、反射強度をR1まではこの値で、R1からR2までは最小値で除し、R2を超えるものは除外します(Javanmardi 2018, 式4)。</translation>
     </message>
@@ -11764,8 +11856,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation> 高さ、ロール、ピッチは変更していません。</translation>
     </message>
     <message>
-        <source>Correction of the reported positions</source>
-        <translation>補正前の位置に対する補正量</translation>
+        <source>Correction along the path</source>
+        <translation>軌跡に沿った補正量</translation>
     </message>
     <message>
         <source>Correction of the reported angles</source>
@@ -11778,10 +11870,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Length of the window of each patch: as long as it needs for enough markings</source>
         <translation>各パッチのウィンドウ長: 十分な標示が得られる長さ</translation>
-    </message>
-    <message>
-        <source>Share of a window's marking points that lie on reference markings</source>
-        <translation>ウィンドウの路面標示点のうち基準の標示上にある割合</translation>
     </message>
     <message>
         <source>From (m)</source>
@@ -11830,10 +11918,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Each patch is moved by its own window, as in the paper: between patches there are steps, nothing is bridged, and patches that are not to be trusted are moved all the same.</source>
         <translation>論文どおり、各パッチを固有のウィンドウで移動しています。パッチ間には段差が生じ、補間は行わず、信頼不可のパッチも移動しています。</translation>
-    </message>
-    <message>
-        <source>Distance of each window's own correction from the smooth one, in plan</source>
-        <translation>各ウィンドウ固有の補正と平滑化した補正の平面距離</translation>
     </message>
     <message>
         <source>window length</source>
@@ -11886,10 +11970,6 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Disk of the results (MB)</source>
         <translation>結果のディスク使用量 (MB)</translation>
-    </message>
-    <message>
-        <source>Tiles: done green, empty grey, failed red, not done white. North is up.</source>
-        <translation>タイル: 緑は完了、灰は空、赤は失敗、白は未処理。上が北です。</translation>
     </message>
     <message>
         <source>Reason</source>
