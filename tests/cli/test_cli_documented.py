@@ -20,7 +20,7 @@ FILES = {
     "frames": "aerial", "camera.json": "aerial/camera.json", "exterior.csv": "aerial/exterior.csv",
     "survey.laz": "mms/survey_01.laz", "trajectory.csv": "mms/survey_01_trajectory.csv",
     "calibration.json": "mms/calibration.json", "markings.gpkg": "truth/markings.gpkg", "lines": "lines",
-    "lanes.gpkg": "truth/lanes.gpkg", "day.nav": "gnss/satellites.nav",
+    "day.nav": "gnss/satellites.nav",
     # What the first steps of the tutorial make, which the README's commands make too.
     "reference.gpkg": "truth/markings.gpkg", "reference_ground.tif": "truth/ground.tif",
     "placed.csv": "truth/survey_01_trajectory.csv",
