@@ -40,9 +40,10 @@ from ...urbanmap_qgis.io.staging import JOURNALS, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
 from .crs import crs_from, require_projected, wkt_of
 from .destinations import definition_of, sink_file
+from .earlier_words import earlier_words
 from .parameters import tr
 from .reprojection import needs_moving, table_in
-from .styles import TIME, give_style, save_style
+from .styles import TIME, Earlier, give_style, save_style
 
 BATCH = 1000
 
@@ -221,6 +222,7 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
     """
     wkb_type = getattr(QgsWkbTypes.Type, geometry_type)
     own, fields = own_fields(fields)
+    earlier = earlier_words(algorithm, parameters, context) if len(own) < fields.count() else ()
     features = features_of(fields, columns, geometries, progress)
     reference = crs_from(crs)
     path = sink_file(parameters, name, context)
@@ -235,8 +237,8 @@ def write_layer(algorithm, parameters: Mapping, name: str, context: QgsProcessin
         del sink
     else:
         place = _write_file(algorithm, parameters, name, context, path, (fields, wkb_type, reference), features,
-                            (style, own), progress)
-    give_style(context, place, style, own)
+                            (style, own, earlier), progress)
+    give_style(context, place, style, own, earlier)
     return place
 
 
@@ -334,8 +336,9 @@ def check_place(algorithm, parameters: Mapping, name: str, context: QgsProcessin
 
 
 def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessingContext, path: Path,
-                layer: tuple, features: Iterable[list[QgsFeature]], looks: tuple[str, tuple[str, ...]],
+                layer: tuple, features: Iterable[list[QgsFeature]], looks: tuple[str, tuple[str, ...], Earlier],
                 progress: Progress) -> str:
+    style, own, earlier = looks
     label = algorithm.label_of(name)
     folder = path.parent
     check_place(algorithm, parameters, name, context)
@@ -354,7 +357,7 @@ def _write_file(algorithm, parameters: Mapping, name: str, context: QgsProcessin
             finally:
                 del sink
             if target.suffix.lower() == ".gpkg":
-                save_style(target, *looks, progress)
+                save_style(target, style, own, progress, earlier)
             without_times(target)
             _move_into_place(Path(scratch), folder)
     except OSError as error:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import sqlite3
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import closing
 from html import escape, unescape
 from pathlib import Path
@@ -41,10 +41,15 @@ def style_path(style: str) -> Path:
     return STYLES / f"{style}.qml"
 
 
-def style_text(style: str, fields: Sequence[str] = (), own: Sequence[str] = ()) -> str:
+Earlier = tuple[tuple[str, FieldWords], ...]
+"""Fields of an earlier step with the words that its result has of them."""
+
+
+def style_text(style: str, fields: Sequence[str] = (), own: Sequence[str] = (), earlier: Earlier = ()) -> str:
     """A style as QML, its legend in the user's language; with how the table of a layer with `fields` looks.
 
-    `own` : those fields that are results; the others are the user's and stay as they are, behind them.
+    `own` : those fields that are results; behind them come those of `earlier` steps, with their words; the others are
+    the user's and stay as they are, behind these.
 
     Raises
     ------
@@ -53,20 +58,21 @@ def style_text(style: str, fields: Sequence[str] = (), own: Sequence[str] = ()) 
     text = style_path(style).read_text(encoding="utf-8") if style else TABLE_ONLY
     text = _LEGEND.sub(lambda found: found[1] + escape(tr(unescape(found[2]))) + found[3] if found[2] else found[0],
                        text)
-    table = _table_elements(fields, own, style)
+    kept = {name: words for name, words in earlier if name in fields and name not in own}
+    table = _table_elements(fields, own, style, kept)
     return text.replace("</qgis>", f"{table}</qgis>") if table else text
 
 
-def _table_elements(fields: Sequence[str], own: Sequence[str], style: str) -> str:
+def _table_elements(fields: Sequence[str], own: Sequence[str], style: str, kept: Mapping[str, FieldWords]) -> str:
     """Aliases, decimals and order of a table's columns as elements of QML."""
-    told = {name: words for name in own if name in fields and (words := words_of(name, style)) is not None}
+    told = {name: words for name in own if name in fields and (words := words_of(name, style)) is not None} | kept
     if not told:
         return ""
     lines = ["  <aliases>", *(f'    <alias index="{fields.index(name)}" field="{escape(name)}" '
                               f'name="{escape(tr(words.words))}"/>' for name, words in told.items()), "  </aliases>"]
     lines += ["  <fieldConfiguration>", *(_rounded(name, words) for name, words in told.items()
                                           if words.decimals is not None), "  </fieldConfiguration>"]
-    order = [*(name for name in fields if name in own), *(name for name in fields if name not in own)]
+    order = sorted(fields, key=lambda name: 0 if name in own else 1 if name in kept else 2)
     lines += ["  <attributetableconfig>", "    <columns>",
               *(f'      <column type="field" name="{escape(name)}" hidden="{int(name == "fid")}" width="-1"/>'
                 for name in order), "    </columns>", "  </attributetableconfig>"]
@@ -80,29 +86,31 @@ def _rounded(name: str, words: FieldWords) -> str:
             '<Option name="AllowNull" type="bool" value="true"/></Option></config></editWidget></field>')
 
 
-def give_style(context: QgsProcessingContext, place: str, style: str, own: tuple[str, ...] = ()) -> None:
+def give_style(context: QgsProcessingContext, place: str, style: str, own: tuple[str, ...] = (),
+               earlier: Earlier = ()) -> None:
     """Let QGIS give resources/styles/`style`.qml to the layer at `place` when it loads it after the run.
 
-    `own` : fields that are results, see `style_text`.
+    `own`, `earlier` : fields that are results, see `style_text`.
     """
     place = final_text(place)
     if context.willLoadLayerOnCompletion(place) and (not style or style_path(style).is_file()):
-        context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style, own))
+        context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style, own, earlier))
 
 
 class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
     """Gives a style to a layer that QGIS loads after a run."""
 
-    def __init__(self, style: str, own: tuple[str, ...] = ()):
+    def __init__(self, style: str, own: tuple[str, ...] = (), earlier: Earlier = ()):
         super().__init__()
         self.style = style
         self.own = own
+        self.earlier = earlier
 
     def postProcessLayer(self, layer, context, feedback):
         fields = [field.name() for field in layer.fields()] if layer.type() == QgsMapLayerType.VectorLayer else []
         document = QDomDocument()
         try:
-            document.setContent(style_text(self.style, fields, self.own))
+            document.setContent(style_text(self.style, fields, self.own, self.earlier))
         except OSError as error:
             feedback.pushWarning(tr("The style {0} could not be given to {1}: {2}").format(
                 self.style, layer.name(), error.strerror))
@@ -115,21 +123,21 @@ class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
 
 
 # QGIS does not keep post-processors alive, and drops those that Python has collected without a word.
-_POST_PROCESSORS: dict[tuple[str, tuple[str, ...]], StylePostProcessor] = {}
+_POST_PROCESSORS: dict[tuple[str, tuple[str, ...], Earlier], StylePostProcessor] = {}
 
 
-def _post_processor(style: str, own: tuple[str, ...]) -> StylePostProcessor:
-    return _POST_PROCESSORS.setdefault((style, own), StylePostProcessor(style, own))
+def _post_processor(style: str, own: tuple[str, ...], earlier: Earlier) -> StylePostProcessor:
+    return _POST_PROCESSORS.setdefault((style, own, earlier), StylePostProcessor(style, own, earlier))
 
 
-def save_style(path: Path, style: str, own: Sequence[str], progress: Progress) -> None:
+def save_style(path: Path, style: str, own: Sequence[str], progress: Progress, earlier: Earlier = ()) -> None:
     """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result.
 
     QGIS would write the style's own words in an order that differs from run to run, and leave 3D renderers out where
     it has not been told of them, as in `qgis_process`; so the style's file is stored as it is.
     """
     try:
-        text = style_text(style, field_names(path), own)
+        text = style_text(style, field_names(path), own, earlier)
     except OSError as error:
         progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error.strerror))
         return

@@ -61,6 +61,55 @@ def test_fields_of_the_user_carry_no_mark_into_the_file(plugin, qgis_app):
     assert [item.alias() for item in plain] == ["", ""]
 
 
+def test_words_of_an_earlier_step_stay_and_the_user_s_are_not_touched(qgis_app, run, small_city, tmp_path):
+    """Outlines found in the points by one run, used by the next; the user's field has the name of one of ours."""
+    from qgis.core import QgsVectorLayer
+
+    outlines = tmp_path / "outlines.gpkg"
+    run("native:fieldcalculator", {"INPUT": str(small_city / "footprints" / "gsi_buildings.gpkg"), "FIELD_TYPE": 0,
+                                   "FIELD_NAME": "height", "FORMULA": "1", "OUTPUT": str(outlines)})
+    points = [str(small_city / "als" / "als.laz")]
+    found, meshes = tmp_path / "found.gpkg", tmp_path / "meshes.gpkg"
+    run("urbanmap:segmentbuildings", {"POINTS": points, "FOOTPRINTS": str(outlines), "OUTPUT_BUILDINGS": str(found),
+                                      "OUTPUT": str(tmp_path / "found.laz"), "WORKERS": 1})
+    run("urbanmap:mesh25d", {"POINTS": [str(tmp_path / "found.laz")], "FOOTPRINTS": str(found), "OUTPUT": str(meshes),
+                             "WORKERS": 1})
+    first, layer = QgsVectorLayer(str(found), "f", "ogr"), QgsVectorLayer(str(meshes), "t", "ogr")
+    names = [item.name() for item in layer.fields()]
+    assert first.attributeAlias(first.fields().indexOf("height")) == ""
+    assert layer.attributeAlias(names.index("shift_x")) == "shift east (m)"
+    assert layer.editorWidgetSetup(names.index("shift_x")).config()["Precision"] == 3
+    assert layer.attributeAlias(names.index("orgGILvl")) == ""
+    shown = [item.name for item in layer.attributeTableConfig().columns() if not item.hidden]
+    assert shown.index("triangles") < shown.index("shift_x") < shown.index("orgGILvl")
+
+
+def test_a_field_that_one_input_has_without_words_stays_without(plugin, qgis_app, monkeypatch):
+    from types import SimpleNamespace
+
+    from qgis.core import QgsVectorLayer
+
+    module = plugin("algorithms.framework.earlier_words")
+    inputs = {"USER": QgsVectorLayer("Point?field=sigma:double&field=owner:string", "theirs", "memory"),
+              "STEP": QgsVectorLayer("Point?field=sigma:double&field=up:double", "ours", "memory")}
+    algorithm = SimpleNamespace(
+        parameterDefinitions=lambda: [SimpleNamespace(name=lambda n=n: n, type=lambda: "source") for n in inputs],
+        parameterAsVectorLayer=lambda parameters, name, context: inputs[name])
+    found = iter(({}, {"sigma": "words", "up": "words"}))
+    monkeypatch.setattr(module, "words_in_file", lambda path: next(found))
+    assert module.earlier_words(algorithm, dict.fromkeys(inputs, "given"), None) == (("up", "words"),)
+
+
+def test_words_are_read_from_a_style(plugin, qgis_app, tmp_path):
+    module, words = plugin("algorithms.framework.earlier_words"), plugin("algorithms.framework.field_words").FieldWords
+    styled = """<!DOCTYPE qgis><qgis><aliases><alias index="0" field="sigma" name="sigma (m)"/>
+        <alias index="1" field="owner" name=""/></aliases><fieldConfiguration><field name="sigma"><editWidget>
+        <config><Option type="Map"><Option name="Precision" value="3"/></Option></config></editWidget></field>
+        </fieldConfiguration></qgis>"""
+    assert module.words_in_style(styled) == {"sigma": words("sigma (m)", 3)}
+    assert module.words_in_style("no style") == {} == module.words_in_file(tmp_path / "none.gpkg")
+
+
 KINDS = {"int", "real", "text", "bool"}
 
 
@@ -95,7 +144,7 @@ def test_what_has_a_unit_has_decimals_and_no_more_than_mean_something(plugin):
     module = plugin("algorithms.framework.field_words")
     for words in (*module._WORDS.values(), *module._OF_STYLE.values()):
         unit = re.search(r"\((m|m²|m³|s|MB|°|km/h)\)$", words.words) or words.words.endswith("0 to 1")
-        assert not unit or words.decimals is not None or words.words.startswith("begin and end"), words
+        assert not unit or words.decimals is not None, words
         assert words.decimals is None or words.decimals <= (4 if "unit beside" in words.words else 3), words
 
 
