@@ -83,6 +83,8 @@ PICTURES = {
     "survey_map.jpg": Map((("patches.gpkg", "Patches"), ("road_markings.gpkg", "Road markings"), *GROUND), 500),
     "survey_report.jpg": Page("survey.html"),
     "survey_accuracy.jpg": Page("accuracy.html"),
+    "lanemap_dialog.jpg": Dialog("../README", "lanemap"),
+    "lanemap_map.jpg": Map((("bounds.gpkg", "Bounds"), ("lanes.gpkg", "Lanes"), *GROUND), 450),
 }
 
 
@@ -322,7 +324,7 @@ def main() -> None:
     if unknown := [name for name in names if name not in PICTURES]:
         sys.exit(f"There is no picture {unknown[0]}; there are: {', '.join(PICTURES)}")
     windows = [name for name in names if isinstance(PICTURES[name], (Toolbox, Dialog, Map))]
-    if any(not isinstance(PICTURES[name], Toolbox) for name in names):
+    if any(not isinstance(PICTURES[name], (Toolbox, Dialog)) for name in names):
         run_commands(folder)
     (folder / "pictures").mkdir(parents=True, exist_ok=True)
     options.to.mkdir(parents=True, exist_ok=True)
