@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections import Counter
 
-from qgis.core import QgsProcessing
+from qgis.core import QgsProcessing, QgsProcessingParameterDefinition
 
+from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.layers import make_fields
 from ..framework.parameters import tr
@@ -35,11 +36,17 @@ class MarkingLines(UrbanMapAlgorithm):
     def declare(self):
         self.add_polygons("MARKINGS", "Road markings", "Polygons of the markings, such as those of “Road markings from "
                           "orthophoto”, in a projected CRS in metres. A field colour (white, yellow) is used where "
-                          "there is one.")
+                          "there is one.", optional=True)
         self.add_raster("GROUND", "Ground elevation", "Heights of the ground in metres, in the CRS of the markings: "
                         "gives lines and areas their heights.", optional=True)
         self.add_distance("SIGMA", "Standard deviation of the markings", "How well the places of the markings are "
                           "known as a whole, in metres; it enters the lines' sigma.", 0.02, 0.0, 10.0)
+        points = self.add_points("POINTS", "Marking points", "LAS, LAZ or COPC files of “Road markings from mobile "
+                                 "survey” on a corrected survey. They show paint that vehicles, trees or shadows hide "
+                                 "from the air: what the polygons do not show is added to them. Without polygons "
+                                 "they are all the paint.", optional=True)
+        points.setFlags(points.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+        self.add_points_crs()
         self.add_distance("MIN_LENGTH", "Minimum line length", "Shorter lines are left out.", 6.0, 1.0, 1000.0,
                           advanced=True)
         self.add_distance("MAX_WIDTH", "Maximum line width", "Wider strokes are no part of a line.", 0.5, 0.1, 5.0,
@@ -63,35 +70,61 @@ class MarkingLines(UrbanMapAlgorithm):
         self.add_number_output("UNKNOWN_SHARE", "Unknown paint", "Share of the area of the markings that is neither "
                                "line nor known shape, 0 to 1.")
 
-    def compute(self, parameters, context, feedback):
-        import shapely
+    def check(self, parameters, context):
+        if not parameters.get("MARKINGS") and not self.point_files(parameters, "POINTS", context):
+            raise InputError(tr("Neither road markings nor marking points were given: give one or both."))
 
+    def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.roadmap.line_work import LineSettings, line_work, with_ground_heights
 
         progress = self.progress(feedback)
-        table = self.read_polygons(parameters, "MARKINGS", context, progress.part(0.0, 0.05))
-        rows = [row for row, shape in enumerate(table.geometries) if shape is not None]
-        colours = table.columns.get("colour") or table.columns.get("color") or [""] * len(table)
-        parts, owner = shapely.get_parts(shapely.force_2d(table.geometries[rows]), return_index=True)
+        polygons, colours, crs, source = self._paint(parameters, context, progress.part(0.0, 0.05))
         settings = LineSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
                                 min_length=self.parameterAsDouble(parameters, "MIN_LENGTH", context),
                                 source_sigma=self.parameterAsDouble(parameters, "SIGMA", context))
-        work = line_work(list(parts), [colours[rows[k]] or "" for k in owner], settings, progress.part(0.05, 0.8))
+        work = line_work(polygons, colours, settings, progress.part(0.05, 0.8))
         ground = self.raster_path(parameters, "GROUND", context)
         if ground is not None:
             from ...urbanmap_qgis.io.raster import RasterSampler
 
             with RasterSampler(ground) as heights:
-                self.same_crs("GROUND", heights.crs_wkt, "MARKINGS", table.crs)
+                self.same_crs("GROUND", heights.crs_wkt, source, crs)
                 work = with_ground_heights(work, heights.sample)
         self._tell(work, progress)
-        lines = self._write_lines(parameters, context, work, table.crs, ground is not None, progress.part(0.8, 0.9))
-        areas = self._write_areas(parameters, context, work, table.crs, ground is not None, progress.part(0.9, 1.0))
+        lines = self._write_lines(parameters, context, work, crs, ground is not None, progress.part(0.8, 0.9))
+        areas = self._write_areas(parameters, context, work, crs, ground is not None, progress.part(0.9, 1.0))
         unknown = sum(area.polygon.area for area in work.areas if area.kind == "unknown")
         return {"OUTPUT": lines, "OUTPUT_AREAS": areas, "LINES": len(work.lines),
                 "LENGTH": float(sum(line.plan.length for line in work.lines)),
                 "CROSSWALKS": sum(area.kind == "crosswalk" for area in work.areas),
-                "UNKNOWN_SHARE": float(unknown / max(sum(part.area for part in parts), 1e-9))}
+                "UNKNOWN_SHARE": float(unknown / max(sum(shape.area for shape in polygons), 1e-9))}
+
+    def _paint(self, parameters, context, progress):
+        """Polygons of all paint with their colours, their CRS and the name of the input that it comes from."""
+        import shapely
+
+        polygons, colours, crs, source = [], [], None, "MARKINGS"
+        table = self.read_polygons(parameters, "MARKINGS", context, progress.part(0.0, 0.5))
+        if table is not None:
+            rows = [row for row, shape in enumerate(table.geometries) if shape is not None]
+            names = table.columns.get("colour") or table.columns.get("color") or [""] * len(table)
+            parts, owner = shapely.get_parts(shapely.force_2d(table.geometries[rows]), return_index=True)
+            polygons, colours, crs = list(parts), [names[rows[k]] or "" for k in owner], table.crs
+        files = self.point_files(parameters, "POINTS", context)
+        if files:
+            from ...urbanmap_qgis.io.pointcloud import open_cloud
+            from ...urbanmap_qgis.roadmap.point_paint import cloud_polygons, hidden_paint
+
+            cloud = open_cloud(files)
+            self.require_projected("POINTS", cloud.crs_wkt)
+            if crs is None:
+                crs, source = cloud.crs_wkt, "POINTS"
+            self.same_crs("POINTS", cloud.crs_wkt, source, crs)
+            added = hidden_paint(polygons, cloud_polygons(cloud, progress.part(0.5, 1.0)))
+            progress.message(tr("Marking points add {0} pieces of paint, {1} m².").format(
+                len(added), round(sum(shape.area for shape in added), 1)))
+            polygons, colours = [*polygons, *added], [*colours, *[""] * len(added)]
+        return polygons, colours, crs, source
 
     def _write_lines(self, parameters, context, work, crs, has_heights, progress):
         import numpy as np

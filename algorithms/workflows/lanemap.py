@@ -32,7 +32,8 @@ class LaneMap(UrbanMapAlgorithm):
     )
 
     def declare(self):
-        self.add_from(MarkingLines, "MARKINGS", "GROUND")
+        self.add_from(MarkingLines, "MARKINGS", optional=False)
+        self.add_from(MarkingLines, "GROUND")
         self.add_from(VectorMap, *MAP_INPUTS, *MAP_SETTINGS)
         self.add_from(MarkingLines, "SIGMA", "MIN_LENGTH", advanced=True)
         self.add_from(MarkingLines, MAX_LINE_WIDTH="MAX_WIDTH", advanced=True)

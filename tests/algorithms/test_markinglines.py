@@ -52,3 +52,30 @@ def test_polygons_without_lines_say_so(run, polygon_layer, feedback):
     results = run(ALGORITHM, {"MARKINGS": layer, "OUTPUT": "memory:", "OUTPUT_AREAS": "memory:"})
     assert results["LINES"] == 0 and results["UNKNOWN_SHARE"] == pytest.approx(1.0)
     assert any("No line was found" in text for text in feedback.warnings)
+
+
+def scanned_dashes(make_cloud, path, epsg=6677):
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(0, 60, 0.06), np.arange(-0.06, 0.07, 0.03)))
+    on = x % 7.5 < 3.0
+    return str(make_cloud(path, EAST + x[on], NORTH + y[on], np.zeros(on.sum()), epsg))
+
+
+def test_marking_points_alone_and_with_polygons(run, read_layer, polygon_layer, make_cloud, tmp_path):
+    points = scanned_dashes(make_cloud, tmp_path / "marking.laz")
+    outputs = {"OUTPUT": "memory:", "OUTPUT_AREAS": "memory:"}
+    alone = run(ALGORITHM, {"POINTS": [points], **outputs})
+    seen = polygon_layer([rectangle(x, 0, 3, 0.15) for x in (0, 7.5, 37.5, 45, 52.5)], "EPSG:6677", {})
+    for results in (alone, run(ALGORITHM, {"MARKINGS": seen, "POINTS": [points], **outputs})):
+        (line,) = [row.attributes for row in read_layer(results["OUTPUT"])]
+        assert line["class"] == "dashed" and len(line["dashes"].split(";")) == 8 and not line["placed"]
+        assert line["period"] == pytest.approx(7.5, abs=0.05) and line["bridged"] < 0.5
+
+
+def test_markings_or_points_must_be_given_and_in_one_system(run, street, make_cloud, tmp_path):
+    outputs = {"OUTPUT": "memory:", "OUTPUT_AREAS": "memory:"}
+    with pytest.raises(Exception, match="Neither road markings nor marking points"):
+        run(ALGORITHM, outputs)
+    with pytest.raises(Exception, match="whole surfaces"):
+        x, y = (axis.ravel() for axis in np.meshgrid(np.arange(0, 8, 0.06), np.arange(0, 8, 0.06)))
+        cloud = make_cloud(tmp_path / "all.laz", EAST + x, NORTH + y, 0 * x)
+        run(ALGORITHM, {"MARKINGS": street, "POINTS": [str(cloud)], **outputs})

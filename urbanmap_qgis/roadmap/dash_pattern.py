@@ -90,8 +90,8 @@ def with_worn_ends(dashes: np.ndarray, period: float, dash: float) -> tuple[np.n
 
     Returns
     -------
-    dashes (n, 2), m, and which ends were moved (n, 2) bool: none where fewer than two dashes are whole, or where these do
-    not lie at one distance.
+    dashes (n, 2), m, and which ends were moved (n, 2) bool: none where fewer than two dashes are whole, or where these
+    do not lie at one distance.
     """
     untouched = dashes, np.zeros(dashes.shape, bool)
     length, middle = dashes[:, 1] - dashes[:, 0], dashes.mean(axis=1)
