@@ -3968,6 +3968,10 @@
         <translation>路面標示全体の位置の精度（メートル）です。線のσに含まれます。</translation>
     </message>
     <message>
+        <source>LAS, LAZ or COPC files of “Road markings from mobile survey” on a corrected survey. They show paint that vehicles, trees or shadows hide from the air: what the polygons do not show is added to them. Without polygons they are all the paint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Minimum line length</source>
         <translation>線の最小長</translation>
     </message>
@@ -5953,7 +5957,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Markings (green) over the orthophoto. Look for paint without an outline, and outlines on roofs, kerbs and vehicles.</source>
-        <translation type="unfinished"></translation>
+        <translation>オルソ画像に重ねた路面標示（緑）。輪郭のない標示と、屋根・縁石・車両にかかる輪郭がないか確認してください。</translation>
     </message>
     <message>
         <source>{doubts_count} things are to be looked at first.</source>
@@ -5961,7 +5965,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The part with most markings, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示が最も多い部分の拡大</translation>
     </message>
     <message>
         <source>No frame shows any of the ground: check that frames, exterior orientation and ground lie in the same place and coordinate system.</source>
@@ -6081,7 +6085,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Buildings by the largest offset of a wall. Offsets of metres hint at another building, or another date.</source>
-        <translation type="unfinished"></translation>
+        <translation>壁の最大オフセット別の建物数。数メートルのオフセットは、別の建物か時期の違いを示します。</translation>
+    </message>
+    <message>
+        <source>Unchanged: {count}; the table tells why.</source>
+        <translation>変更なし：{count}。理由は表にあります。</translation>
     </message>
     <message>
         <source>Two buildings have the same building_id: give each building its own.</source>
@@ -6141,27 +6149,27 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Buildings by quality. Those far left are to be looked at first.</source>
-        <translation type="unfinished"></translation>
+        <translation>品質別の建物数。左端のものから先に確認してください。</translation>
     </message>
     <message>
         <source>{good} of {count} buildings have a model that explains their points.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} 棟のうち {good} 棟のモデルは点群とよく合います。</translation>
     </message>
     <message>
         <source>{good} of {count} buildings have a valid model. How well it fits is not known: no points were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>{count} 棟のうち {good} 棟に有効なモデルがあります。点群が与えられていないため、どれだけ合うかは分かりません。</translation>
     </message>
     <message>
         <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up. Red ones side by side hint at a shift or another date; single ones at their roofs.</source>
-        <translation type="unfinished"></translation>
+        <translation>各建物の高さの RMSE（良い方の 95 %）。悪いものに番号を付けています。北が上です。赤が並ぶ所は位置ずれか時期の違い、単独の赤は屋根を疑ってください。</translation>
     </message>
     <message>
         <source>With a remark: {others}; look at the worst below first.</source>
-        <translation type="unfinished"></translation>
+        <translation>注記あり：{others}。下の最も悪いものから確認してください。</translation>
     </message>
     <message>
         <source>Without a model: {missing}; they keep their rows, with the reason, in the result.</source>
-        <translation type="unfinished"></translation>
+        <translation>モデルなし：{missing}。結果には理由とともに行が残ります。</translation>
     </message>
     <message>
         <source>The building evidence does not lie on its grid: give both the same rows and columns.</source>
@@ -6677,7 +6685,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Where measured and predicted paths agree below, the models can be adjusted by them.</source>
-        <translation type="unfinished"></translation>
+        <translation>下の図で観測と予測の経路が一致すれば、モデルの調整に使えます。</translation>
     </message>
     <message>
         <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m. The others stay where they were: nothing is known of them.</source>
@@ -7429,15 +7437,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Horizontal error of each control point. Points that stand out alone hint at the control; errors that grow with time, at a part that is not corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>各基準点の水平較差。1 点だけ大きい場合は基準点を、時間とともに増える場合は補正されていない区間を疑ってください。</translation>
     </message>
     <message>
         <source>Correction along the path. Look for steps that no loss of satellites explains.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路に沿った補正量。衛星の途切れで説明できない段差がないか確認してください。</translation>
     </message>
     <message>
         <source>Standard deviation of the correction. It grows away from ties and control.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正量の標準偏差。タイと基準点から離れるほど大きくなります。</translation>
     </message>
     <message>
         <source>The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; largest {max:.0f} cm).</source>
@@ -7537,11 +7545,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Planes seen twice lie {before:.1f} mm apart before and {after:.1f} mm after.</source>
-        <translation type="unfinished"></translation>
+        <translation>二度観測された平面の間隔は、補正前 {before:.1f} mm、補正後 {after:.1f} mm です。</translation>
     </message>
     <message>
         <source>Drives in both directions and past walls at several angles determine more.</source>
-        <translation type="unfinished"></translation>
+        <translation>両方向の走行と、さまざまな向きの壁沿いの走行があれば、さらに多くの値が決まります。</translation>
     </message>
     <message>
         <source>{patches_count:,} planes in {first_pass} passes.</source>
@@ -7789,15 +7797,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Halfway between sets expect less than {predicted:.2f} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>組と組の中間では {predicted:.2f} m 未満のずれを見込んでください。</translation>
     </message>
     <message>
         <source>Read the remarks below first.</source>
-        <translation type="unfinished"></translation>
+        <translation>先に下の注記を読んでください。</translation>
     </message>
     <message>
         <source>Correction to the {name} with its sigma. A set that lies beside the curve's band does not fit the others.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name}方向の補正量とその標準偏差。帯から外れた組は他の組と合っていません。</translation>
     </message>
     <message>
         <source>The height of the origin above the ground was not given: the mean height stays as reported ({sensor_height:.2f} m above the ground).</source>
@@ -7937,7 +7945,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Their intensities follow the curves of the scanners. Look at them over an aerial image before they are matched.</source>
-        <translation type="unfinished"></translation>
+        <translation>反射強度はスキャナーの曲線に従っています。照合の前に空中写真と重ねて確認してください。</translation>
     </message>
     <message>
         <source>The marking points are only {contrast_of:.1f} times as bright as the ground beside them: look at them before they are used.</source>
@@ -8069,23 +8077,23 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Look at the markings before and after below: where they lie on the reference, use the result.</source>
-        <translation type="unfinished"></translation>
+        <translation>下の補正前後の路面標示を確認し、基準と重なっていれば結果を使ってください。</translation>
     </message>
     <message>
         <source>Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, and jumps only where its satellites were lost or found again.</source>
-        <translation type="unfinished"></translation>
+        <translation>報告された位置の補正量。段差や突出がないか確認してください。走行軌跡のずれは滑らかに変わり、衛星を失った所や再び捉えた所でだけ跳びます。</translation>
     </message>
     <message>
         <source>Standard deviation of the correction. It grows where markings are few or run one way only.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正量の標準偏差。路面標示が少ない所や一方向だけの所で大きくなります。</translation>
     </message>
     <message>
         <source>Share of a window's marking points that lie on reference markings. Where it falls, paint has changed or the match is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>窓の標示点のうち基準の標示に載る割合。下がる所では標示が変わったか、照合が誤っています。</translation>
     </message>
     <message>
         <source>Distance of each window's own correction from the smooth one, in plan. Windows that stand out saw something else than the reference.</source>
-        <translation type="unfinished"></translation>
+        <translation>各窓だけの補正量と平滑化した補正量の水平距離。突出した窓は基準と異なるものを見ています。</translation>
     </message>
     <message>
         <source>: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
@@ -8420,6 +8428,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>線の座標参照系を、OpenDRIVEに必要なPROJ文字列で表せません。PROJで扱える投影座標参照系を設定してください。</translation>
     </message>
     <message>
+        <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
         <translation>軌跡が指定されていません。方向は矢印と停止線だけから判定され、交差点内の車線は接続されません。</translation>
     </message>
@@ -8653,7 +8665,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Tiles: done green, empty grey, failed red, not done white. North is up. Look for empty tiles where data should be.</source>
-        <translation type="unfinished"></translation>
+        <translation>タイル：完了は緑、空は灰、失敗は赤、未処理は白。北が上です。データがあるはずの所に空のタイルがないか確認してください。</translation>
     </message>
     <message>
         <source>This is an estimate from {records_count} of {tiles_count} tiles.</source>
@@ -9708,8 +9720,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>塗装部分の長さ (m)</translation>
     </message>
     <message>
-        <source>begin and end of the dashes (m)</source>
-        <translation>塗装部分の始点と終点 (m)</translation>
+        <source>ends of worn dashes, placed by the others, m along the line</source>
+        <translation>摩耗した破線の端（他の破線から推定、線に沿った m）</translation>
+    </message>
+    <message>
+        <source>begin and end of the dashes, m along the line</source>
+        <translation>破線の始点と終点（線に沿った m）</translation>
     </message>
     <message>
         <source>standard deviation along the road (m)</source>
@@ -9904,8 +9920,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ウィンドウの長さ (m)</translation>
     </message>
     <message>
-        <source>cells with paint</source>
-        <translation>塗装のあるセル</translation>
+        <source>cells or points with paint</source>
+        <translation>標示のあるセルまたは点</translation>
     </message>
     <message>
         <source>paint on the reference, 0 to 1</source>
@@ -10016,8 +10032,8 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>方位の補正量 (°)</translation>
     </message>
     <message>
-        <source>score of the window (log-likelihood)</source>
-        <translation>ウィンドウの評価値（対数尤度）</translation>
+        <source>score of the window, 0 to 1</source>
+        <translation>窓の評価値（0～1）</translation>
     </message>
     <message>
         <source>weight of its own evidence, 0 to 1</source>
@@ -10509,11 +10525,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>{0} lanelets, {1} errors, {2} warnings.</source>
-        <translation type="unfinished"></translation>
+        <translation>レーンレット {0}、エラー {1}、警告 {2}。</translation>
     </message>
     <message>
         <source>Put the errors right first: with them programs refuse the map or lead the wrong way.</source>
-        <translation type="unfinished"></translation>
+        <translation>先にエラーを直してください。エラーがあると地図を読めないか、誤った経路になります。</translation>
     </message>
     <message>
         <source>Severity</source>
@@ -10529,7 +10545,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The map can be loaded; look at the warnings before routes rely on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>地図は読み込めます。経路に使う前に警告を確認してください。</translation>
     </message>
     <message>
         <source>Element</source>
@@ -10609,7 +10625,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered. Look for arrows against the traffic, and for strips of road without a lane.</source>
-        <translation type="unfinished"></translation>
+        <translation>車線は淡色、交差点内の経路は赤、矢印は通行方向、走行は点線、指摘は番号。逆向きの矢印と、車線のない道路部分がないか確認してください。</translation>
     </message>
     <message>
         <source>No lane was made: nothing shows the direction of any strip between lines.</source>
@@ -10645,7 +10661,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>What is missing or contradicts is numbered in the map and listed below: {0} findings.</source>
-        <translation type="unfinished"></translation>
+        <translation>不足や矛盾は地図に番号で示し、下に一覧があります：指摘 {0} 件。</translation>
     </message>
     <message>
         <source>{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the findings “bound not seen”.</source>
@@ -10653,7 +10669,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Of {0} strips beside lines no lane was made; see the findings “no lane made”.</source>
-        <translation type="unfinished"></translation>
+        <translation>線の脇の {0} か所の帯からは車線を作成していません。一覧のうち車線が作成されなかった箇所の指摘を見てください。</translation>
     </message>
     <message>
         <source>Evidence on directions contradicts itself at {0} places.</source>
@@ -10665,7 +10681,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Junction {0}, about {1:.0f}, {2:.0f}: each way that may be driven should be drawn red.</source>
-        <translation type="unfinished"></translation>
+        <translation>交差点 {0}（{1:.0f}, {2:.0f} 付近）：通行できる経路がすべて赤で描かれているはずです。</translation>
     </message>
     <message>
         <source>The first {0} of {1} are shown; the layer holds all.</source>
@@ -10680,8 +10696,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>地図は走行に沿って{0}か所で接続されていません。指摘「車線のない走行」と「経路の未描画」を参照してください。</translation>
     </message>
     <message>
+        <source>Neither road markings nor marking points were given: give one or both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>No lines.</source>
         <translation>線がありません。</translation>
+    </message>
+    <message>
+        <source>Marking points add {0} pieces of paint, {1} m².</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
@@ -10873,7 +10897,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>largest offset of a wall (m)</source>
-        <translation type="unfinished"></translation>
+        <translation>壁の最大オフセット (m)</translation>
+    </message>
+    <message>
+        <source>Not merged or unchanged</source>
+        <translation>統合できないもの・変更のないもの</translation>
     </message>
     <message>
         <source>no points, no roof, no outline, or no valid solid could be made</source>
