@@ -3969,7 +3969,7 @@
     </message>
     <message>
         <source>LAS, LAZ or COPC files of “Road markings from mobile survey” on a corrected survey. They show paint that vehicles, trees or shadows hide from the air: what the polygons do not show is added to them. Without polygons they are all the paint.</source>
-        <translation type="unfinished"></translation>
+        <translation>補正済みの計測から「移動計測の路面標示」で作成した LAS、LAZ、COPC ファイル。車両・樹木・影のため空中から見えない標示を示し、ポリゴンにない分がこれに加えられます。ポリゴンがなければ、これがすべての標示になります。</translation>
     </message>
     <message>
         <source>Minimum line length</source>
@@ -3993,7 +3993,7 @@
     </message>
     <message>
         <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m).</source>
-        <translation type="unfinished"></translation>
+        <translation>線（地表を指定した場合は高さ付き）: class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour、width（m）、sigma（m、横断方向）、length（m）、bridged（あるべき塗装のない部分、m）、periodとdash（m）、dashes（線に沿った始点と終点、m）、chain（1本の線の区間）、partner（二重線をなす相手のchain）、confidence（0～1: あるべき塗装のうち見えるものの割合。線の端または横断歩道だけから分かる停止線ではこれより低い値）、placed（dashesの端のうち摩耗していて、完全な破線から位置を推定したもの、m）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -8429,7 +8429,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>点が標示ではなく面全体を覆っています。計測データそのものではなく、移動計測から抽出した路面標示点を指定してください。</translation>
     </message>
     <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
@@ -10697,7 +10697,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Neither road markings nor marking points were given: give one or both.</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示も路面標示点も指定されていません。少なくとも一方を指定してください。</translation>
     </message>
     <message>
         <source>No lines.</source>
@@ -10705,7 +10705,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Marking points add {0} pieces of paint, {1} m².</source>
-        <translation type="unfinished"></translation>
+        <translation>路面標示点により標示 {0} 個（{1} m²）が加わりました。</translation>
     </message>
     <message>
         <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
