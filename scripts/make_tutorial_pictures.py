@@ -6,7 +6,8 @@
 First the commands of the tutorials run as they stand there (those whose results are in the folder already are left
 out), then QGIS's desktop is started on a virtual screen, where the dialogs are filled in with the same commands. Needs
 QGIS, `xvfb` with Mesa's software renderer, and Chromium for the reports (Debian: apt install xvfb libgl1-mesa-dri
-chromium). Inside QGIS this same script runs again.
+chromium); the windows in Japanese also QGIS's translations and a Japanese font (fonts-ipaexfont or fonts-noto-cjk).
+Inside QGIS this same script runs again.
 """
 
 from __future__ import annotations
@@ -26,6 +27,8 @@ INSIDE = os.environ.get("URBANMAP_TUTORIAL")
 ROOT = Path(os.environ["URBANMAP_ROOT"]) if INSIDE else Path(__file__).resolve().parent.parent
 LARGEST = 118_000
 """Bytes of a picture."""
+ALGORITHM_ID = 258
+"""Role under which QGIS's toolbox holds an algorithm's id (QgsProcessingToolboxModel.RoleAlgorithmId)."""
 WINDOW, DIALOG, REPORT = (1280, 800), (900, 640), (1000, 760)
 """Width and height in pixels."""
 
@@ -34,6 +37,8 @@ WINDOW, DIALOG, REPORT = (1280, 800), (900, 640), (1000, 760)
 class Toolbox:
     """QGIS's window with the toolbox open at the plugin."""
 
+    language: str = "en"
+
 
 @dataclass(frozen=True)
 class Dialog:
@@ -41,6 +46,7 @@ class Dialog:
 
     page: str
     algorithm: str
+    language: str = "en"
 
 
 @dataclass(frozen=True)
@@ -51,6 +57,7 @@ class Map:
     scale: float
     table: bool = False
     """The attribute table of the topmost layer instead of the window."""
+    language: str = "en"
 
 
 @dataclass(frozen=True)
@@ -84,6 +91,8 @@ PICTURES = {
     "survey_report.jpg": Page("survey.html"),
     "survey_accuracy.jpg": Page("accuracy.html"),
     "lanemap_dialog.jpg": Dialog("../README", "lanemap"),
+    "toolbox_ja.jpg": Toolbox(language="ja"),
+    "survey_dialog_ja.jpg": Dialog("tutorial_survey", "georeferencemms", language="ja"),
     "lanemap_map.jpg": Map((("bounds.gpkg", "Bounds"), ("lanes.gpkg", "Lanes"), *GROUND), 450),
 }
 
@@ -149,9 +158,11 @@ def draw_toolbox(target: Path) -> None:
     rows = [model.index(row, 0) for row in range(model.rowCount())]
     own = next(index for index in rows if index.data() == "UrbanMap")
     tree.expand(own)
-    for row in range(model.rowCount(own)):
-        if model.index(row, 0, own).data() in ("Getting started", "Workflows", "Aerial reference"):
-            tree.expand(model.index(row, 0, own))
+    groups = [model.index(row, 0, own) for row in range(model.rowCount(own))]
+    for group in groups:
+        held = {model.data(model.index(row, 0, group), ALGORITHM_ID) for row in range(model.rowCount(group))}
+        if held & {"urbanmap:samplecity", "urbanmap:lanemap", "urbanmap:occlusionmap"}:
+            tree.expand(group)
     tree.scrollTo(own, QTreeView.ScrollHint.PositionAtTop)
     settle()
     window.grab().save(str(target))
@@ -244,8 +255,8 @@ def run_commands(folder: Path) -> None:
             done.add(command)
 
 
-def profile_of(folder: Path) -> Path:
-    """A QGIS profile in English that knows the plugin and asks nothing at the start."""
+def profile_of(folder: Path, language: str) -> Path:
+    """A QGIS profile in a language that knows the plugin and asks nothing at the start."""
     profile = folder / "profile"
     settings = profile / "config/profiles/default/QGIS/QGIS3.ini"
     settings.parent.mkdir(parents=True, exist_ok=True)
@@ -255,14 +266,16 @@ def profile_of(folder: Path) -> Path:
     if not link.is_symlink():
         link.symlink_to(ROOT, target_is_directory=True)
     settings.write_text("[PythonPlugins]\nurbanmap_qgis=true\nprocessing=true\nMetaSearch=false\ndb_manager=false\n"
-                        "grassprovider=false\nsagaprovider=false\n\n[locale]\nuserLocale=en\noverrideFlag=true\n\n"
+                        f"grassprovider=false\nsagaprovider=false\n\n[locale]\nuserLocale={language}\noverrideFlag=true\n\n"
                         "[qgis]\ncheckVersion=false\nshowTips=false\nattributeTableLastView=0\n", encoding="utf-8")
     return profile
 
 
-def draw_windows(names: list[str], folder: Path) -> None:
+def draw_windows(names: list[str], folder: Path, language: str) -> None:
     """Let QGIS's desktop draw its windows on a virtual screen."""
-    profile = profile_of(folder)
+    profile = profile_of(folder, language)
+    if language == "ja" and not _output("fc-list", ":lang=ja", HOME=str(profile / "home")):
+        sys.exit("There is no Japanese font, without which the windows show boxes: apt install fonts-ipaexfont")
     packages = sorted((ROOT / ".venv" / "lib").glob("python3.*/site-packages"))
     kept = {key: value for key, value in os.environ.items()
             if not key.startswith(("QGIS_", "PYTHON", "QT_", "DISPLAY"))}
@@ -279,6 +292,11 @@ def draw_windows(names: list[str], folder: Path) -> None:
     subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", program, "--nologo", "--noversioncheck",
                     "--profiles-path", str(profile / "config"), "--code", str(ROOT / "scripts" / Path(__file__).name)],
                    cwd=folder, env=environment, check=True, timeout=600)
+
+
+def _output(*command: str, **changes: str) -> str:
+    """What a program says, in an environment with changes."""
+    return subprocess.run(command, env={**os.environ, **changes}, capture_output=True, text=True, check=False).stdout
 
 
 def draw_report(kind: Page, folder: Path, target: Path) -> None:
@@ -328,8 +346,8 @@ def main() -> None:
         run_commands(folder)
     (folder / "pictures").mkdir(parents=True, exist_ok=True)
     options.to.mkdir(parents=True, exist_ok=True)
-    if windows:
-        draw_windows(windows, folder)
+    for language in sorted({PICTURES[name].language for name in windows}):
+        draw_windows([name for name in windows if PICTURES[name].language == language], folder, language)
     for name in names:
         drawn, kind = (folder / "pictures" / name).with_suffix(".png"), PICTURES[name]
         if isinstance(kind, Page):

@@ -55,7 +55,7 @@ def test_the_japanese_readme_has_the_commands_algorithms_and_pictures_of_the_eng
         text = (ROOT / name).read_text(encoding="utf-8")
         blocks = "".join(re.findall(r"^```\n(.*?)^```", text, re.M | re.S))
         return (re.sub(r" *#.*", "", blocks), re.findall(r"^\| `(urbanmap:\w+)`", text, re.M),
-                re.findall(r"!\[[^]]*\]\((.*?)\)", text))
+                re.findall(r"!\[[^]]*\]\((docs/images/\w+\.\w+)\)", text))
 
     commands, algorithms, pictures = said("README.md")
     assert len(algorithms) > 40 and len(pictures) == 2 and commands.count("scripts/urbanmap") >= 6
