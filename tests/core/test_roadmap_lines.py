@@ -64,6 +64,13 @@ def test_missing_dash_is_bridged_and_told():
     assert line.bridged == pytest.approx(3.0, abs=0.6)
 
 
+def test_dashes_of_a_motorway_keep_no_phase_and_are_one_dashed_line():
+    starts = np.arange(45) * 12.0 + np.cumsum(np.random.default_rng(3).normal(0.0, 0.12, 45))
+    (line,) = work_of([shapely.box(x, -0.075, x + 2.6, 0.075) for x in starts]).lines
+    assert line.kind == "dashed" and len(line.dashes) == 45
+    assert line.period == pytest.approx(12.0, abs=0.15) and line.dash == pytest.approx(2.6, abs=0.15)
+
+
 def test_worn_end_of_a_dash_is_placed_by_its_neighbours_and_marked():
     boxes = dashes(60.0, 3.0, 4.5)
     boxes[3] = shapely.box(22.5, -0.075, 24.3, 0.075)

@@ -12,6 +12,9 @@ SHORTEST_GAP = 0.8
 LONGEST_PERIOD = 22.0
 """Dash and gap together, m."""
 
+STRETCH = 90.0
+"""Longer lines are compared with patterns stretch by stretch, m: dashes keep no phase for hundreds of metres."""
+
 ADVANTAGE = 0.08
 """By so much more a dashed pattern must explain of the paint than a solid one."""
 
@@ -139,6 +142,21 @@ def _solid(runs: np.ndarray) -> Section:
 
 
 def _pattern(runs: np.ndarray) -> tuple[float, float, float] | None:
+    """Period, dash (m) and agreement of the best periodic pattern; None where a solid line explains the paint as well.
+
+    Of a line longer than 1.5 `STRETCH` the medians of its stretches, where most of its pieces lie in dashed ones.
+    """
+    if runs[-1, 1] - runs[0, 0] <= 1.5 * STRETCH:
+        return _pattern_of_stretch(runs)
+    stretch = ((runs[:, 0] - runs[0, 0]) // STRETCH).astype(int)
+    parts = [runs[stretch == k] for k in np.unique(stretch)]
+    found = [(pattern, len(part)) for part in parts if (pattern := _pattern_of_stretch(part)) is not None]
+    if sum(count for _, count in found) <= 0.5 * len(runs):
+        return None
+    return tuple(float(value) for value in np.median([pattern for pattern, _ in found], axis=0))
+
+
+def _pattern_of_stretch(runs: np.ndarray) -> tuple[float, float, float] | None:
     """Period, dash (m) and agreement of the best periodic pattern; None where a solid line explains the paint as well.
 
     The intersection over union of paint and pattern is compared for all periods, dashes and phases on a grid of

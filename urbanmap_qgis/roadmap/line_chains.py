@@ -11,11 +11,9 @@ from scipy.spatial import cKDTree
 
 from .strokes import Stroke
 
-GAPS = (0.6, 2.0, 5.0, 7.5, 13.0)
-"""Longest gaps bridged, m, round by round: near pieces first, so that far ones are joined by good directions."""
-
-SHORTEST_FOR_GAP = ((0.6, 0.25), (2.0, 0.6), (5.0, 1.0), (7.5, 1.5), (13.0, 2.5))
-"""A gap of at most so many metres may be bridged between lines at least so long, m."""
+SHORTEST_FOR_GAP = ((0.6, 0.25), (2.0, 0.6), (5.0, 1.0), (7.5, 1.5), (10.0, 2.0), (13.0, 2.5))
+"""A gap of at most so many metres may be bridged between lines at least so long, m; round by round, near ones first,
+so that far ones are joined by good directions."""
 
 OFFSET = 0.12
 """Lateral distance allowed between a line's prolongation and the next piece, m, beside what its direction leaves."""
