@@ -57,7 +57,7 @@ figcaption { font-size: .9em; color: #555; }
   body { margin: .6em auto; padding: 0 .6em; font-size: .95em; }
   th, td { padding: .25em .4em; }
   figure.broad { overflow-x: auto; }
-  figure.broad svg { min-width: 46em; }
+  figure.broad svg { min-width: 46rem; }
   figure.broad figcaption { position: sticky; left: 0; }
 }
 @media print {
