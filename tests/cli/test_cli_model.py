@@ -87,7 +87,7 @@ def test_settings_reach_the_steps(block, run_algorithm, tmp_path):
     done = run_algorithm(MODEL, **block, **outputs(tmp_path, "buildingmodels:"), EXPANSION=1.75, HEIGHT="maximum")
     assert done.code == 0, done.err
     report = (tmp_path / "report.html").read_text(encoding="utf-8")
-    assert "Expansion (m): 1.75" in report and "Roof height: maximum" in report
+    assert "<th>Expansion (m)</th><td>1.75</td>" in report and "<th>Roof height</th><td>maximum</td>" in report
 
 
 def test_a_missing_file_is_one_clear_sentence(block, run_algorithm, tmp_path):
