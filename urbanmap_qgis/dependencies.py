@@ -67,8 +67,9 @@ class Missing:
 
     def __str__(self) -> str:
         if self.in_the_way:
-            return (f"{self.package.requirement} (installed, but {self.found_version} was loaded before from "
-                    f"{self.in_the_way}: restart QGIS, without the plugin that loads it)")
+            return (say("{requirement} (installed, but {found_version} was loaded before from {in_the_way}: restart "
+                        "QGIS, without the plugin that loads it)", requirement=self.package.requirement,
+                        found_version=self.found_version, in_the_way=self.in_the_way))
         if self.found_version:
             return f"{self.package.requirement} (found {self.found_version})"
         return self.package.distribution
@@ -343,8 +344,9 @@ def _plain(name: str) -> str:
 
 
 def _no_pip(python: str) -> InstallError:
-    advice = ("install it with: sudo apt install python3-pip" if platform.system() == "Linux"
-              else f"install it with: {shown_command([python, '-m', 'ensurepip', '--user'])}")
+    advice = (say("install it with: sudo apt install python3-pip") if platform.system() == "Linux"
+              else say("install it with: {shown_command}",
+                       shown_command=shown_command([python, "-m", "ensurepip", "--user"])))
     return InstallError(say("{python} has no pip, which installs Python packages: {advice}", python=python,
                             advice=advice))
 
@@ -370,7 +372,7 @@ def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Calla
     if last.endswith("No module named pip"):
         raise _no_pip(command[0])
     if process.returncode != 0:
-        raise InstallError(say("pip could not install the packages: {value}", value=last or "it gave no reason"))
+        raise InstallError(say("pip could not install the packages: {value}", value=last or say("it gave no reason")))
 
 
 def _stop_on_cancel(process: subprocess.Popen, cancelled: Callable[[], bool]) -> None:

@@ -113,10 +113,12 @@ class FrameImage:
 
     def _problem(self, camera: FrameCamera) -> str:
         if (self.width, self.height) != (camera.width, camera.height):
-            return (f"{self.path.name} has {self.width} x {self.height} pixels but the camera {camera.width} x "
-                    f"{camera.height}: choose the camera file of these frames.")
+            return (say("{path} has {width} x {height} pixels but the camera {width_2} x {height_2}: choose the "
+                        "camera file of these frames.", path=self.path.name, width=self.width, height=self.height,
+                        width_2=camera.width, height_2=camera.height))
         if self.dtype not in (np.uint8, np.uint16):
-            return f"{self.path.name} holds {self.dtype.name} values: convert it to 8 or 16 bit."
+            return say("{path} holds {dtype} values: convert it to 8 or 16 bit.", path=self.path.name,
+                       dtype=self.dtype.name)
         return ""
 
     def __enter__(self) -> FrameImage:

@@ -133,8 +133,9 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
     doubts = []
     for pair in evidence.pairs or ():
         if pair.apart:
-            doubts.append(f"{pair.first} and {pair.second} lie {np.hypot(pair.east, pair.north):.2f} m apart on the "
-                          "road markings: markings in their overlap are uncertain by as much. Check the orientation.")
+            doubts.append(say("{first} and {second} lie {east:.2f} m apart on the road markings: markings in their "
+                              "overlap are uncertain by as much. Check the orientation.", first=pair.first,
+                              second=pair.second, east=np.hypot(pair.east, pair.north)))
     if evidence.pairs is not None and not evidence.pairs:
         doubts.append(say("No two frames share enough markings to be compared: a wrong orientation would not show."))
     if found.pixel > _COARSE:
@@ -145,12 +146,12 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
                           "lines of car parks may be among the markings; cut by their confidence, or give roads."))
     alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
     if alone > _ONE_VIEW:
-        doubts.append(f"{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and "
-                      "hide markings.")
+        doubts.append(say("{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, "
+                          "and hide markings.", alone=alone))
     markings = found.polygons
     if len(markings) and (markings.contrast < _FAINT * evidence.contrast).mean() > 0.1:
-        doubts.append(f"{(markings.contrast < _FAINT * evidence.contrast).mean():.0%} of the markings hardly stand out "
-                      "from the road: worn paint, shadow edges or paving.")
+        doubts.append(say("{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or "
+                          "paving.", mean=(markings.contrast < _FAINT * evidence.contrast).mean()))
     if not len(markings):
         doubts.append(say("No marking was found: check the roads, the contrast and whether the image shows any."))
     return doubts

@@ -240,20 +240,20 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     `source` : where the base height comes from; without a base it is assumed.
     """
     if not len(roofs.height):
-        reason = note or "no roof was found in its points"
+        reason = note or say("no roof was found in its points")
         return BuildingModel(number, (), base, 0, NOT_MODELLED, reason, quality=0.0)
     status, reason = OK, note
     if (roofs.roof_id == 0).all():
-        status, reason = BLOCK, f"too few points for roofs; {note}".rstrip("; ")
+        status, reason = BLOCK, say("too few points for roofs; {note}", note=note).rstrip("; ")
     if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
         base = math.nan
     if any(LEVELS_BETTER in str(words) for words in roofs.status):
-        reason = f"level roofs, as they fit its points better than planes; {reason}".rstrip("; ")
+        reason = say("level roofs, as they fit its points better than planes; {reason}", reason=reason).rstrip("; ")
     if not np.isfinite(base):
         base, source = float(roofs.height.min()) - STOREY, ASSUMED
     if source != KNOWN:
         status = GROUND_UNKNOWN if status == OK else status
-        reason = "; ".join(filter(None, (reason, f"its ground is not known, {source}")))
+        reason = "; ".join(filter(None, (reason, say("its ground is not known, {source}", source=source))))
     try:
         solids, problems, lod = (), [""], SLOPED_LOD
         if sloped:
@@ -263,7 +263,7 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
             lod = LEVEL_LOD
             if sloped:
                 status = SIMPLIFIED if status == OK else status
-                why = f"level roofs, as the sloped solid is not valid ({problems[0]})"
+                why = say("level roofs, as the sloped solid is not valid ({problems})", problems=problems[0])
                 reason = f"{reason}; {why}" if reason else why
             solids, problems = _checked_solids(outline, roofs.polygon, roofs.height, roofs.roof_id, base)
         if problems:
@@ -311,8 +311,9 @@ def _simplified(outline: shapely.Geometry | None, roofs: RoofInput, base: float,
     whole = shapely.union_all(shapely.make_valid(roofs.polygon))
     solids, left = _checked_solids(outline, np.array([whole], dtype=object), np.array([height]), np.array([0]), base)
     if left:
-        return (), NOT_MODELLED, f"no valid solid could be made ({left[0]})"
-    return solids, SIMPLIFIED, f"one height for all roofs, as the detailed solid is not valid ({problems[0]})"
+        return (), NOT_MODELLED, say("no valid solid could be made ({left})", left=left[0])
+    return solids, SIMPLIFIED, say("one height for all roofs, as the detailed solid is not valid ({problems})",
+                                   problems=problems[0])
 
 
 def _lost_roofs(points: FitPoints | None, roofs: RoofInput, faces: ModelSurfaces) -> bool:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ..wording import say
+
 OK = "ok"
 NOT_MODELLED, SIMPLIFIED, BLOCK = "not modelled", "simplified", "plain block"
 POOR_FIT, LOST_ROOFS, LOW, GROUND_UNKNOWN = "points not explained", "lost roofs", "low", "ground unknown"
@@ -77,7 +79,7 @@ def judge(status: str, reason: str, facts: ModelFacts) -> tuple[str, str]:
     if facts.height >= TOWER and facts.height > math.sqrt(facts.area):
         notes.append(f"a tower, {facts.height:.0f} m high")
     if facts.curved:
-        notes.append("curved walls are drawn as short straight ones")
+        notes.append(say("curved walls are drawn as short straight ones"))
     order = list(STATUSES)
     found.sort(key=lambda flaw: order.index(flaw[0]))
     texts = [text for _, text in found if text] + notes
@@ -87,16 +89,18 @@ def judge(status: str, reason: str, facts: ModelFacts) -> tuple[str, str]:
 def _flaws(facts: ModelFacts):
     """Statuses that the facts give, with their reasons."""
     if facts.not_explained > MAX_NOT_EXPLAINED or facts.rmse_z95 > MAX_RMSE:
-        yield POOR_FIT, (f"{100 * facts.not_explained:.0f} % of the points that can be roof are not explained by the "
-                         f"model, RMSE of height (best 95 %) {facts.rmse_z95:.1f} m")
+        yield POOR_FIT, (say("{not_explained:.0f} % of the points that can be roof are not explained by the model, "
+                             "RMSE of height (best 95 %) {rmse_z95:.1f} m", not_explained=100 * facts.not_explained,
+                             rmse_z95=facts.rmse_z95))
     if facts.lost_roofs:
-        yield LOST_ROOFS, "a roof found in its points has no polygon"
+        yield LOST_ROOFS, say("a roof found in its points has no polygon")
     if facts.height < MIN_HEIGHT:
-        yield LOW, f"only {facts.height:.2f} m over the ground"
+        yield LOW, say("only {height:.2f} m over the ground", height=facts.height)
     if facts.area < (1 - MAX_UNMODELLED) * facts.outline_area:
-        yield PARTLY_MODELLED, f"{100 * (1 - facts.area / facts.outline_area):.0f} % of its outline has no model"
+        yield PARTLY_MODELLED, say("{area:.0f} % of its outline has no model",
+                                   area=100 * (1 - facts.area / facts.outline_area))
     if facts.unseen > MAX_UNSEEN:
-        yield UNSEEN, f"{100 * facts.unseen:.0f} % of its plan has no roof points"
+        yield UNSEEN, say("{unseen:.0f} % of its plan has no roof points", unseen=100 * facts.unseen)
     if facts.points < MIN_POINTS:
         yield FEW_POINTS, f"only {facts.points:.0f} points"
     if facts.area < MIN_AREA:

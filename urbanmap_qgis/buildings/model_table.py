@@ -139,15 +139,16 @@ def _why(columns: Mapping[str, Sequence], row: int) -> str:
     unseen, density = columns["unseen"][row], columns["density"][row]
     coverage, rmse = columns["coverage"][row], columns["rmse_z95"][row]
     if MAX_UNSEEN >= unseen > 0.2:
-        causes.append(f"{100 * unseen:.0f} % of its plan has no roof points")
+        causes.append(say("{unseen:.0f} % of its plan has no roof points", unseen=100 * unseen))
     if density < 2.0:
         causes.append(f"only {density:.1f} points a m²")
     if coverage < 0.9:
-        causes.append(f"{100 * (1 - coverage):.0f} % of its points lie beside the model: check the outline")
+        causes.append(say("{coverage:.0f} % of its points lie beside the model: check the outline",
+                          coverage=100 * (1 - coverage)))
     if rmse > 1.0:
-        causes.append("its roofs do not follow the points: a broken roof, or points of something else")
+        causes.append(say("its roofs do not follow the points: a broken roof, or points of something else"))
     elif rmse > 0.3:
-        causes.append("sloped or uneven roofs are modelled level")
+        causes.append(say("sloped or uneven roofs are modelled level"))
     return "; ".join(causes)
 
 

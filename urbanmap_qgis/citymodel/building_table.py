@@ -16,6 +16,7 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF
+from ..wording import say
 from .cityjson_writer import plain_attributes
 from .model import (
     CEILING_SURFACE,
@@ -116,7 +117,7 @@ def _row(building: CityObject) -> BuildingRow:
     roofs = [next(numbers) if kind == ROOF else None for kind in kinds]
     outline = _outline(shapes, array)
     if outline is None:
-        problems.append("it has no outline and no face from which one could be made")
+        problems.append(say("it has no outline and no face from which one could be made"))
     z = np.concatenate([ring[:, 2] for surface in _heights_of(model, shapes) for ring in surface.rings] or
                        [np.empty(0)])
     ground, top = (float(z.min()), float(z.max())) if len(z) else (None, None)

@@ -63,14 +63,16 @@ class ReadingNotes:
             made.append(say("Parts of buildings that have no place in the result were left out ({counts}).",
                             counts=_counts(self.unread)))
         if self.missing_lists:
-            made.append(f"{len(self.missing_lists)} lists of codes are not there or damaged, so that codes stay as "
-                        f"they are ({', '.join(sorted(self.missing_lists)[:3])}).")
+            made.append(say("{missing_lists_count} lists of codes are not there or damaged, so that codes stay as "
+                            "they are ({missing_lists}).", missing_lists_count=len(self.missing_lists),
+                            missing_lists=", ".join(sorted(self.missing_lists)[:3])))
         if self.missing_images:
-            made.append(f"{len(self.missing_images)} images of textures are not there "
-                        f"({', '.join(sorted(self.missing_images)[:3])}).")
+            made.append(say("{missing_images_count} images of textures are not there ({missing_images}).",
+                            missing_images_count=len(self.missing_images),
+                            missing_images=", ".join(sorted(self.missing_images)[:3])))
         if self.repeated:
-            made.append(f"{len(self.repeated)} ids are there more than once and got a number behind "
-                        f"({', '.join(self.repeated[:3])}).")
+            made.append(say("{repeated_count} ids are there more than once and got a number behind ({repeated}).",
+                            repeated_count=len(self.repeated), repeated=", ".join(self.repeated[:3])))
         return made
 
 
@@ -148,7 +150,7 @@ def _once(building: CityObject, seen: Counter, notes: ReadingNotes) -> CityObjec
         notes.repeated.append(identifier)
         why = "its id is there more than once"
     else:
-        why = "it has no id"
+        why = say("it has no id")
     return replace(building, id=f"{identifier}-{seen[identifier]}", problems=(*building.problems, why))
 
 
@@ -252,7 +254,7 @@ def _mentions(source: XmlSource, word: bytes) -> bool:
 def _code_list(source: XmlSource) -> dict[str, str]:
     """What a list of codes (gml:Dictionary) says: description by code."""
     found = {}
-    for _, entry in root_children(source, "a list of codes", LARGEST_BUILDING):
+    for _, entry in root_children(source, say("a list of codes"), LARGEST_BUILDING):
         texts = {split_tag(item.tag)[1]: (item.text or "").strip() for item in entry.iter() if not len(item)}
         if "name" in texts and "description" in texts and len(found) < _LARGEST_LIST:
             found[texts["name"]] = texts["description"]

@@ -179,11 +179,11 @@ class _Piece:
         for child in item.get("children") or ():
             found = self.objects.get(child)
             if found is None:
-                problems.append(f"its part {child} is not there")
+                problems.append(say("its part {child} is not there", child=child))
             elif found.get("type") == BUILDING_PART and child != key and not found.get("children"):
                 parts.append(self._object(child, found, seen))
             elif found.get("type") == BUILDING_PART:
-                problems.append(f"its part {child} has parts of its own, which were left out")
+                problems.append(say("its part {child} has parts of its own, which were left out", child=child))
         if key in seen:
             self.notes.repeated.append(key)
             problems.append("its id is there more than once")
@@ -218,7 +218,8 @@ class _Piece:
                 shapes.append(CityShape(lod, SOLID, made))
                 gaps = sum(unmatched_edges(shell, self.digits) for shell in made)
                 if gaps:
-                    problems.append(f"its solid of level {lod} is not closed ({gaps} edges without a neighbour)")
+                    problems.append(say("its solid of level {lod} is not closed ({gaps} edges without a neighbour)",
+                                        lod=lod, gaps=gaps))
         return shapes
 
     def _shell(self, faces: list, values: list | None, semantics: Mapping, textures: list | None,
@@ -228,7 +229,7 @@ class _Piece:
         for place, face in enumerate(faces):
             rings = [self._ring(ring) for ring in face]
             if not rings or rings[0] is None:
-                problems.append("a face has fewer than three corners")
+                problems.append(say("a face has fewer than three corners"))
                 continue
             number = _at(values, place)
             entry = entries[number] if isinstance(number, int) and 0 <= number < len(entries) else {}

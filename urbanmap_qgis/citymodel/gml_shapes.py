@@ -13,6 +13,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from ..geometry.solid import FaceTexture
+from ..wording import say
 from .gml_values import XLINK_HREF, Meaning, generic_value, id_of, leaf_value, split_tag
 from .model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, SURFACE_KINDS, CityShape, CitySurface
 
@@ -115,16 +116,17 @@ class ShapeReader:
                 shapes.append(CityShape(lod, SOLID, tuple(shell for shell in shells if shell), id_of(solid)))
                 gaps = sum(unmatched_edges(shell, self.digits) for shell in shells)
                 if gaps:
-                    self.problems.append(f"its solid of level {lod} is not closed ({gaps} edges without a neighbour)")
+                    self.problems.append(say("its solid of level {lod} is not closed ({gaps} edges without a "
+                                             "neighbour)", lod=lod, gaps=gaps))
             else:
-                self.problems.append(f"its solid of level {lod} has no usable face")
+                self.problems.append(say("its solid of level {lod} has no usable face", lod=lod))
         return shapes
 
     def _surfaces(self, element: Element, known: Mapping[str, CitySurface], turned: bool = False,
                   depth: int = 0) -> Iterator[CitySurface]:
         """Polygons below an element, also those that it refers to by their ids."""
         if depth > _DEEPEST:
-            self.problems.append("its surfaces are nested too deep")
+            self.problems.append(say("its surfaces are nested too deep"))
             return
         for child in element:
             name = split_tag(child.tag)[1]
@@ -132,7 +134,8 @@ class ShapeReader:
             if reference:
                 found = known.get(reference.rpartition("#")[2]) if reference.startswith("#") else None
                 if found is None:
-                    self.problems.append(f"it refers to the surface {reference[:60]}, which it does not have")
+                    self.problems.append(say("it refers to the surface {reference}, which it does not have",
+                                             reference=reference[:60]))
                 else:
                     yield _turned(found) if turned else found
             elif name in ("Polygon", "Triangle", "Rectangle", "PolygonPatch"):
@@ -193,7 +196,8 @@ class ShapeReader:
             return None
         found = [self.textures.places.get((identifier, name)) for name in names]
         if any(uv is None or len(uv) < len(ring) for uv, ring in zip(found, rings)):
-            self.problems.append(f"the texture of polygon {identifier} does not fit its corners and was left out")
+            self.problems.append(say("the texture of polygon {identifier} does not fit its corners and was left out",
+                                     identifier=identifier))
             return None
         return FaceTexture(image, tuple(uv[:len(ring)] for uv, ring in zip(found, rings)))
 

@@ -242,14 +242,16 @@ def _behind_another(plane: WallPlane, contour: Contour,
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
     """Status of a wall and the reason; `depth` : m inside the outline of what is no facade, else 0."""
     if points < _FEW:
-        return FEW, f"only {points} points lie on it"
+        return FEW, say("only {points} points lie on it", points=points)
     if plane.rmse > _ROUGH:
-        return ROUGH, f"its points scatter by {100 * plane.rmse:.0f} cm: no flat wall, or drives that disagree"
+        return ROUGH, say("its points scatter by {rmse:.0f} cm: no flat wall, or drives that disagree",
+                          rmse=100 * plane.rmse)
     if depth > 0:
-        return INSIDE, f"it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window"
+        return INSIDE, say("it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window",
+                           depth=depth)
     if seen.coverage < _HALF:
-        why = "something stands in front" if seen.hidden > seen.unseen else "the survey did not see the rest"
-        return PARTLY, f"{100 * seen.coverage:.0f} % of it was seen; {why}"
+        why = say("something stands in front") if seen.hidden > seen.unseen else say("the survey did not see the rest")
+        return PARTLY, say("{coverage:.0f} % of it was seen; {why}", coverage=100 * seen.coverage, why=why)
     return OK, ""
 
 

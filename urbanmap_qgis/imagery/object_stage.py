@@ -10,6 +10,7 @@ import shapely
 
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..progress import SILENT, Progress
+from ..wording import say
 from .image_outlines import LINE, POINT, POLYGON, ImageOutline
 from .object_surface import MIN_POINTS, SurfacePlane, nearest_surface, ray_intersections, surface_plane
 from .outline_points import SNAP, OutlinePoints, outline_points
@@ -95,12 +96,12 @@ def _polygon(outline: ImageOutline, points: OutlinePoints) -> MapObject:
     corners = [ray_intersections(plane, *outline.source.rays(*ring.T)) for ring in rings]
     if not all(np.isfinite(ring).all() for ring in corners):
         return MapObject(outline.feature, None, points=len(surface), rmse=plane.rmse,
-                         reason="the surface runs along the line of sight")
+                         reason=say("the surface runs along the line of sight"))
     shape = shapely.Polygon(corners[0], corners[1:])
     return MapObject(outline.feature, shape, *_extent(plane, corners[0]), distance=float(np.median(surface.distance)),
                      points=plane.points, rmse=plane.rmse, sigma=_sigma(outline, plane, middle),
                      status=MEASURED if plane.fitted else FACING,
-                     reason="" if plane.fitted else "too few points or too narrow for a plane of its own")
+                     reason="" if plane.fitted else say("too few points or too narrow for a plane of its own"))
 
 
 def _extent(plane: SurfacePlane, corners: np.ndarray) -> tuple[float, ...]:
@@ -141,8 +142,8 @@ def _line(outline: ImageOutline, points: OutlinePoints) -> MapObject:
                      distance=float(np.median(points.distance)), points=used, rmse=float(np.nanmedian(spread)),
                      sigma=_sample_sigma(outline, pixels[known], places[known], spread[known]),
                      status=MEASURED if ends_known and known.mean() > 0.8 else PARTLY,
-                     reason="" if known.all() else f"no laser points at {np.count_nonzero(~known)} of {len(known)} "
-                     "places")
+                     reason="" if known.all() else say("no laser points at {known_count} of {known_count_2} places",
+                                                       known_count=np.count_nonzero(~known), known_count_2=len(known)))
 
 
 def _point(outline: ImageOutline, points: OutlinePoints) -> MapObject:
@@ -191,8 +192,9 @@ def _sample_sigma(outline: ImageOutline, pixels: np.ndarray, places: np.ndarray,
 
 def _too_few(points: OutlinePoints) -> str:
     if not len(points):
-        return "no laser points lie behind it"
-    return f"{len(points)} laser points behind it are too few, or no group of them is connected (needed: {MIN_POINTS})"
+        return say("no laser points lie behind it")
+    return say("{points_count} laser points behind it are too few, or no group of them is connected (needed: "
+               "{min_points})", points_count=len(points), min_points=MIN_POINTS)
 
 
 def geometry_type(outlines: Sequence[ImageOutline]) -> str:

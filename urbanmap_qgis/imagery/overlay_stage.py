@@ -165,7 +165,8 @@ def _write_page(page: str | os.PathLike, states: Sequence[OverlayState], drawn: 
     text = (say("Edges should run along what the images show, and points lie on what they were measured from; where "
                 "they do not, survey, orientation or models are off."))
     if nothing:
-        text += f" Nothing lies in {len(nothing)} of {len(records)} images."
+        text += say(" Nothing lies in {nothing_count} of {records_count} images.", nothing_count=len(nothing),
+                    records_count=len(records))
     report.verdict(LOOK, text)  # nothing is measured here: the reader judges
     _add_pictures(report, states, drawn, records, colours, pictures, folder)
     report.section("Images")

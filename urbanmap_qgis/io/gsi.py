@@ -134,8 +134,10 @@ def fitting_zone(buildings: GsiBuildings, notes: list[str] | None = None) -> int
     chosen = int(np.argmax(counts))
     if notes is not None and counts[chosen] < len(zones):
         others = ", ".join(ZONE_NAMES[zone - 1] for zone in np.flatnonzero(counts) if zone != chosen)
-        notes.append(f"{len(zones) - counts[chosen]} of {len(zones)} buildings seem to lie outside zone "
-                     f"{ZONE_NAMES[chosen - 1]}, in {others}: choose the reference system if that is not wanted.")
+        notes.append(say("{zones_count} of {zones_count_2} buildings seem to lie outside zone {zone_names}, in "
+                         "{others}: choose the reference system if that is not wanted.",
+                         zones_count=len(zones) - counts[chosen], zones_count_2=len(zones),
+                         zone_names=ZONE_NAMES[chosen - 1], others=others))
     return zone_epsg(chosen)
 
 
@@ -149,12 +151,14 @@ def _assembled(harvest: Harvest, progress: Progress, notes: list[str]) -> Buildi
     known = known_lines + known_polygons
     progress.step(0.9)
     if same_areas + same_lines:
-        notes.append(f"{same_areas + same_lines} objects that several files hold alike were taken once.")
+        notes.append(say("{same_areas} objects that several files hold alike were taken once.",
+                         same_areas=same_areas + same_lines))
     if known:
-        notes.append(f"{known} outlines (BldL) of buildings that are there as areas (BldA) were left out.")
+        notes.append(say("{known} outlines (BldL) of buildings that are there as areas (BldA) were left out.",
+                         known=known))
     buildings, mended = repaired(concatenated(areas, outlined))
     if mended:
-        notes.append(f"{mended} outlines that cross or touch themselves were repaired.")
+        notes.append(say("{mended} outlines that cross or touch themselves were repaired.", mended=mended))
     if len(buildings.polygons) == 0:
         raise InputError(say("No outline in {source} closes to a polygon: give all map sheets around the area, or "
                              "BldA files.", source=harvest.lines.attributes["source"][0]))
@@ -220,24 +224,24 @@ def _reading_notes(listing: Listing, harvest: Harvest) -> list[str]:
     """Sentences on what the files held besides plain building outlines."""
     notes = []
     if listing.others:
-        notes.append(f"{len(listing.others)} files with other objects than buildings were not opened "
-                     f"({_some(listing.others)}).")
+        notes.append(say("{others_count} files with other objects than buildings were not opened ({some}).",
+                         others_count=len(listing.others), some=_some(listing.others)))
     if harvest.not_gsi:
-        notes.append(f"{len(harvest.not_gsi)} XML files that are not GSI data were passed over "
-                     f"({_some(harvest.not_gsi)}).")
+        notes.append(say("{not_gsi_count} XML files that are not GSI data were passed over ({some}).",
+                         not_gsi_count=len(harvest.not_gsi), some=_some(harvest.not_gsi)))
     if harvest.other_objects:
         kinds = ", ".join(f"{count} {kind}" for kind, count in sorted(harvest.other_objects.items()))
         notes.append(say("Objects that are no building outlines were passed over ({kinds}).", kinds=kinds))
     if harvest.unusable:
-        notes.append(f"{len(harvest.unusable)} buildings have no usable outline and are missing in the "
-                     f"result: {_some(harvest.unusable)}.")
+        notes.append(say("{unusable_count} buildings have no usable outline and are missing in the result: {some}.",
+                         unusable_count=len(harvest.unusable), some=_some(harvest.unusable)))
     if harvest.gaps:
-        notes.append(f"{len(harvest.gaps)} gaps in outlines were closed by a straight line, the widest "
-                     f"{max(harvest.gaps) * _METRES_A_DEGREE:.2g} m.")
+        notes.append(say("{gaps_count} gaps in outlines were closed by a straight line, the widest {gaps:.2g} m.",
+                         gaps_count=len(harvest.gaps), gaps=max(harvest.gaps) * _METRES_A_DEGREE))
     if harvest.curved_objects:
         kinds = ", ".join(sorted(harvest.other_segments))
-        notes.append(f"{harvest.curved_objects} curve segments ({kinds}) were replaced by straight lines "
-                     "between the points they give.")
+        notes.append(say("{curved_objects} curve segments ({kinds}) were replaced by straight lines between the "
+                         "points they give.", curved_objects=harvest.curved_objects, kinds=kinds))
     return notes
 
 
@@ -249,11 +253,12 @@ def _nothing_found(listing: Listing, harvest: Harvest) -> str:
                    some=_some(harvest.unusable))
     if harvest.other_objects:
         kinds = ", ".join(sorted(harvest.other_objects))
-        return f"{first} holds no building outlines (BldA or BldL) but {kinds}: give the buildings' file."
+        return say("{first} holds no building outlines (BldA or BldL) but {kinds}: give the buildings' file.",
+                   first=first, kinds=kinds)
     if harvest.not_gsi:
-        return (f"{harvest.not_gsi[0]} is not GSI Fundamental Geospatial Data (its root is not an FGD "
-                "Dataset): give files named FG-GML-...-BldA or -BldL as downloaded.")
-    return f"{first} holds no buildings: choose another map sheet."
+        return (say("{not_gsi} is not GSI Fundamental Geospatial Data (its root is not an FGD Dataset): give files "
+                    "named FG-GML-...-BldA or -BldL as downloaded.", not_gsi=harvest.not_gsi[0]))
+    return say("{first} holds no buildings: choose another map sheet.", first=first)
 
 
 def _some(items: list[str]) -> str:

@@ -278,16 +278,19 @@ def _product(element: Element, cell: float, source: XmlSource) -> str:
 def _notes(others: list[str], strange: list[str], older: list[str], meshes: list[DemMesh]) -> list[str]:
     notes = []
     if others:
-        notes.append(f"{len(others)} files with other data than elevation models were not opened ({_some(others)}).")
+        notes.append(say("{others_count} files with other data than elevation models were not opened ({some}).",
+                         others_count=len(others), some=_some(others)))
     if strange:
-        notes.append(f"{len(strange)} XML files that are no elevation models were passed over ({_some(strange)}).")
+        notes.append(say("{strange_count} XML files that are no elevation models were passed over ({some}).",
+                         strange_count=len(strange), some=_some(strange)))
     if older:
-        notes.append(f"{len(older)} older files of meshes that have a newer one were left out ({_some(older)}).")
+        notes.append(say("{older_count} older files of meshes that have a newer one were left out ({some}).",
+                         older_count=len(older), some=_some(older)))
     kinds = sum((mesh.kinds for mesh in meshes), Counter())
     surface = kinds.get("表層面", 0)
     if surface:
-        notes.append(f"{surface} cells of {sum(kinds.values())} are heights of the surface (表層面), with trees and "
-                     "buildings, not of the ground.")
+        notes.append(say("{surface} cells of {values} are heights of the surface (表層面), with trees and buildings, "
+                         "not of the ground.", surface=surface, values=sum(kinds.values())))
     return notes
 
 

@@ -148,7 +148,7 @@ def _take(element: Element, source: str, harvest: Harvest) -> None:
         if element.tag == FGD + "BldA":
             patches = [_patch(patch, harvest) for patch in element.iter(GML + "PolygonPatch")]
             if not patches:
-                raise _Unusable("it has no surface")
+                raise _Unusable(say("it has no surface"))
             for rings in patches:
                 harvest.areas.add(rings, attributes)
         else:
@@ -179,14 +179,14 @@ def _patch(patch: Element, harvest: Harvest) -> list[list[float]]:
     """Rings of a polygon patch, outer first, each a closed list of latitude and longitude in turn."""
     outer = patch.find(GML + "exterior")
     if outer is None:
-        raise _Unusable("its surface has no exterior")
+        raise _Unusable(say("its surface has no exterior"))
     return [_ring(boundary, harvest) for boundary in (outer, *patch.findall(GML + "interior"))]
 
 
 def _ring(boundary: Element, harvest: Harvest) -> list[float]:
     members = [points for points in _curves(boundary, harvest) if points]
     if not members:
-        raise _Unusable("a ring has no coordinates")
+        raise _Unusable(say("a ring has no coordinates"))
     ring = members[0] if len(members) == 1 else _joined(members, harvest)
     if ring[:2] != ring[-2:]:
         gap = _distance(ring[-2:], ring[:2])
@@ -196,17 +196,17 @@ def _ring(boundary: Element, harvest: Harvest) -> list[float]:
         else:
             ring[-2:] = ring[:2]
     if len(ring) < 8:
-        raise _Unusable("a ring has fewer than three corners")
+        raise _Unusable(say("a ring has fewer than three corners"))
     return ring
 
 
 def _line(element: Element, harvest: Harvest) -> list[float]:
     segments = [points for points in _curves(element, harvest) if points]
     if not segments:
-        raise _Unusable("its line has no coordinates")
+        raise _Unusable(say("its line has no coordinates"))
     line = segments[0] if len(segments) == 1 else _joined(segments, harvest)
     if len(line) < 4:
-        raise _Unusable("its line has a single point")
+        raise _Unusable(say("its line has a single point"))
     return line
 
 
@@ -230,18 +230,18 @@ def _points(text: str | None, dimension: str | None) -> list[float]:
     try:
         values = [float(value) for value in (text or "").split()]
     except ValueError as error:
-        raise _Unusable("a coordinate is not a number") from error
+        raise _Unusable(say("a coordinate is not a number")) from error
     if dimension == "3":
         del values[2::3]
     if len(values) % 2:
-        raise _Unusable("a latitude has no longitude")
+        raise _Unusable(say("a latitude has no longitude"))
     if values:
         latitudes, longitudes = values[::2], values[1::2]
         inside = (min(latitudes) >= _JAPAN[0] and max(latitudes) <= _JAPAN[1]
                   and min(longitudes) >= _JAPAN[2] and max(longitudes) <= _JAPAN[3])
         # min() and max() can pass over a NaN, a sum cannot.
         if not inside or sum(values) != sum(values):
-            raise _Unusable("it lies outside Japan")
+            raise _Unusable(say("it lies outside Japan"))
     return values
 
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ..wording import say
+
 Attributes = dict  # name -> list of values, one for each geometry
 
 
@@ -55,18 +57,19 @@ def buildings_from_lines(lines: Buildings, notes: list[str]) -> Buildings:
     closed = shapely.is_closed(lines.polygons) & (shapely.get_num_points(lines.polygons) >= 4)
     rings, courtyards = _with_courtyards(lines.taken(closed))
     if courtyards:
-        notes.append(f"{courtyards} closed outlines (BldL) inside another of the same type were taken as "
-                     "courtyards.")
+        notes.append(say("{courtyards} closed outlines (BldL) inside another of the same type were taken as "
+                         "courtyards.", courtyards=courtyards))
     loose = lines.taken(~closed)
     if len(loose.polygons) == 0:
         return rings
     faces, used = _faces(loose)
     if used.any():
-        notes.append(f"{used.sum()} open outlines (BldL) that close rings together became "
-                     f"{len(faces.polygons)} buildings: check them, a ring may also lie between buildings.")
+        notes.append(say("{sum} open outlines (BldL) that close rings together became {polygons_count} buildings: "
+                         "check them, a ring may also lie between buildings.", sum=used.sum(),
+                         polygons_count=len(faces.polygons)))
     if not used.all():
-        notes.append(f"{(~used).sum()} open outlines (BldL) close no ring and are missing in the result: "
-                     "give the neighbouring map sheets too, or BldA files.")
+        notes.append(say("{sum} open outlines (BldL) close no ring and are missing in the result: give the "
+                         "neighbouring map sheets too, or BldA files.", sum=(~used).sum()))
     return concatenated(rings, faces)
 
 

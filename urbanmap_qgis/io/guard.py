@@ -85,11 +85,11 @@ def _reason(error: BaseException) -> str:
     if isinstance(error, OSError) and error.strerror:
         return f" ({error.strerror})"
     if isinstance(error, UnicodeError):
-        return " (it is no text in UTF-8)"
+        return say(" (it is no text in UTF-8)")
     if isinstance(error, RecursionError):
-        return " (it is nested too deep)"
+        return say(" (it is nested too deep)")
     if isinstance(error, (MemoryError, OverflowError)):
-        return " (a number in it is too large)"
+        return say(" (a number in it is too large)")
     return ""
 
 

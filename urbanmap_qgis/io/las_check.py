@@ -72,11 +72,12 @@ def check_las(path: str | os.PathLike) -> None:
                 _check_compressed(file, header, records, size)
             elif header.points_start + header.count * header.record_length > size:
                 held = max(size - header.points_start, 0) // header.record_length
-                raise _Damaged(f"it is truncated: it holds {held:,} of {header.count:,} points")
+                raise _Damaged(say("it is truncated: it holds {held:,} of {count:,} points", held=held,
+                                   count=header.count))
     except OSError as error:
         raise InputError(say("{path} cannot be read ({strerror}).", path=path.name, strerror=error.strerror)) from error
     except (_Damaged, struct.error, OverflowError) as error:
-        reason = error if isinstance(error, _Damaged) else "its header is cut off"
+        reason = error if isinstance(error, _Damaged) else say("its header is cut off")
         raise InputError(say("{path} cannot be read as LAS or LAZ ({reason}): copy or download it again, or convert "
                              "it if it is of another kind.", path=path.name, reason=reason)) from error
 
@@ -95,27 +96,29 @@ def decoding(path: str | os.PathLike) -> Iterator[None]:
 def _header(file: BinaryIO, size: int) -> _Header:
     start = file.read(375)
     if len(start) < _HEADER or start[:4] != b"LASF":
-        raise _Damaged("it does not begin as such a file does")
+        raise _Damaged(say("it does not begin as such a file does"))
     version = start[24], start[25]
     if version[0] != 1 or version[1] > 4:
-        raise _Damaged(f"its version {version[0]}.{version[1]} is none that is known")
+        raise _Damaged(say("its version {version}.{version_2} is none that is known", version=version[0],
+                           version_2=version[1]))
     header_size, points_start, vlrs, kind, record_length, count = struct.unpack_from("<HIIBHI", start, 94)
     evlrs_start, evlrs = 0, 0
     if version[1] == 4:
         evlrs_start, evlrs, long_count = struct.unpack_from("<QIQ", start, 235)
         count = long_count or count
     if not _HEADER <= header_size <= points_start <= size:
-        raise _Damaged("its header and the place of its points do not fit its size")
+        raise _Damaged(say("its header and the place of its points do not fit its size"))
     point_format = kind & 0x3F
     if point_format >= len(RECORD_LENGTHS):
-        raise _Damaged(f"its point format {point_format} is none that is known")
+        raise _Damaged(say("its point format {point_format} is none that is known", point_format=point_format))
     if record_length < RECORD_LENGTHS[point_format]:
-        raise _Damaged(f"its records of {record_length} bytes are too short for point format {point_format}")
+        raise _Damaged(say("its records of {record_length} bytes are too short for point format {point_format}",
+                           record_length=record_length, point_format=point_format))
     numbers = np.frombuffer(start, "<f8", 12, 131)
     with np.errstate(over="ignore", invalid="ignore"):
         farthest = numbers[:3] * 2.0**31 + numbers[3:6]
     if not np.isfinite(numbers).all() or not np.isfinite(farthest).all() or (numbers[:3] == 0).any():
-        raise _Damaged("its scales, offsets or bounds are no usable numbers")
+        raise _Damaged(say("its scales, offsets or bounds are no usable numbers"))
     return _Header(point_format, bool(kind & 0xC0), record_length, points_start, count, header_size, vlrs, evlrs,
                    evlrs_start)
 
@@ -123,13 +126,13 @@ def _header(file: BinaryIO, size: int) -> _Header:
 def _vlrs(file: BinaryIO, header: _Header) -> list[tuple[bytes, int, bytes]]:
     """User id, record id and content of the variable length records."""
     if header.vlrs * _VLR > header.points_start - header.header_size:
-        raise _Damaged(f"there is no room for its {header.vlrs:,} variable length records")
+        raise _Damaged(say("there is no room for its {vlrs:,} variable length records", vlrs=header.vlrs))
     records, place = [], header.header_size
     for _ in range(header.vlrs):
         file.seek(place)
         user, record, length = struct.unpack("<2x16sHH32x", file.read(_VLR))
         if place + _VLR + length > header.points_start:
-            raise _Damaged("its variable length records reach into its points")
+            raise _Damaged(say("its variable length records reach into its points"))
         records.append((user.rstrip(b"\0"), record, file.read(length)))
         place += _VLR + length
     for user, record, content in records:
@@ -141,30 +144,30 @@ def _vlrs(file: BinaryIO, header: _Header) -> list[tuple[bytes, int, bytes]]:
 def _check_extra(content: bytes) -> None:
     """Descriptions of extra attributes: their kinds are known, and those of any bytes (kind 0) have some."""
     if len(content) % _EXTRA_BYTES:
-        raise _Damaged("its record of extra attributes is cut off")
+        raise _Damaged(say("its record of extra attributes is cut off"))
     kinds = np.frombuffer(content, np.uint8).reshape(-1, _EXTRA_BYTES)[:, 2:4]
     if (kinds[:, 0] > _EXTRA_TYPES).any() or ((kinds[:, 0] == 0) & (kinds[:, 1] == 0)).any():
-        raise _Damaged("its record of extra attributes holds one of no known kind")
+        raise _Damaged(say("its record of extra attributes holds one of no known kind"))
 
 
 def _check_evlrs(file: BinaryIO, header: _Header, size: int) -> None:
     if not header.evlrs:
         return
     if header.evlrs_start + header.evlrs * _EVLR > size:
-        raise _Damaged(f"there is no room for its {header.evlrs:,} extended records")
+        raise _Damaged(say("there is no room for its {evlrs:,} extended records", evlrs=header.evlrs))
     place = header.evlrs_start
     for _ in range(header.evlrs):
         file.seek(place)
         (length,) = struct.unpack("<20xQ32x", file.read(_EVLR))
         place += _EVLR + length
         if place > size:
-            raise _Damaged("its extended records reach beyond its end")
+            raise _Damaged(say("its extended records reach beyond its end"))
 
 
 def _check_compressed(file: BinaryIO, header: _Header, records: list[tuple[bytes, int, bytes]], size: int) -> None:
     laszip = [content for user, record, content in records if (user, record) == (b"laszip encoded", _LASZIP_ID)]
     if not laszip:
-        raise _Damaged("it is compressed, but its record on the compression is missing")
+        raise _Damaged(say("it is compressed, but its record on the compression is missing"))
     items = _items(laszip[0], header)
     (chunk_size,) = struct.unpack_from("<I", laszip[0], 12)
     chunks = _chunks(file, header, laszip[0], chunk_size, size)
@@ -175,14 +178,14 @@ def _check_compressed(file: BinaryIO, header: _Header, records: list[tuple[bytes
 def _items(laszip: bytes, header: _Header) -> list[tuple[int, int]]:
     """Type and size of the parts of a record as LASzip packs them."""
     if len(laszip) < 34:
-        raise _Damaged("its record on the compression is cut off")
+        raise _Damaged(say("its record on the compression is cut off"))
     compressor, coder = struct.unpack_from("<HH", laszip, 0)
     (number,) = struct.unpack_from("<H", laszip, 32)
     if compressor not in (1, 2, 3) or coder != 0 or len(laszip) < 34 + 6 * number:
-        raise _Damaged("its record on the compression is none that is known")
+        raise _Damaged(say("its record on the compression is none that is known"))
     items = [struct.unpack_from("<HH", laszip, 34 + 6 * place) for place in range(number)]
     if sum(length for _, length in items) != header.record_length:
-        raise _Damaged("its record on the compression does not fit its points")
+        raise _Damaged(say("its record on the compression does not fit its points"))
     return items
 
 
@@ -196,23 +199,23 @@ def _chunks(file: BinaryIO, header: _Header, laszip: bytes, chunk_size: int, siz
         file.seek(size - 8)
         (place,) = struct.unpack("<q", file.read(8))
     if not header.points_start + 8 <= place <= size - 8:
-        raise _Damaged("the table of its chunks is not where it says")
+        raise _Damaged(say("the table of its chunks is not where it says"))
     file.seek(place)
     version, number = struct.unpack("<II", file.read(8))
     room = place - header.points_start - 8
     if version != 0 or not 0 < number <= room // header.record_length:
-        raise _Damaged(f"there is no room for its {number:,} chunks")
+        raise _Damaged(say("there is no room for its {number:,} chunks", number=number))
     if chunk_size == 0 or (chunk_size != _VARIABLE and not (number - 1) * chunk_size < header.count
                            <= number * chunk_size):
-        raise _Damaged(f"its {number:,} chunks do not hold {header.count:,} points")
+        raise _Damaged(say("its {number:,} chunks do not hold {count:,} points", number=number, count=header.count))
     if chunk_size != _VARIABLE and chunk_size > max(header.count, _LARGE_CHUNK):
-        raise _Damaged(f"it says that its chunks hold {chunk_size:,} points")
+        raise _Damaged(say("it says that its chunks hold {chunk_size:,} points", chunk_size=chunk_size))
     chunks = _chunk_table(file, header, laszip)
     if len(chunks) != number or any(length < header.record_length for _, length in chunks) or sum(
             length for _, length in chunks) > room:
-        raise _Damaged("the table of its chunks does not fit its size")
+        raise _Damaged(say("the table of its chunks does not fit its size"))
     if chunk_size == _VARIABLE and sum(points for points, _ in chunks) != header.count:
-        raise _Damaged(f"its chunks do not hold {header.count:,} points")
+        raise _Damaged(say("its chunks do not hold {count:,} points", count=header.count))
     return chunks
 
 
@@ -241,5 +244,5 @@ def _check_layers(file: BinaryIO, header: _Header, items: list[tuple[int, int]],
         numbers = np.frombuffer(file.read(4 + 4 * layers), "<u4").astype(np.int64)
         if len(numbers) < 1 + layers or head + numbers[1:].sum() > length or (
                 chunk_size != _VARIABLE and numbers[0] > chunk_size):
-            raise _Damaged("the lengths within a chunk do not fit it")
+            raise _Damaged(say("the lengths within a chunk do not fit it"))
         place += length

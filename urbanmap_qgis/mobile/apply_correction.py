@@ -236,7 +236,7 @@ def _write_evlrs(writer: laspy.LasWriter, records: list) -> None:
 
 def _report(moved: CorrectionSummary, outside: str, progress: Progress) -> None:
     if moved.outside:
-        done = "moved with its nearest pose" if outside == "move" else "left where they were"
+        done = say("moved with its nearest pose") if outside == "move" else say("left where they were")
         progress.warn(say("{outside:,} of {points:,} points were measured outside the trajectory's time: they were "
                           "{done} and are not to be trusted.", outside=moved.outside, points=moved.points, done=done))
     if moved.in_gaps:

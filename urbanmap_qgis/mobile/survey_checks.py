@@ -74,13 +74,14 @@ def _reason(box: Box, place: np.ndarray) -> str:
     """Why places (n, 3) of a trajectory may lie far from the box of its points, and what to do."""
     x, y = place[:, :2].T
     if box.distance(y, x).min() <= MEASURED:
-        return "x and y are swapped in one of them: swap them"
+        return say("x and y are swapped in one of them: swap them")
     for unit, metres in _UNITS.items():
         if box.distance(metres * x, metres * y).min() <= MEASURED:
-            return f"the trajectory is in {unit}; give it in metres"
+            return say("the trajectory is in {unit}; give it in metres", unit=unit)
     if np.abs(x).max() <= 360.0 and np.abs(y).max() <= 360.0 and np.ptp(x) + np.ptp(y) < 1.0:
-        return "the trajectory looks like latitudes and longitudes in degrees; give it in the points' projected system"
-    return "give both of one survey, in one coordinate reference system"
+        return say("the trajectory looks like latitudes and longitudes in degrees; give it in the points' projected "
+                   "system")
+    return say("give both of one survey, in one coordinate reference system")
 
 
 def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, reference: Reference,
@@ -98,9 +99,9 @@ def require_reference(trajectory: Trajectory, span: tuple[float, float] | None, 
     first, last = span or (trajectory.time[0], trajectory.time[-1])
     time = np.linspace(max(first, trajectory.time[0]), min(last, trajectory.time[-1]), _SAMPLES)
     x, y, z = interpolate(trajectory, time, "hold").place.T
-    boxes = [("The reference markings", _markings_box(reference), SEEN_BESIDE)]
+    boxes = [(say("The reference markings"), _markings_box(reference), SEEN_BESIDE)]
     if reference.ground is not None:
-        boxes.append(("The ground elevation", _raster_box(reference.ground), 0.0))
+        boxes.append((say("The ground elevation"), _raster_box(reference.ground), 0.0))
     for what, box, beside in boxes:
         away = box.distance(x, y)
         share = float(np.mean(away <= beside))

@@ -93,5 +93,5 @@ def _checked(sigma: np.ndarray, name: str) -> np.ndarray:
 def told(sigma: np.ndarray, name: str) -> str:
     """A sentence on what is stated."""
     roll, pitch, heading = np.median(sigma, axis=0)
-    return (f"{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading {heading:.3f}° "
-            "(medians).")
+    return (say("{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading "
+                "{heading:.3f}° (medians).", name=name, roll=roll, pitch=pitch, heading=heading))

@@ -132,8 +132,8 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     used = {known[column] for column in COLUMNS}
     others = {key: [values[row] for row in order] for key, values in columns.items() if key not in used}
     if reading.geoid is not None:
-        notes.append(f"{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as they "
-                     "are.")
+        notes.append(say("{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as "
+                         "they are.", name=name))
     made = _checked(table[order], name, notes, others, reading)
     sigma = sigma_of_columns(others, reading.angles, name)
     return made if sigma is None else _with_sigma(made, sigma, name)
@@ -151,8 +151,8 @@ def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
     order = np.arange(len(time))
     if (np.diff(time) < 0).any():
         order = np.argsort(time, kind="stable")
-        notes.append(f"{name}: {np.count_nonzero(np.diff(time) < 0)} epochs are out of order; they were sorted by "
-                     "time.")
+        notes.append(say("{name}: {count} epochs are out of order; they were sorted by time.", name=name,
+                         count=np.count_nonzero(np.diff(time) < 0)))
     same = np.flatnonzero(np.diff(time[order]) == 0)
     if len(same):
         apart = np.abs(table[order[same]] - table[order[same + 1]])
@@ -161,7 +161,8 @@ def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
         if apart[:, 1:4].max() > 0.01 or apart[:, 4:].max() > 0.1:
             raise InputError(say("{name} gives two different poses for the time {time:.4f} s: remove the wrong one.",
                                  name=name, time=time[order[same[worst]]]))
-        notes.append(f"{name}: {len(same)} epochs are repeated; each was taken once.")
+        notes.append(say("{name}: {same_count} epochs are repeated; each was taken once.", name=name,
+                         same_count=len(same)))
         order = np.delete(order, same + 1)
     return order, notes
 
@@ -174,11 +175,12 @@ def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[st
     angles = unwrapped(from_file_angles(table[:, 4:7], reading.angles))
     trajectory = Trajectory(table[:, 0].copy(), table[:, 1:4].copy(), angles)
     notes = [*notes, *judged_headings(trajectory, table[:, 4:7], reading.angles, name)]
-    for spans, what in ((gaps(trajectory), "has no epochs for more than a second"), (jumps(trajectory), "jumps")):
+    for spans, what in ((gaps(trajectory), say("has no epochs for more than a second")), (jumps(trajectory), "jumps")):
         if len(spans):
             places = ", ".join(f"{start:.2f} to {end:.2f} s" for start, end in spans[:_SHOWN])
             more = f" and {len(spans) - _SHOWN} more" if len(spans) > _SHOWN else ""
-            notes.append(f"{name} {what} at {places}{more}: what was measured there is not to be trusted.")
+            notes.append(say("{name} {what} at {places}{more}: what was measured there is not to be trusted.",
+                             name=name, what=what, places=places, more=more))
     return TrajectoryFile(trajectory, "layer", tuple(notes), columns, reading=reading)
 
 
@@ -224,8 +226,9 @@ def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tupl
     if reading.geoid is None:
         return records["altitude"], ""
     above = reading.geoid.at(np.degrees(records["longitude"]), np.degrees(records["latitude"]))
-    return records["altitude"] - above, (f"{name}: ellipsoidal heights were lowered by {above.min():.3f} to "
-                                         f"{above.max():.3f} m to heights above the geoid ({reading.geoid.name}).")
+    return records["altitude"] - above, (say("{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m "
+                                             "to heights above the geoid ({geoid}).", name=name, min=above.min(),
+                                             max=above.max(), geoid=reading.geoid.name))
 
 
 def _projected(records: np.ndarray, crs_wkt: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -89,11 +89,12 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
                              angle_names=ANGLE_NAMES[ANGLES.index(best)], away=away[best],
                              angle_names_2=ANGLE_NAMES[0]))
     if off > 180.0 - _AGREES:
-        return [f"{name}: the vehicle drove backwards, or its headings are half a turn off: they point against the "
-                "direction of travel."]
+        return [say("{name}: the vehicle drove backwards, or its headings are half a turn off: they point against "
+                    "the direction of travel.", name=name)]
     if off > _STRANGE:
-        return [f"{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x axis "
-                "does not point forward, the calibration must say the same; otherwise the headings are wrong."]
+        return [say("{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x "
+                    "axis does not point forward, the calibration must say the same; otherwise the headings are "
+                    "wrong.", name=name, off=off)]
     return []
 
 

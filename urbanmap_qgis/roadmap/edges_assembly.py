@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from ..wording import say
 from .edges_courses import STATION
 from .edges_records import DOUBTFUL, KERB, LOWERED, MEASURED, EdgeSettings, RoadEdge
 from .edges_stations import Stations
@@ -155,9 +156,10 @@ def _edge(stations: Stations, kind: int, part: np.ndarray, corner: np.ndarray, c
     completeness = len(measured) / len(part)
     status, reason = MEASURED, ""
     if kind == UNSURE:
-        status, reason = DOUBTFUL, "its face is not seen: it lies between the last points before and the first behind"
+        status, reason = DOUBTFUL, say("its face is not seen: it lies between the last points before and the first "
+                                       "behind")
     elif completeness < _FEW:
-        status, reason = DOUBTFUL, "most of it is hidden"
+        status, reason = DOUBTFUL, say("most of it is hidden")
     height = float(np.median(stations.height[measured]))
     lowered = kind == LOW or (kind == UNSURE and height < _LOW)
     return RoadEdge(LOWERED if lowered else KERB, *sides, height, sigma,

@@ -6,6 +6,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ..wording import say
 from .edges_courses import STATION
 from .edges_points import EdgeTile
 from .edges_profile import HALF_LENGTH, most_likely_change
@@ -128,4 +129,4 @@ def _edge(stations: Stations, part: np.ndarray, plan: np.ndarray, corner: np.nda
     sure = sigma <= _UNSURE
     return RoadEdge(BORDER, foot, foot.copy(), 0.0, sigma, sigma_z, int(stations.points[part].sum()),
                     int(stations.passes[part].max()), len(part) / (int(part[-1] - part[0]) + 1), chain, 0.0,
-                    MEASURED if sure else DOUBTFUL, "" if sure else "the surface changes gradually")
+                    MEASURED if sure else DOUBTFUL, "" if sure else say("the surface changes gradually"))

@@ -8,6 +8,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
+from ..wording import say
 from .edges_records import DOUBTFUL, KERB, LOWERED, MEASURED, RAIL, WALL, RoadEdge
 
 TALLEST_VEHICLE = 4.2
@@ -52,7 +53,7 @@ def _judged(edge: RoadEdge, kerbs: shapely.STRtree, path: np.ndarray) -> RoadEdg
     behind = np.zeros(len(ways), bool)
     behind[kerbs.query(ways, predicate="dwithin", distance=_RIGHT_AT)[0]] = True
     if np.mean(~behind) > _BEFORE:
-        return replace(edge, status=DOUBTFUL, reason="no kerb lies before it: it may be the side of a vehicle")
+        return replace(edge, status=DOUBTFUL, reason=say("no kerb lies before it: it may be the side of a vehicle"))
     if edge.kind == WALL and edge.height < _CAR_HEIGHT and edge.length < _CAR_LENGTH:
-        return replace(edge, status=DOUBTFUL, reason="it is as long and high as a car")
+        return replace(edge, status=DOUBTFUL, reason=say("it is as long and high as a car"))
     return edge

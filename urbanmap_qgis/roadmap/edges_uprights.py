@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ..wording import say
 from .edges_courses import STATION
 from .edges_points import EdgeTile
 from .edges_records import (
@@ -206,9 +207,9 @@ def _edge(stations: Uprights, kind: str, part: np.ndarray, corner: np.ndarray, c
         if np.subtract(*np.percentile(stations.height[part], [75, 25])) > _UNEVEN or footed < _FOOTED[0]:
             return None
         if backed > _BACKED:
-            status, reason = DOUBTFUL, "something taller stands right behind it: it may be a row of vehicles"
+            status, reason = DOUBTFUL, say("something taller stands right behind it: it may be a row of vehicles")
         elif footed < _FOOTED[1] and STATION * len(part) < _LONG:
-            status, reason = DOUBTFUL, "it does not reach the ground: it may be the side of a vehicle"
+            status, reason = DOUBTFUL, say("it does not reach the ground: it may be the side of a vehicle")
     sigma, sigma_z = (float(np.sqrt(np.mean(values[part]**2))) for values in (stations.sigma, stations.sigma_z))
     return RoadEdge(kind, foot + corner, top + corner, float(np.median(stations.height[part])), sigma, sigma_z,
                     int(stations.points[part].sum()), int(stations.passes[part].max()),

@@ -301,7 +301,8 @@ def _autoware(inspected: MapInspection) -> Iterator[MapFault]:
                               "local_x and local_y: all must have them or none.", f"node {missing}", (missing,))
     low = [number for number, node in nodes.items() if "ele" not in node.tags]
     if low:
-        yield inspected.fault("height", "warning", f"{len(low)} of {len(nodes)} nodes have no height (ele).",
+        yield inspected.fault("height", "warning", say("{low_count} of {nodes_count} nodes have no height (ele).",
+                                                       low_count=len(low), nodes_count=len(nodes)),
                               f"node {low[0]}", (low[0],))
 
 

@@ -135,8 +135,9 @@ def _tell_heights(built: VectorMap) -> None:
     unknown = [place for place in built.nodes if not np.isfinite(place[2])]
     if unknown:
         x, y = unknown[0][:2]
-        built.findings.append(Finding("no height", f"{len(unknown)} of {len(built.nodes)} nodes have no height; give "
-                                      "the marking lines a ground.", float(x), float(y)))
+        built.findings.append(Finding("no height", say("{unknown_count} of {nodes_count} nodes have no height; give "
+                                                       "the marking lines a ground.", unknown_count=len(unknown),
+                                                       nodes_count=len(built.nodes)), float(x), float(y)))
 
 
 def _tell_open_ends(built: VectorMap) -> None:

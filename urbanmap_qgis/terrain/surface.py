@@ -63,11 +63,13 @@ def ground_source(class_counts: np.ndarray, wanted: str = "automatic") -> Ground
     if wanted == "classes" and not ground:
         raise InsufficientDataError(say("The cloud has no ground points (class 2): choose the cloth filter instead."))
     if wanted == "classes" or (wanted == "automatic" and ground >= _ENOUGH * total):
-        return GroundSource("classes", f"{ground:,} of {total:,} points have a ground class")
+        return GroundSource("classes", say("{ground:,} of {total:,} points have a ground class", ground=ground,
+                                           total=total))
     if undecided + ground < _ENOUGH * total:
         raise InsufficientDataError(say("The cloud has no ground points, only points classified as something else "
                                         "(such as buildings): give the whole cloud with its ground."))
-    return GroundSource("cloth", f"{undecided:,} of {total:,} points are unclassified")
+    return GroundSource("cloth", say("{undecided:,} of {total:,} points are unclassified", undecided=undecided,
+                                     total=total))
 
 
 def ground_mask(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: np.ndarray | None,

@@ -27,9 +27,11 @@ def write_merge_report(path: str | os.PathLike, merged: Sequence[MergedBuilding]
     """
     report = Report("Merged building models")
     status = Counter(building.status for building in merged)
-    text = f"{status[MERGED]} of {len(merged)} buildings have walls that lie on measured ones now."
+    text = say("{status} of {merged_count} buildings have walls that lie on measured ones now.", status=status[MERGED],
+               merged_count=len(merged))
     if status[NOT_MERGED]:
-        text += f" {status[NOT_MERGED]} could not be merged and keep their models; the table tells why."
+        text += say(" {status} could not be merged and keep their models; the table tells why.",
+                    status=status[NOT_MERGED])
     if status[UNCHANGED]:
         text += " " + say("Unchanged: {count}; the table tells why.", count=status[UNCHANGED])
     report.verdict(BAD if not status[MERGED] else LOOK if status[NOT_MERGED] else GOOD, text)

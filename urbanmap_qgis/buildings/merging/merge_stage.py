@@ -156,12 +156,13 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
     """A building's plan with what was measured of each outer edge; edges that would fold the plan are left."""
     building_id, geometry = piece
     if geometry is None or geometry.is_empty:
-        return _Plan(building_id, None, ModelParts(math.nan, ()), reason="it has no model")
+        return _Plan(building_id, None, ModelParts(math.nan, ()), reason=say("it has no model"))
     parts = model_parts(list(shapely.get_parts(shapely.get_parts(geometry))))
     if parts.problem:
         return _Plan(building_id, geometry, parts, reason=parts.problem)
     if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + _LOW:
-        return _Plan(building_id, geometry, parts, reason="it has sloped roofs and is higher than the walls are taken")
+        return _Plan(building_id, geometry, parts, reason=say("it has sloped roofs and is higher than the walls are "
+                                                              "taken"))
     edges = PlanEdges(parts.cells)
     heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
     breaks = [edge.ends[0] + at * edge.line.along for edge, top in zip(edges.edges, heights)
@@ -212,8 +213,9 @@ def _clear_of_neighbours(plans: list[_Plan], progress: Progress) -> list[_Plan]:
                 continue
             intruding = _intruding(plans[one], common)
             if intruding:
-                plans[one] = plans[one].stopped(intruding, NEIGHBOUR, "the measured wall lies in the neighbour "
-                                                f"{plans[two].building_id}")
+                plans[one] = plans[one].stopped(intruding, NEIGHBOUR, say("the measured wall lies in the neighbour "
+                                                                          "{building_id}",
+                                                                          building_id=plans[two].building_id))
                 after[one] = _union(plans[one])
                 changed = True
         if not changed:
@@ -256,8 +258,10 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
                                   "could be made with them", plan.parts.base, _edges(plan, settings), True,
                                   sum(solid_volume(solid) for solid in solids), before)
         trouble = trouble or problem
-        plan = plan.stopped([_weakest(plan)], FOLDED, f"no valid solid could be made with it ({trouble})")
-    status, reason = (NOT_MERGED, f"no valid solid could be made with the measured walls ({trouble})") if trouble \
+        plan = plan.stopped([_weakest(plan)], FOLDED, say("no valid solid could be made with it ({trouble})",
+                                                          trouble=trouble))
+    status, reason = (NOT_MERGED, say("no valid solid could be made with the measured walls ({trouble})",
+                                      trouble=trouble)) if trouble \
         else (UNCHANGED, _why_unchanged(plan))
     return MergedBuilding(plan.building_id, old, status, reason, plan.parts.base, _edges(plan, settings),
                           _valid(old), before, before)
@@ -286,10 +290,10 @@ def _valid(solids: Sequence[Solid]) -> bool:
 def _why_unchanged(plan: _Plan) -> str:
     states = {match.status for match in plan.matches}
     if KEPT in states:
-        return "the measured walls fit the model"
+        return say("the measured walls fit the model")
     if states == {"not seen"}:
         return "no measured wall runs along it"
-    return "its measured walls are beyond the limits"
+    return say("its measured walls are beyond the limits")
 
 
 def _under_slopes(plan: _Plan) -> tuple[Solid, ...]:

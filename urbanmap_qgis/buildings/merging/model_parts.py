@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...wording import say
 from ..solids.plan_partition import Cell
 
 _LEVEL = 0.005
@@ -53,7 +54,7 @@ def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
     roofs, heights, planes, grounds, sloped = [], [], [], [], False
     z_faces = [shapely.get_coordinates(face, include_z=True)[:, 2] for face in faces]
     if not z_faces or not all(np.isfinite(z).all() for z in z_faces):
-        return ModelParts(float("nan"), (), "it has no heights")
+        return ModelParts(float("nan"), (), say("it has no heights"))
     base = min(float(z.min()) for z in z_faces)
     origin = shapely.get_coordinates(faces[0])[0]
     for face, z in zip(faces, z_faces):
@@ -66,16 +67,16 @@ def model_parts(faces: Sequence[shapely.Polygon]) -> ModelParts:
             continue
         plane, off = (np.array([0.0, 0.0, z.mean()]), 0.0) if level else _plane(face, origin)
         if off > _OFF_PLANE and plan.area > _SLOPED_AREA:
-            return ModelParts(base, (), "a sloped face of it is not plane")
+            return ModelParts(base, (), say("a sloped face of it is not plane"))
         sloped = sloped or (not level and plan.area > _SLOPED_AREA)
         roofs.append(plan)
         heights.append(float(z.max() if not level else z.mean()))
         planes.append(tuple(plane.tolist()))
     if not roofs or not grounds:
-        return ModelParts(base, (), "it has no roof or no ground on one level")
+        return ModelParts(base, (), say("it has no roof or no ground on one level"))
     covered, ground = float(shapely.area(roofs).sum()), float(shapely.area(grounds).sum())
     if abs(covered - ground) > 0.01 * ground + 0.1:
-        return ModelParts(base, (), "its roofs do not lie over its ground: overhangs or a second ground")
+        return ModelParts(base, (), say("its roofs do not lie over its ground: overhangs or a second ground"))
     cells = tuple(Cell(roof, number, height) for number, (roof, height) in enumerate(zip(roofs, heights)))
     return ModelParts(base, cells, "", tuple(planes), tuple(origin.tolist()), sloped)
 

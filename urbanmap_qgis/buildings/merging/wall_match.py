@@ -276,15 +276,16 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
     best = max(found, key=lambda one: (round(one.measured, 2), one.wall.area))
     others = [one for one in found
               if one is not best and abs(one.offset - best.offset) > _STEP and one.measured > 0.25]
-    note = f"{len(others)} more wall{'s' * (len(others) > 1)} at another depth along it" if others else ""
+    note = say("{others_count} more wall{value} at another depth along it", others_count=len(others),
+               value="s" * (len(others) > 1)) if others else ""
     line = _new_line(edge, best.wall, best.measured, best.rotation)
     if best.measured < _SHORT and _bent(edge, line, walls, best.wall, base, top, settings):
-        return _match(TOO_FAR, "the facade along it is not straight", best)
+        return _match(TOO_FAR, say("the facade along it is not straight"), best)
     ends = np.array([line.foot(end) for end in edge.ends]) - edge.ends
     if np.hypot(*ends.T).max() < _SAME:
         return _match(KEPT, note, best)
     if np.hypot(*ends.T).max() > 1.5 * settings.max_offset:
-        return _match(TOO_FAR, "an end would move too far", best)
+        return _match(TOO_FAR, say("an end would move too far"), best)
     return _match(MOVED, note, best, line)
 
 
@@ -340,8 +341,9 @@ def _new_line(edge: OuterEdge, wall: MeasuredWall, measured: float, rotation: fl
 
 def _far_note(offset: float, rotation: float, settings: MergeSettings) -> str:
     if abs(offset) > settings.max_offset:
-        return f"the wall was measured {abs(offset):.2f} m {'outside' if offset > 0 else 'inside'} of it"
-    return f"the measured wall is rotated by {abs(rotation):.1f} degrees against it"
+        return say("the wall was measured {offset:.2f} m {value} of it", offset=abs(offset),
+                   value="outside" if offset > 0 else "inside")
+    return say("the measured wall is rotated by {rotation:.1f} degrees against it", rotation=abs(rotation))
 
 
 JAVANMARDI = MergeSettings()

@@ -126,7 +126,7 @@ def mesh_building(number: int, plan: shapely.Geometry | None, points: np.ndarray
                   settings: MeshSettings = MeshSettings(), note: str = "") -> BuildingMesh:
     """The mesh of one building from its points (n, 3) within its plan; `base`: height of the ground, NaN unknown."""
     if plan is None:
-        return BuildingMesh(number, None, NOT_MODELLED, note or "it has no outline")
+        return BuildingMesh(number, None, NOT_MODELLED, note or say("it has no outline"))
     try:
         assumed = not math.isfinite(base)
         if assumed and len(points):
@@ -187,21 +187,22 @@ def _judged(mesh: BuildingMesh, assumed: bool, note: str, settings: MeshSettings
     reasons = [note] if note else []
     if not mesh.watertight:
         return BuildingMesh(mesh.building_id, None, NOT_MODELLED,
-                            "; ".join([*reasons, "no closed mesh could be made"]), mesh.base)
+                            "; ".join([*reasons, say("no closed mesh could be made")]), mesh.base)
     valid = not check_solid(mesh.mesh) if len(mesh.mesh.faces) <= _CHECKED else None
     status = OK
     if assumed:
         status = GROUND_UNKNOWN
-        reasons.append(f"its ground is not known, the foot is put {STOREY:g} m under its lowest roof")
+        reasons.append(say("its ground is not known, the foot is put {storey:g} m under its lowest roof",
+                           storey=STOREY))
     if mesh.fit.within < _ENOUGH:
         status = COARSE
-        reasons.append(f"only {100 * mesh.fit.within:.0f} % of its uppermost points lie within "
-                       f"{settings.max_error:g} m")
+        reasons.append(say("only {within:.0f} % of its uppermost points lie within {max_error:g} m",
+                           within=100 * mesh.fit.within, max_error=settings.max_error))
     if mesh.fit.under > _UNDER:
-        reasons.append(f"{100 * mesh.fit.under:.0f} % of its points lie under the uppermost surface, which alone is "
-                       "meshed")
+        reasons.append(say("{under:.0f} % of its points lie under the uppermost surface, which alone is meshed",
+                           under=100 * mesh.fit.under))
     if valid is False:
-        reasons.append("its surfaces touch or cross somewhere")
+        reasons.append(say("its surfaces touch or cross somewhere"))
     return BuildingMesh(mesh.building_id, mesh.mesh, status, "; ".join(reasons), mesh.base, mesh.surfaces, True, valid,
                         mesh.fit)
 

@@ -89,17 +89,17 @@ def _checked_ids(ids: np.ndarray) -> np.ndarray:
 def _clean(geometry: shapely.Geometry | None) -> tuple[shapely.Geometry | None, str]:
     """One outline as a valid 2D polygon, and what was wrong with it."""
     if geometry is None or geometry.is_empty:
-        return None, "the outline is empty"
+        return None, say("the outline is empty")
     if not np.isfinite(shapely.get_coordinates(geometry)).all():
-        return None, "the outline has coordinates that are not numbers"
+        return None, say("the outline has coordinates that are not numbers")
     plan = shapely.force_2d(geometry)
     note = ""
     if not plan.is_valid:
         plan = shapely.make_valid(plan)
-        note = "the outline was invalid and was repaired"
+        note = say("the outline was invalid and was repaired")
     plan = _polygonal(shapely.set_precision(plan, GRID_SIZE))
     if plan is None:
-        return None, "the outline has no area"
+        return None, say("the outline has no area")
     return plan, note
 
 

@@ -7,6 +7,7 @@ import shapely
 
 from ...errors import InputError
 from ...geometry.solid import Solid
+from ...wording import say
 from ..solids.plan_partition import partition_plan
 from ..solids.sloped_solid import SlopedCell, sloped_solids
 from ..solids.validity import check_solid
@@ -24,7 +25,7 @@ def checked_sloped_solids(outline: shapely.Geometry | None, polygons: np.ndarray
     origin = np.floor(shapely.total_bounds(polygons)[:2])
     planes = [polygon_plane(polygon, origin) for polygon in polygons]
     ids = roof_ids.tolist()
-    problems = ["the roof polygons overlap or leave gaps"]
+    problems = [say("the roof polygons overlap or leave gaps")]
     solids: tuple[Solid, ...] = ()
     if is_coverage(polygons):
         cells = [SlopedCell(polygon, number, plane, tuple(origin))
@@ -46,7 +47,7 @@ def _checked(cells: list[SlopedCell], base: float) -> tuple[tuple[Solid, ...], l
     except InputError as error:
         return (), [str(error)]
     except (shapely.errors.GEOSException, ValueError) as error:
-        return (), [f"a roof cannot be cut into triangles: {error}"]
+        return (), [say("a roof cannot be cut into triangles: {error}", error=error)]
     return solids, [f"{problem.code} {problem.name}" for solid in solids for problem in check_solid(solid)]
 
 

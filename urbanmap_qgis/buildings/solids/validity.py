@@ -190,7 +190,7 @@ def _ring_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Prob
     again = np.append(False, (vertex[1:] == vertex[:-1]) & (ring[1:] == ring[:-1]))
     distinct = np.bincount(ring[~again], minlength=len(mesh.ring_start))
     for few in np.flatnonzero(distinct < 3):
-        problems.append(mesh.in_face(101, few, "has a ring of fewer than 3 points"))
+        problems.append(mesh.in_face(101, few, say("has a ring of fewer than 3 points")))
     if not problems:
         for corner in order[again]:
             problems.append(mesh.problem(104, corner, say("A ring of face {face_of} visits a point twice.",
@@ -201,7 +201,7 @@ def _ring_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Prob
 def _polygon_problems(mesh: _Mesh, planarity: float, normals: float) -> list[Problem]:
     """104, 201 to 208."""
     mesh.planes()
-    problems = [mesh.in_face(104, mesh.first_ring[face], "is collapsed to a line")
+    problems = [mesh.in_face(104, mesh.first_ring[face], say("is collapsed to a line"))
                 for face in np.flatnonzero(mesh.collapsed)]
     if problems:
         return problems
@@ -212,7 +212,7 @@ def _polygon_problems(mesh: _Mesh, planarity: float, normals: float) -> list[Pro
         same = (mesh.area_vector * mesh.normal[mesh.face_of_ring]).sum(axis=1) > 0
         same[mesh.first_ring] = False
         for ring in np.flatnonzero(same):
-            problems.append(mesh.in_face(208, ring, "has an inner ring that turns like the outer one"))
+            problems.append(mesh.in_face(208, ring, say("has an inner ring that turns like the outer one")))
     off = ((mesh.points[mesh.vertex] - mesh.centre[mesh.face_of]) * mesh.normal[mesh.face_of]).sum(axis=1)
     corners = np.flatnonzero(np.abs(off) > planarity)
     bent = np.unique(mesh.face_of[corners])
@@ -232,18 +232,18 @@ def _invalid_polygon(mesh: _Mesh, face: int) -> Problem:
     ring = mesh.first_ring[face]
     rings = mesh.rings2d[mesh.face_of_ring == face]
     if not shapely.is_valid(shapely.polygons(rings)).all():
-        return mesh.in_face(104, ring, "has a ring that intersects itself")
+        return mesh.in_face(104, ring, say("has a ring that intersects itself"))
     shapes = shapely.polygons(rings)
     first, second = np.triu_indices(len(rings), 1)
     if shapely.equals(shapes[first], shapes[second]).any():
-        return mesh.in_face(202, ring, "has the same ring twice")
+        return mesh.in_face(202, ring, say("has the same ring twice"))
     if "outside shell" in reason:
-        return mesh.in_face(206, ring, "has an inner ring outside the outer one")
+        return mesh.in_face(206, ring, say("has an inner ring outside the outer one"))
     if "nested" in reason:
-        return mesh.in_face(207, ring, "has an inner ring within another one")
+        return mesh.in_face(207, ring, say("has an inner ring within another one"))
     if "disconnected" in reason:
-        return mesh.in_face(205, ring, "falls apart at points where its rings touch")
-    return mesh.in_face(201, ring, "has rings that intersect")
+        return mesh.in_face(205, ring, say("falls apart at points where its rings touch"))
+    return mesh.in_face(201, ring, say("has rings that intersect"))
 
 
 def _folds(mesh: _Mesh, faces: np.ndarray, normals: float) -> list[Problem]:
@@ -261,7 +261,8 @@ def _folds(mesh: _Mesh, faces: np.ndarray, normals: float) -> list[Problem]:
         cosine = np.abs(across @ mesh.normal[face]) / np.maximum(np.linalg.norm(across, axis=1), 1e-300)
         angle = np.degrees(np.arccos(np.clip(cosine, 0.0, 1.0))).max(initial=0.0)
         if angle > normals:
-            problems.append(mesh.in_face(204, mesh.first_ring[face], f"has a fold of {angle:.0f} degrees"))
+            problems.append(mesh.in_face(204, mesh.first_ring[face], say("has a fold of {angle:.0f} degrees",
+                                                                         angle=angle)))
     return problems
 
 
@@ -284,7 +285,8 @@ def _shell_problems(mesh: _Mesh, _planarity: float, _normals: float) -> list[Pro
                                      return_counts=True)
     problems = [mesh.problem(302, first[e], say("An edge belongs to one face only: the shell has a hole."))
                 for e in np.flatnonzero(uses == 1)]
-    problems += [mesh.problem(303, first[e], f"{uses[e]} faces meet in one edge.") for e in np.flatnonzero(uses > 2)]
+    problems += [mesh.problem(303, first[e], say("{uses} faces meet in one edge.",
+                                                 uses=uses[e])) for e in np.flatnonzero(uses > 2)]
     if problems:
         return problems
     one, two = np.argsort(edge.ravel(), kind="stable").reshape(-1, 2).T
@@ -352,7 +354,7 @@ def _components(mesh: _Mesh, one: np.ndarray, two: np.ndarray) -> list[Problem]:
     """305: faces that do not hang together."""
     count, group = _components_of((mesh.face_of[one], mesh.face_of[two]), mesh.face_count)
     _, face = np.unique(group, return_index=True)
-    return [mesh.in_face(305, mesh.first_ring[f], "and others are not connected to the rest of the shell")
+    return [mesh.in_face(305, mesh.first_ring[f], say("and others are not connected to the rest of the shell"))
             for f in face[1:count]]
 
 

@@ -169,7 +169,8 @@ def _read_one(path: str | os.PathLike) -> NavigationRecords:
             broken += 1
             continue
         records["R" if name[0] == "R" else "K"].append((name, seconds, numbers))
-    notes = (*file.notes, *((f"{file.name}: {broken} records of satellites are not whole and are left out.",)
+    notes = (*file.notes, *((say("{file}: {broken} records of satellites are not whole and are left out.",
+                                 file=file.name, broken=broken),)
                             if broken else ()))
     if not records:
         raise InputError(say("{file} holds no record of a satellite that can be used: give another navigation file.",

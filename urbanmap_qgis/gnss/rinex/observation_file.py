@@ -97,7 +97,7 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
     values, bands, unread = _values(file, rows, walk.types, systems, factors, progress.part(0.3, 1.0))
     notes = [*file.notes, *walk.notes()]
     if unread:
-        notes.append(f"{file.name}: {unread} numbers cannot be read and are left out.")
+        notes.append(say("{file}: {unread} numbers cannot be read and are left out.", file=file.name, unread=unread))
     found = _in_order(file.name, to_gps(np.array(walk.times), scale), rows, values, bands, notes)
     if not len(found.code):
         raise InsufficientDataError(say("{file} holds no code observation of the chosen systems: check the file.",
@@ -123,7 +123,8 @@ def _in_order(name: str, times: np.ndarray, rows: _Rows, values: tuple[np.ndarra
     names, satellite = np.unique(rows.satellite[kept], return_inverse=True)
     _, first = np.unique(number.ravel() * len(names) + satellite.ravel(), return_index=True)
     if len(first) < len(kept):
-        notes.append(f"{name}: {len(kept) - len(first)} observations are there twice and are used once.")
+        notes.append(say("{name}: {kept_count} observations are there twice and are used once.", name=name,
+                         kept_count=len(kept) - len(first)))
     kept, number = kept[first], number.ravel()[first]
     return Observations(name, epochs, number, rows.satellite[kept], code[kept], cn0[kept], bands, tuple(notes))
 
@@ -164,9 +165,11 @@ class _Walk:
         name = self.file.name
         notes = []
         if self._short:
-            notes.append(f"{name}: {self._short} epochs are not whole and are used as far as they go.")
+            notes.append(say("{name}: {short} epochs are not whole and are used as far as they go.", name=name,
+                             short=self._short))
         if self._skipped:
-            notes.append(f"{name}: {self._skipped} lines fit in no epoch and are left out.")
+            notes.append(say("{name}: {skipped} lines fit in no epoch and are left out.", name=name,
+                             skipped=self._skipped))
         return notes
 
     def _add(self, time: float, first: np.ndarray, names: list[str], version: int) -> None:

@@ -76,7 +76,7 @@ def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
     if data[:2] == _MAGIC_GZIP:
         data, whole = _unpacked(data, path.name)
         if not whole:
-            notes = (f"{path.name} breaks off: it is used up to there.",)
+            notes = (say("{path} breaks off: it is used up to there.", path=path.name),)
     if data[:2] == _MAGIC_COMPRESS or data[:4] == _MAGIC_ZIP:
         raise InputError(say("{path} is packed in a way that is not read here: unpack it, or pack it with gzip.",
                              path=path.name))

@@ -114,7 +114,7 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
     for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
         if any(min(last + shift, high) - max(first + shift, low) >= 0 for low, high in spans):
             return float(shift)
-    told = (f"{first:.0f} to {last:.0f} s of week" if last < 2 * WEEK else
+    told = (say("{first:.0f} to {last:.0f} s of week", first=first, last=last) if last < 2 * WEEK else
             span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
     raise InputError(say("Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
                          "{span_text} GPS time ({start:.0f} to {end:.0f} s of week).", what=what, told=told,
@@ -152,10 +152,10 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     left_out: Counter = Counter()
     time = file.time - shift
     covered = within_trajectory(trajectory, time, settings.max_gap)
-    _count(left_out, "outside the trajectory or in a gap of it", ~covered[file.epoch])
+    _count(left_out, say("outside the trajectory or in a gap of it"), ~covered[file.epoch])
     rows = np.flatnonzero(covered[file.epoch])
     weak = file.cn0[rows] < settings.min_cn0
-    _count(left_out, f"weaker than {settings.min_cn0:g} dB-Hz", weak)
+    _count(left_out, say("weaker than {min_cn0:g} dB-Hz", min_cn0=settings.min_cn0), weak)
     rows = rows[~weak]
     number = np.cumsum(covered) - 1
     time, gps_time, epoch = time[covered], file.time[covered], number[file.epoch[rows]]
@@ -166,7 +166,7 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     satellite, code = file.satellite[rows], file.code[rows]
     paths = geometric_ranges(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
     unplaced = {}
-    for status, reason in ((NO_EPHEMERIS, "without an ephemeris"), (UNHEALTHY, "of unhealthy satellites")):
+    for status, reason in ((NO_EPHEMERIS, say("without an ephemeris")), (UNHEALTHY, say("of unhealthy satellites"))):
         _count(left_out, reason, paths.states.status == status)
         unplaced[status] = set(satellite[paths.states.status == status].tolist())
     good = np.isfinite(paths.distance)
@@ -207,7 +207,8 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
     for number, part in enumerate(parts):
         left_out.update(part.left_out)
         table, low, base = _modelled(part, frame, model, separation, settings)
-        _count(left_out, f"below {settings.elevation_mask:g} degrees of elevation", low)
+        _count(left_out, say("below {elevation_mask:g} degrees of elevation",
+                             elevation_mask=settings.elevation_mask), low)
         table["epoch"] = table["epoch"] + first[number]
         columns.append(table)
         datum.append(base)
@@ -215,7 +216,7 @@ def _gathered(parts: Sequence[_Measured], files: Sequence[Observations], navigat
     if not len(columns_of_all["epoch"]):
         reasons = ", ".join(f"{count} {reason}" for reason, count in left_out.items())
         raise InsufficientDataError(say("No observation can be used ({value}): check that observations, navigation "
-                                        "and trajectory belong together.", value=reasons or "the files hold none"))
+                                        "and trajectory belong together.", value=reasons or say("the files hold none")))
     epochs = Epochs(np.concatenate([part.time for part in parts]), np.concatenate([part.gps_time for part in parts]),
                     np.concatenate([part.place for part in parts]),
                     np.repeat(np.arange(len(parts)), [len(part.time) for part in parts]))
@@ -288,7 +289,7 @@ def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: 
         notes.append(say("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give "
                          "the navigation files too."))
     placed = {str(name) for part in parts for name in np.unique(part.satellite.astype("U1"))}
-    for status, why in ((NO_EPHEMERIS, "have no ephemeris near in time"), (UNHEALTHY, "are unhealthy")):
+    for status, why in ((NO_EPHEMERIS, say("have no ephemeris near in time")), (UNHEALTHY, "are unhealthy")):
         names = sorted({name for part in parts for name in part.unplaced[status] if name[0] in placed})
         if names:
             notes.append(say("Satellites that {why} are left out: {names}.", why=why, names=", ".join(names)))
@@ -352,7 +353,7 @@ def _check_fit(signals: Signals, retimed: Callable[[float, float], Signals]) -> 
     if not scatter > USUAL_SCATTER:
         return ()
     leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
-    for seconds, fault in ((leap, "too early, as UTC is"), (-leap, "too late")):
+    for seconds, fault in ((leap, say("too early, as UTC is")), (-leap, "too late")):
         if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
             raise InputError(say("The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.", leap=leap,
                                  fault=fault))

@@ -267,24 +267,26 @@ def _reason_against(k: int, wall: int, found: Offsets, numbers: dict, inlier_sha
     """Why the observations of a wall do not decide; empty if they do."""
     count, satellites, passes = (int(numbers[name][wall]) for name in ("observations", "satellites", "passes"))
     if satellites == 1 and count > 1:
-        return "one satellite only"
+        return say("one satellite only")
     if count < settings.min_observations:
-        return f"too few observations ({count} of {settings.min_observations})"
+        return say("too few observations ({count} of {min_observations})", count=count,
+                   min_observations=settings.min_observations)
     if satellites < settings.min_satellites:
-        return f"too few satellites ({satellites} of {settings.min_satellites})"
+        return say("too few satellites ({satellites} of {min_satellites})", satellites=satellites,
+                   min_satellites=settings.min_satellites)
     if passes < settings.min_passes:
-        return f"too few passes ({passes} of {settings.min_passes})"
+        return say("too few passes ({passes} of {min_passes})", passes=passes, min_passes=settings.min_passes)
     if found.rival[k] > 0.05:
-        return "contradicting observations: two offsets are possible"
+        return say("contradicting observations: two offsets are possible")
     if inlier_share[wall] < 0.6:
-        return "contradicting observations: most are NLOS-delayed or outliers"
+        return say("contradicting observations: most are NLOS-delayed or outliers")
     if halves[k] > 3.0:
-        return "contradicting observations: the passes do not agree"
+        return say("contradicting observations: the passes do not agree")
     if found.sigma[k] > settings.max_sigma:
         flat = np.median(observations.cosine[observations.wall == wall]) < 0.25
         return f"{'signals run along the wall' if flat else 'not precise enough'} (sigma {found.sigma[k]:.2f} m)"
     if abs(found.offset[k]) > settings.max_offset:
-        return f"offset of {found.offset[k]:.1f} m is not credible"
+        return say("offset of {offset:.1f} m is not credible", offset=found.offset[k])
     return ""
 
 
@@ -336,7 +338,7 @@ def _with_held(result: WallResult, held: np.ndarray, applied: np.ndarray) -> Wal
     """The result with the walls that could not be moved."""
     status, reason = result.status.copy(), result.reason.copy()
     status[held] = HELD
-    reason[held] = "moved, the building would not stay valid or would run into another"
+    reason[held] = say("moved, the building would not stay valid or would run into another")
     return replace(result, status=status, reason=reason, applied=applied)
 
 
@@ -351,19 +353,19 @@ def _explained(result: WallResult, walls: WallPieces, signals: Signals, one: _It
     reason = result.reason.copy()
     for wall in np.flatnonzero(result.observations == 0):
         if np.isnan(result.distance[wall]):
-            reason[wall] = "no antenna in front of it"
+            reason[wall] = say("no antenna in front of it")
         elif result.distance[wall] > settings.trace.max_range:
             reason[wall] = f"too far ({result.distance[wall]:.0f} m)"
         elif not met[wall]:
-            reason[wall] = "no received signal could meet it"
+            reason[wall] = say("no received signal could meet it")
         elif not blocked[wall]:
-            reason[wall] = "open sky: what it could reflect is in line of sight"
+            reason[wall] = say("open sky: what it could reflect is in line of sight")
         elif not free[wall]:
-            reason[wall] = "hidden behind other buildings"
+            reason[wall] = say("hidden behind other buildings")
         elif not unique[wall]:
-            reason[wall] = "other walls could have reflected the same signals"
+            reason[wall] = say("other walls could have reflected the same signals")
         else:
-            reason[wall] = "too few signals in a row"
+            reason[wall] = say("too few signals in a row")
     return replace(result, reason=reason)
 
 

@@ -13,7 +13,8 @@ def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners) ->
     """Write the report (HTML)."""
     found, report = made.boresights, Report("Calibration of scanners")
     determined, total = int(found.determined.sum()), found.determined.size
-    text = f"{determined} of {total} values are determined and corrected; the others keep the values of the file."
+    text = say("{determined} of {total} values are determined and corrected; the others keep the values of the file.",
+               determined=determined, total=total)
     text += " " + say("Planes seen twice lie {before:.1f} mm apart before and {after:.1f} mm after.",
                       before=1000 * found.rms_before, after=1000 * found.rms_after)
     if determined < total:

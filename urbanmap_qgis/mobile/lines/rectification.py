@@ -222,10 +222,11 @@ def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np
             progress.warn(say("Set {name}: {own_count} of {own_count_2} pairs contradict the others and are left out.",
                               name=name, own_count=len(own) - len(left), own_count_2=len(own)))
             keep[np.setdiff1d(own, left)] = False
-        reason = f"its pairs do not fit each other by {fit:.2f} m" if fit > limit else ""
+        reason = say("its pairs do not fit each other by {fit:.2f} m", fit=fit) if fit > limit else ""
         rotation = _set_rotation(ties, place, left, settings)
         if not reason and abs(rotation) > _MAX_ROTATION + 3 * np.radians(settings.heading_sigma):
-            reason = f"it would rotate the vehicle by {np.degrees(rotation):.0f} degrees; its points may be swapped"
+            reason = say("it would rotate the vehicle by {rotation:.0f} degrees; its points may be swapped",
+                         rotation=np.degrees(rotation))
         if reason:
             progress.warn(say("Set {name} contradicts itself and is left out: {reason}.", name=name, reason=reason))
             keep[own], status[number[own[0]]] = False, CONTRADICTING

@@ -74,10 +74,11 @@ def _verdict(report: Report, made: Rectified, notes: Sequence[str]) -> None:
     """What to expect between the sets, and whether to look further."""
     figures = made.figures()
     left_out = len(made.sets) - len(made.used)
-    text = (f"{len(made.used)} of {len(made.sets)} sets of tie points are used; after the rectification they lie "
-            f"{figures.get('AFTER', float('nan')):.2f} m from the reference on average.")
+    text = (say("{used_count} of {sets_count} sets of tie points are used; after the rectification they lie "
+                "{figures:.2f} m from the reference on average.", used_count=len(made.used), sets_count=len(made.sets),
+                figures=figures.get("AFTER", float("nan"))))
     if left_out:
-        text += f" {left_out} were left out: look at them in the table below."
+        text += say(" {left_out} were left out: look at them in the table below.", left_out=left_out)
     if np.isfinite(figures.get("PREDICTED", float("nan"))):
         text += " " + say("Halfway between sets expect less than {predicted:.2f} m.", predicted=figures["PREDICTED"])
     if notes:
@@ -134,7 +135,7 @@ def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
 def _extrapolated(made: Rectified, time: np.ndarray) -> list[ShadedInterval]:
     """The parts before the first and after the last set."""
     first, last = made.drift.first - made.drift.time[0], made.drift.last - made.drift.time[0]
-    name = "beyond the sets"
+    name = say("beyond the sets")
     return [ShadedInterval(start, end, "#e09a2b", name) for start, end in ((0.0, first), (last, float(time[-1])))
             if end > start]
 

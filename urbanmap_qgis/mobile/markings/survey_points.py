@@ -187,7 +187,7 @@ class SurveyPoints:
                                  most=read_counts.most))
         if not read_counts.kept:
             heights = read_counts.heights
-            apart = f" (they lie {np.median(heights):+.0f} m above the scanner)" if heights else ""
+            apart = say(" (they lie {heights:+.0f} m above the scanner)", heights=np.median(heights)) if heights else ""
             raise InputError(say("No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both "
                                  "in the same coordinate and height system.", name=name, max_range=self.max_range,
                                  apart=apart))

@@ -51,11 +51,11 @@ def _verdict(report: Report, made: RegisteredSurvey) -> None:
                        "of the same place, and its date.")
         return
     sigma = made.correction.plan_sigma()[made.correction.status == REGISTERED]
-    text = (f"{100 * registered:.0f} % of the path is registered, with a median standard deviation of "
-            f"{100 * np.median(sigma):.1f} cm in plan.")
+    text = (say("{registered:.0f} % of the path is registered, with a median standard deviation of {sigma:.1f} cm in "
+                "plan.", registered=100 * registered, sigma=100 * np.median(sigma)))
     if distrusted:
-        text += (f" {100 * distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table "
-                 "below tells where.")
+        text += (say(" {distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table "
+                     "below tells where.", distrusted=100 * distrusted))
     text += " " + say("Look at the markings before and after below: where they lie on the reference, use the result.")
     report.verdict(LOOK if distrusted or registered < _MOSTLY else GOOD, text)
 

@@ -173,8 +173,8 @@ def _tell(made: RegisteredSurvey, progress: Progress) -> None:
     correction = made.correction
     sigma = correction.plan_sigma()
     known = sigma[np.isfinite(sigma)]
-    spread = (f"standard deviation {100 * np.median(known):.1f} cm (median)" if len(known) else
-              "how accurate it is is not known")
+    spread = (say("standard deviation {known:.1f} cm (median)", known=100 * np.median(known)) if len(known) else
+              say("how accurate it is is not known"))
     progress.message(say("{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.",
                          share=100 * made.share(REGISTERED), share_2=100 * made.share(BRIDGED), spread=spread))
     if correction.heading_factor > 1.0:

@@ -245,11 +245,11 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
     status, reason = patch_statuses(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
     wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
-    status, reason = _bridged(status, reason, wide, "no markings just before or after the patch")
+    status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
     if normals.met is not None:
         few = normals.met[piece] < LEAST_MET
-        status, reason = _bridged(status, reason, few, "few of the markings here are in the reference")
-    status, reason = _bridged(status, reason, opposed, "the window here contradicts the correction")
+        status, reason = _bridged(status, reason, few, say("few of the markings here are in the reference"))
+    status, reason = _bridged(status, reason, opposed, say("the window here contradicts the correction"))
     return Correction(windows.time, windows.chainage, value, covariance, status, reason, weight, residual,
                       normals.three_d, fit.drift_factor, fit.noise_factor, fit.heading_factor, chain.nodes, fit.state,
                       normals.active, settings.time_weight)
@@ -264,13 +264,13 @@ def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str)
 def _distrusted(made: Correction, trajectory: Trajectory, beyond: bool, settings: CorrectionSettings) -> Correction:
     """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
     status, reason = made.status.copy(), made.reason.copy()
-    for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, "the trajectory has a gap here"),
-                              (jumps(trajectory), settings.support_length, "the trajectory jumps here")):
+    for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, say("the trajectory has a gap here")),
+                              (jumps(trajectory), settings.support_length, say("the trajectory jumps here"))):
         for start, end in spans:
             ends = np.interp([start, end], made.time, made.chainage) + np.array([-extent, extent])
             broken = (made.chainage >= ends[0]) & (made.chainage <= ends[1])
             status[broken], reason[broken] = DISTRUSTED, why
     reached = (np.abs(made.value[:, :2]) > settings.search - _SEARCH_MARGIN).any(axis=1)
     if beyond or reached.mean() > _SEARCH_SHARE:
-        status[:], reason[:] = DISTRUSTED, "the correction reaches the largest error looked for"
+        status[:], reason[:] = DISTRUSTED, say("the correction reaches the largest error looked for")
     return replace(made, status=status, reason=reason)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ....wording import say
 from .normal_equations import NormalEquations
 
 REGISTERED, BRIDGED, DISTRUSTED = range(3)
@@ -37,12 +38,12 @@ def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubt
     n = len(own)
     reason = np.full(n, "", dtype=object)
     status = np.where((own <= registered) & (sigma <= registered), REGISTERED, BRIDGED).astype(np.int8)
-    reason[sigma > registered] = "the markings do not fix the position well"
-    reason[own > registered] = "the markings around do not fix the position in all directions"
-    reason[~np.isfinite(own)] = "no markings registered around the patch"
+    reason[sigma > registered] = say("the markings do not fix the position well")
+    reason[own > registered] = say("the markings around do not fix the position in all directions")
+    reason[~np.isfinite(own)] = say("no markings registered around the patch")
     rejected = weight <= _REJECTED
-    status[rejected], reason[rejected] = BRIDGED, "the markings here contradict those around"
-    status[doubtful], reason[doubtful] = BRIDGED, "another position of the markings fits as well"
+    status[rejected], reason[rejected] = BRIDGED, say("the markings here contradict those around")
+    status[doubtful], reason[doubtful] = BRIDGED, say("another position of the markings fits as well")
     status[sigma > trusted] = DISTRUSTED
     if not (np.isfinite(own) & ~doubtful).any():
         status[:] = DISTRUSTED
