@@ -3969,7 +3969,7 @@
     </message>
     <message>
         <source>LAS, LAZ or COPC files of “Road markings from mobile survey” on a corrected survey. They show paint that vehicles, trees or shadows hide from the air: what the polygons do not show is added to them. Without polygons they are all the paint.</source>
-        <translation>補正済みの計測から「移動計測の路面標示」で作成した LAS、LAZ、COPC ファイル。車両・樹木・影のため空中から見えない標示を示し、ポリゴンにない分がこれに加えられます。ポリゴンがなければ、これがすべての標示になります。</translation>
+        <translation>補正済みの計測に対する「移動計測の路面標示」のLAS、LAZ、COPCファイル。車両、樹木、影で上空から隠れた塗装を補います。ポリゴンにない分が加わります。ポリゴンがなければ、これがすべての塗装になります。</translation>
     </message>
     <message>
         <source>Minimum line length</source>
@@ -3993,7 +3993,7 @@
     </message>
     <message>
         <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it), placed (ends among the dashes' that are worn and lie where whole dashes ask for them, m).</source>
-        <translation>線（地表を指定した場合は高さ付き）: class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour、width（m）、sigma（m、横断方向）、length（m）、bridged（あるべき塗装のない部分、m）、periodとdash（m）、dashes（線に沿った始点と終点、m）、chain（1本の線の区間）、partner（二重線をなす相手のchain）、confidence（0～1: あるべき塗装のうち見えるものの割合。線の端または横断歩道だけから分かる停止線ではこれより低い値）、placed（dashesの端のうち摩耗していて、完全な破線から位置を推定したもの、m）。</translation>
+        <translation>線。地表面を与えると高さ付き：class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour 色、width 幅 (m)、sigma（直交方向の標準偏差、m）、length 長さ (m)、bridged（塗装があるはずで無い長さ、m）、periodとdash（破線の周期と塗装長、m）、dashes（塗装部分の始点と終点、線に沿ったm）、chain（同じ線の部分）、partner（二重線の相手のchain）、confidence（0～1：あるはずの塗装のうち見えた割合。停止線では、線の端だけ、または横断歩道だけが示す場合は小さい）、placed（摩耗した塗装端のうち、残った破線の周期から位置を決めたもの、m）。</translation>
     </message>
     <message>
         <source>Marking areas</source>
@@ -5884,6 +5884,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外部標定要素の画像が {folder} にありません: {missing}{more}。そこにコピーするか、空中写真を1枚ずつ選択してください。</translation>
     </message>
     <message>
+        <source>{path} has {width} x {height} pixels but the camera {width_2} x {height_2}: choose the camera file of these frames.</source>
+        <translation>{path} は {width} x {height} 画素ですが、カメラは {width_2} x {height_2} です。この写真のカメラファイルを選択してください。</translation>
+    </message>
+    <message>
+        <source>{path} holds {dtype} values: convert it to 8 or 16 bit.</source>
+        <translation>{path} の値の型は {dtype} です。8または16ビットに変換してください。</translation>
+    </message>
+    <message>
         <source>The exterior orientation has no line for {given}: add it, or leave the frame out.</source>
         <translation>外部標定要素に {given} の行がありません。追加するか、その空中写真を除いてください。</translation>
     </message>
@@ -5948,6 +5956,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>道路が指定されていません。陸屋根の縁、縁石、車両の縁、水辺の葦、駐車場の線が路面標示に含まれている可能性があります。信頼度で絞り込むか、道路を指定してください。</translation>
     </message>
     <message>
+        <source>{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, and hide markings.</source>
+        <translation>画像内の地表の {alone:.0%} は1枚の写真にしか写っていません。車両が残り、路面標示を隠しています。</translation>
+    </message>
+    <message>
+        <source>{mean:.0%} of the markings hardly stand out from the road: worn paint, shadow edges or paving.</source>
+        <translation>路面標示の {mean:.0%} は路面とほとんど区別できません。塗装の摩耗、影の縁、または舗装です。</translation>
+    </message>
+    <message>
         <source>No marking was found: check the roads, the contrast and whether the image shows any.</source>
         <translation>路面標示が見つかりませんでした。道路、コントラスト、および画像に路面標示が写っているかを確認してください。</translation>
     </message>
@@ -5956,8 +5972,12 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{polygons_count} 個の路面標示が見つかりました。 </translation>
     </message>
     <message>
+        <source>{first} and {second} lie {east:.2f} m apart on the road markings: markings in their overlap are uncertain by as much. Check the orientation.</source>
+        <translation>{first} と {second} は路面標示上で {east:.2f} m ずれています。重複部の路面標示は同じだけ不確かです。標定要素を確認してください。</translation>
+    </message>
+    <message>
         <source>Markings (green) over the orthophoto. Look for paint without an outline, and outlines on roofs, kerbs and vehicles.</source>
-        <translation>オルソ画像に重ねた路面標示（緑）。輪郭のない標示と、屋根・縁石・車両にかかる輪郭がないか確認してください。</translation>
+        <translation>オルソ画像上の路面標示（緑）。輪郭のない塗装と、屋根・縁石・車両上の輪郭を探してください。</translation>
     </message>
     <message>
         <source>{doubts_count} things are to be looked at first.</source>
@@ -6084,12 +6104,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>モデルに体積のある部分がありません。</translation>
     </message>
     <message>
+        <source>{status} of {merged_count} buildings have walls that lie on measured ones now.</source>
+        <translation>{merged_count} 棟中 {status} 棟の壁面が計測壁面に一致しました。</translation>
+    </message>
+    <message>
+        <source> {status} could not be merged and keep their models; the table tells why.</source>
+        <translation> {status} 棟は統合できず元のモデルのままです。理由は表にあります。</translation>
+    </message>
+    <message>
         <source>Buildings by the largest offset of a wall. Offsets of metres hint at another building, or another date.</source>
-        <translation>壁の最大オフセット別の建物数。数メートルのオフセットは、別の建物か時期の違いを示します。</translation>
+        <translation>壁面の最大オフセット別の建物。数mのオフセットは、別の建物か別の時期であることを示します。</translation>
     </message>
     <message>
         <source>Unchanged: {count}; the table tells why.</source>
         <translation>変更なし：{count}。理由は表にあります。</translation>
+    </message>
+    <message>
+        <source>its measured walls are beyond the limits</source>
+        <translation>計測壁面が許容範囲を超えています</translation>
+    </message>
+    <message>
+        <source>the measured walls fit the model</source>
+        <translation>計測壁面はモデルに合っています</translation>
     </message>
     <message>
         <source>Two buildings have the same building_id: give each building its own.</source>
@@ -6108,12 +6144,68 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>モデルの近くに計測壁面がありません。両者が同じ場所のもので、移動計測が地図に位置合わせされているか確認してください。</translation>
     </message>
     <message>
+        <source>no valid solid could be made with it ({trouble})</source>
+        <translation>これを用いると有効な立体を作成できません（{trouble}）</translation>
+    </message>
+    <message>
+        <source>no valid solid could be made with the measured walls ({trouble})</source>
+        <translation>計測壁面を用いると有効な立体を作成できません（{trouble}）</translation>
+    </message>
+    <message>
         <source>the plan would fold over itself</source>
         <translation>平面形が自身と重なってしまいます</translation>
     </message>
     <message>
+        <source>it has no model</source>
+        <translation>モデルがありません</translation>
+    </message>
+    <message>
+        <source>it has sloped roofs and is higher than the walls are taken</source>
+        <translation>勾配屋根があり、壁面を採用する高さより高い建物です</translation>
+    </message>
+    <message>
+        <source>the measured wall lies in the neighbour {building_id}</source>
+        <translation>計測壁面が隣の建物 {building_id} の中にあります</translation>
+    </message>
+    <message>
         <source>{fspath} holds no building: give a CityJSON file with buildings.</source>
         <translation>{fspath} に建物がありません。建物を含むCityJSONファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>it has no heights</source>
+        <translation>高さがありません</translation>
+    </message>
+    <message>
+        <source>it has no roof or no ground on one level</source>
+        <translation>屋根がないか、底面が一つの高さにありません</translation>
+    </message>
+    <message>
+        <source>its roofs do not lie over its ground: overhangs or a second ground</source>
+        <translation>屋根が底面の上にありません：張り出し、または別の底面</translation>
+    </message>
+    <message>
+        <source>a sloped face of it is not plane</source>
+        <translation>傾斜面が平面ではありません</translation>
+    </message>
+    <message>
+        <source>the measured wall is rotated by {rotation:.1f} degrees against it</source>
+        <translation>計測壁面が {rotation:.1f} 度回転しています</translation>
+    </message>
+    <message>
+        <source>{others_count} more wall{value} at another depth along it</source>
+        <translation>沿って別の奥行きの壁面がさらに {others_count} 面あります</translation>
+    </message>
+    <message>
+        <source>the wall was measured {offset:.2f} m {value} of it</source>
+        <translation>壁面はモデルから {offset:.2f} m の位置で計測されました（{value}）</translation>
+    </message>
+    <message>
+        <source>the facade along it is not straight</source>
+        <translation>この面に沿う壁面は直線ではありません</translation>
+    </message>
+    <message>
+        <source>an end would move too far</source>
+        <translation>端の移動量が大きすぎます</translation>
     </message>
     <message>
         <source>Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be greater than 0.</source>
@@ -6132,16 +6224,92 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>どの外周線の内側にも点がありません。両者の場所とCRSが同じか確認してください。</translation>
     </message>
     <message>
+        <source>its ground is not known, the foot is put {storey:g} m under its lowest roof</source>
+        <translation>地表の高さが不明のため、底面を最も低い屋根の {storey:g} m 下としました</translation>
+    </message>
+    <message>
+        <source>only {within:.0f} % of its uppermost points lie within {max_error:g} m</source>
+        <translation>最上部の点のうち {max_error:g} m 以内は {within:.0f} % だけです</translation>
+    </message>
+    <message>
+        <source>{under:.0f} % of its points lie under the uppermost surface, which alone is meshed</source>
+        <translation>点の {under:.0f} % は最上面より下にあります。メッシュは最上面だけです</translation>
+    </message>
+    <message>
+        <source>its surfaces touch or cross somewhere</source>
+        <translation>面がどこかで接触または交差しています</translation>
+    </message>
+    <message>
         <source>The maximum error and the height step must be greater than 0.</source>
         <translation>最大誤差と段差の高さは0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>it has no outline</source>
+        <translation>外周線がありません</translation>
+    </message>
+    <message>
+        <source>no closed mesh could be made</source>
+        <translation>閉じたメッシュを作成できませんでした</translation>
     </message>
     <message>
         <source>its outline has no area</source>
         <translation>外周線に面積がありません</translation>
     </message>
     <message>
+        <source>one height for all roofs, as the detailed solid is not valid ({problems})</source>
+        <translation>詳細な立体が有効でないため、全屋根を一つの高さとしました（{problems}）</translation>
+    </message>
+    <message>
         <source>No roof has a building_id that the outlines have: give the outlines that the roofs were made with.</source>
         <translation>外周線のbuilding_idをもつ屋根がありません。屋根の作成に用いた外周線を指定してください。</translation>
+    </message>
+    <message>
+        <source>no roof was found in its points</source>
+        <translation>点から屋根が見つかりませんでした</translation>
+    </message>
+    <message>
+        <source>no valid solid could be made ({left})</source>
+        <translation>有効な立体を作成できませんでした（{left}）</translation>
+    </message>
+    <message>
+        <source>level roofs, as they fit its points better than planes; {reason}</source>
+        <translation>平面より点によく合うため陸屋根としました；{reason}</translation>
+    </message>
+    <message>
+        <source>level roofs, as the sloped solid is not valid ({problems})</source>
+        <translation>勾配屋根の立体が有効でないため陸屋根としました（{problems}）</translation>
+    </message>
+    <message>
+        <source>too few points for roofs; {note}</source>
+        <translation>屋根を作るには点が少なすぎます；{note}</translation>
+    </message>
+    <message>
+        <source>its ground is not known, {source}</source>
+        <translation>地表の高さが不明です（{source}）</translation>
+    </message>
+    <message>
+        <source>curved walls are drawn as short straight ones</source>
+        <translation>曲面の壁は短い直線で表しています</translation>
+    </message>
+    <message>
+        <source>{not_explained:.0f} % of the points that can be roof are not explained by the model, RMSE of height (best 95 %) {rmse_z95:.1f} m</source>
+        <translation>屋根となり得る点の {not_explained:.0f} % がモデルで説明されません。高さのRMSE（良い方の95 %） {rmse_z95:.1f} m</translation>
+    </message>
+    <message>
+        <source>a roof found in its points has no polygon</source>
+        <translation>点から見つかった屋根にポリゴンがありません</translation>
+    </message>
+    <message>
+        <source>only {height:.2f} m over the ground</source>
+        <translation>地表から {height:.2f} m しかありません</translation>
+    </message>
+    <message>
+        <source>{area:.0f} % of its outline has no model</source>
+        <translation>外周線の {area:.0f} % にモデルがありません</translation>
+    </message>
+    <message>
+        <source>{unseen:.0f} % of its plan has no roof points</source>
+        <translation>平面の {unseen:.0f} % に屋根の点がありません</translation>
     </message>
     <message>
         <source>The worst {worst_count}</source>
@@ -6149,27 +6317,39 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Buildings by quality. Those far left are to be looked at first.</source>
-        <translation>品質別の建物数。左端のものから先に確認してください。</translation>
+        <translation>品質別の建物。左端のものから確認してください。</translation>
     </message>
     <message>
         <source>{good} of {count} buildings have a model that explains their points.</source>
-        <translation>{count} 棟のうち {good} 棟のモデルは点群とよく合います。</translation>
+        <translation>{count} 棟中 {good} 棟に、点を説明できるモデルがあります。</translation>
     </message>
     <message>
         <source>{good} of {count} buildings have a valid model. How well it fits is not known: no points were given.</source>
-        <translation>{count} 棟のうち {good} 棟に有効なモデルがあります。点群が与えられていないため、どれだけ合うかは分かりません。</translation>
+        <translation>{count} 棟中 {good} 棟に有効なモデルがあります。点が与えられていないため、適合の良さは不明です。</translation>
     </message>
     <message>
         <source>RMSE of height, best 95 %, of each building; the worst are numbered. North is up. Red ones side by side hint at a shift or another date; single ones at their roofs.</source>
-        <translation>各建物の高さの RMSE（良い方の 95 %）。悪いものに番号を付けています。北が上です。赤が並ぶ所は位置ずれか時期の違い、単独の赤は屋根を疑ってください。</translation>
+        <translation>各建物の高さのRMSE（良い方の95 %）。悪いものに番号を付けています。上が北です。赤い建物が並ぶ場合はずれや時期の違い、単独の場合は屋根の問題が考えられます。</translation>
     </message>
     <message>
         <source>With a remark: {others}; look at the worst below first.</source>
-        <translation>注記あり：{others}。下の最も悪いものから確認してください。</translation>
+        <translation>注記あり：{others}。まず下の悪いものを確認してください。</translation>
     </message>
     <message>
         <source>Without a model: {missing}; they keep their rows, with the reason, in the result.</source>
         <translation>モデルなし：{missing}。結果には理由とともに行が残ります。</translation>
+    </message>
+    <message>
+        <source>{coverage:.0f} % of its points lie beside the model: check the outline</source>
+        <translation>点の {coverage:.0f} % がモデルの外にあります：外周線を確認してください</translation>
+    </message>
+    <message>
+        <source>its roofs do not follow the points: a broken roof, or points of something else</source>
+        <translation>屋根が点に沿っていません：複雑な屋根か、別の物の点です</translation>
+    </message>
+    <message>
+        <source>sloped or uneven roofs are modelled level</source>
+        <translation>勾配のある屋根や凹凸のある屋根を陸屋根で表しています</translation>
     </message>
     <message>
         <source>The building evidence does not lie on its grid: give both the same rows and columns.</source>
@@ -6186,6 +6366,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The ground heights do not lie on the grid of the evidence: give both the same grid.</source>
         <translation>地表の標高が根拠データの格子と一致しません。同じ格子としてください。</translation>
+    </message>
+    <message>
+        <source>the outline was invalid and was repaired</source>
+        <translation>外周線が無効なため修復しました</translation>
     </message>
     <message>
         <source>The layer of building outlines is empty: give a layer with polygons.</source>
@@ -6206,6 +6390,26 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The outlines hold the building_id {unique} more than once: make it unique or remove the field.</source>
         <translation>外周線にbuilding_id {unique} が重複しています。一意にするか、フィールドを削除してください。</translation>
+    </message>
+    <message>
+        <source>the outline is empty</source>
+        <translation>外周線が空です</translation>
+    </message>
+    <message>
+        <source>the outline has coordinates that are not numbers</source>
+        <translation>外周線の座標に数値でないものがあります</translation>
+    </message>
+    <message>
+        <source>the outline has no area</source>
+        <translation>外周線に面積がありません</translation>
+    </message>
+    <message>
+        <source>the roof polygons overlap or leave gaps</source>
+        <translation>屋根ポリゴンに重なりまたは隙間があります</translation>
+    </message>
+    <message>
+        <source>a roof cannot be cut into triangles: {error}</source>
+        <translation>屋根を三角形に分割できません：{error}</translation>
     </message>
     <message>
         <source>A detected line needs at least three boundary points.</source>
@@ -6320,16 +6524,52 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>1つの建物のセルが重なっています。先にpartition_planで平面を分割してください。</translation>
     </message>
     <message>
+        <source>has rings that intersect</source>
+        <translation>交差する輪があります</translation>
+    </message>
+    <message>
         <source>Face {face} {text}.</source>
         <translation>面 {face}: {text}。</translation>
+    </message>
+    <message>
+        <source>is collapsed to a line</source>
+        <translation>線につぶれています</translation>
+    </message>
+    <message>
+        <source>has a ring that intersects itself</source>
+        <translation>自分自身と交差する輪があります</translation>
+    </message>
+    <message>
+        <source>has the same ring twice</source>
+        <translation>同じ輪が二つあります</translation>
+    </message>
+    <message>
+        <source>has an inner ring outside the outer one</source>
+        <translation>外側の輪の外に内側の輪があります</translation>
+    </message>
+    <message>
+        <source>has an inner ring within another one</source>
+        <translation>内側の輪の中に内側の輪があります</translation>
+    </message>
+    <message>
+        <source>falls apart at points where its rings touch</source>
+        <translation>輪が接する点で分離しています</translation>
     </message>
     <message>
         <source>An edge belongs to one face only: the shell has a hole.</source>
         <translation>1つの面にしか属さない辺があります。シェルに穴があります。</translation>
     </message>
     <message>
+        <source>{uses} faces meet in one edge.</source>
+        <translation>一つの辺に {uses} 面が接しています。</translation>
+    </message>
+    <message>
         <source>Faces touch each other only in this point.</source>
         <translation>面どうしがこの点だけで接しています。</translation>
+    </message>
+    <message>
+        <source>and others are not connected to the rest of the shell</source>
+        <translation>ほかの面が殻の残りとつながっていません</translation>
     </message>
     <message>
         <source>The solid has no faces.</source>
@@ -6350,6 +6590,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Face {face_of} repeats a point.</source>
         <translation>面 {face_of} に同じ点の繰返しがあります。</translation>
+    </message>
+    <message>
+        <source>has a ring of fewer than 3 points</source>
+        <translation>3点未満の輪があります</translation>
     </message>
     <message>
         <source>Face {face} has a point {off:.4f} m off its plane.</source>
@@ -6374,6 +6618,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>A ring of face {face_of} visits a point twice.</source>
         <translation>面 {face_of} のリングが同じ点を2回通っています。</translation>
+    </message>
+    <message>
+        <source>has an inner ring that turns like the outer one</source>
+        <translation>内側の輪が外側と同じ向きです</translation>
+    </message>
+    <message>
+        <source>has a fold of {angle:.0f} degrees</source>
+        <translation>{angle:.0f} 度の折れがあります</translation>
+    </message>
+    <message>
+        <source>it has no outline and no face from which one could be made</source>
+        <translation>外周線も、それを作れる面もありません</translation>
     </message>
     <message>
         <source>CityGML states heights in JGD2011 (EPSG:6697), but those of the models are {heights}: give the height system, or convert the heights, if they are others.</source>
@@ -6408,6 +6664,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>都市モデルにジオメトリをもつ建物がありません。外周線または立体のある都市モデルを指定してください。</translation>
     </message>
     <message>
+        <source>it has no id</source>
+        <translation>IDがありません</translation>
+    </message>
+    <message>
+        <source>a list of codes</source>
+        <translation>コードリスト</translation>
+    </message>
+    <message>
         <source>{source} names no coordinate reference system: give the one that it is in.</source>
         <translation>{source} に座標参照系の記載がありません。データの座標参照系を指定してください。</translation>
     </message>
@@ -6418,6 +6682,18 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Parts of buildings that have no place in the result were left out ({counts}).</source>
         <translation>結果に入れられない建物の部分を除きました（{counts}）。</translation>
+    </message>
+    <message>
+        <source>{missing_lists_count} lists of codes are not there or damaged, so that codes stay as they are ({missing_lists}).</source>
+        <translation>コードリスト {missing_lists_count} 件がないか壊れているため、コードはそのままです（{missing_lists}）。</translation>
+    </message>
+    <message>
+        <source>{missing_images_count} images of textures are not there ({missing_images}).</source>
+        <translation>テクスチャ画像 {missing_images_count} 件がありません（{missing_images}）。</translation>
+    </message>
+    <message>
+        <source>{repeated_count} ids are there more than once and got a number behind ({repeated}).</source>
+        <translation>重複するID {repeated_count} 件の後ろに番号を付けました（{repeated}）。</translation>
     </message>
     <message>
         <source>{source} is no CityGML (its root is {split_tag}): give a city model.</source>
@@ -6476,6 +6752,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path} は破損しています。存在しない頂点を参照しています。再度出力してください。</translation>
     </message>
     <message>
+        <source>its part {child} is not there</source>
+        <translation>部分 {child} がありません</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners</source>
+        <translation>頂点が3点未満の面があります</translation>
+    </message>
+    <message>
+        <source>its solid of level {lod} is not closed ({gaps} edges without a neighbour)</source>
+        <translation>レベル {lod} の立体が閉じていません（隣のない辺 {gaps}）</translation>
+    </message>
+    <message>
+        <source>its part {child} has parts of its own, which were left out</source>
+        <translation>部分 {child} がさらに部分をもつため、それらを除きました</translation>
+    </message>
+    <message>
         <source>CityJSON is written in metres, but the model counts in degrees: take it into a plane reference system first.</source>
         <translation>CityJSONはメートルで書き出しますが、モデルは度単位です。先に平面直角座標系などの平面の座標系に変換してください。</translation>
     </message>
@@ -6486,6 +6778,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The folder {place} cannot be made ({strerror}): choose another output.</source>
         <translation>フォルダ {place} を作成できません（{strerror}）。別の出力先を選択してください。</translation>
+    </message>
+    <message>
+        <source>its surfaces are nested too deep</source>
+        <translation>面の入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>the texture of polygon {identifier} does not fit its corners and was left out</source>
+        <translation>ポリゴン {identifier} のテクスチャが頂点に合わないため除きました</translation>
+    </message>
+    <message>
+        <source>its solid of level {lod} has no usable face</source>
+        <translation>レベル {lod} の立体に使える面がありません</translation>
+    </message>
+    <message>
+        <source>it refers to the surface {reference}, which it does not have</source>
+        <translation>存在しない面 {reference} を参照しています</translation>
     </message>
     <message>
         <source>{path} has no textures: give the CityJSON file that “Facade textures” wrote.</source>
@@ -6536,8 +6844,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>妨げとなっているPythonパッケージがあります: {names}。</translation>
     </message>
     <message>
+        <source>install it with: sudo apt install python3-pip</source>
+        <translation>次のコマンドでインストールしてください：sudo apt install python3-pip</translation>
+    </message>
+    <message>
+        <source>install it with: {shown_command}</source>
+        <translation>次のコマンドでインストールしてください：{shown_command}</translation>
+    </message>
+    <message>
         <source>{python} has no pip, which installs Python packages: {advice}</source>
         <translation>{python} には、Pythonパッケージをインストールするpipがありません: {advice}</translation>
+    </message>
+    <message>
+        <source>{requirement} (installed, but {found_version} was loaded before from {in_the_way}: restart QGIS, without the plugin that loads it)</source>
+        <translation>{requirement}（インストール済みですが、先に {in_the_way} から {found_version} が読み込まれています。それを読み込むプラグインを外してQGISを再起動してください）</translation>
     </message>
     <message>
         <source>pip could not install the packages: {value}</source>
@@ -6546,6 +6866,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Python cannot be started as {command} ({strerror}).</source>
         <translation>Pythonを {command} として起動できません（{strerror}）。</translation>
+    </message>
+    <message>
+        <source>it gave no reason</source>
+        <translation>理由は示されませんでした</translation>
     </message>
     <message>
         <source>The memory is not enough for this run: give less data at a time, or a coarser resolution.</source>
@@ -6578,6 +6902,30 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Tolerance and minimum area of walls must be greater than 0.</source>
         <translation>壁面の許容誤差と最小面積は0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>only {points} points lie on it</source>
+        <translation>点が {points} 点しかありません</translation>
+    </message>
+    <message>
+        <source>its points scatter by {rmse:.0f} cm: no flat wall, or drives that disagree</source>
+        <translation>点のばらつきが {rmse:.0f} cm あります：平らな壁でないか、走行間で一致していません</translation>
+    </message>
+    <message>
+        <source>it lies {depth:.1f} m inside the outline: a setback, or a room seen through a window</source>
+        <translation>外周線の {depth:.1f} m 内側にあります：セットバック、または窓越しの室内</translation>
+    </message>
+    <message>
+        <source>something stands in front</source>
+        <translation>手前に物があります</translation>
+    </message>
+    <message>
+        <source>the survey did not see the rest</source>
+        <translation>残りは計測されていません</translation>
+    </message>
+    <message>
+        <source>{coverage:.0f} % of it was seen; {why}</source>
+        <translation>{coverage:.0f} % が計測されました；{why}</translation>
     </message>
     <message>
         <source>Building {ids}: only {kept_share:.0f} % of its points were used, as there are more than fit into memory.</source>
@@ -6685,7 +7033,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Where measured and predicted paths agree below, the models can be adjusted by them.</source>
-        <translation>下の図で観測と予測の経路が一致すれば、モデルの調整に使えます。</translation>
+        <translation>下の図で観測と予測の経路が一致していれば、それによりモデルを調整できます。</translation>
     </message>
     <message>
         <source>{sum} of {adjusted_count} walls are adjusted, with a median standard deviation of {median:.2f} m. The others stay where they were: nothing is known of them.</source>
@@ -6720,8 +7068,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{file}に使用できる衛星の記録がありません。別の航法ファイルを与えてください。</translation>
     </message>
     <message>
+        <source>{file}: {broken} records of satellites are not whole and are left out.</source>
+        <translation>{file}：不完全な衛星の記録 {broken} 件を除きました。</translation>
+    </message>
+    <message>
         <source>{file} is a RINEX file but holds no observations: give it as another parameter.</source>
         <translation>{file}はRINEXファイルですが、観測データを含みません。別のパラメータに指定してください。</translation>
+    </message>
+    <message>
+        <source>{file}: {unread} numbers cannot be read and are left out.</source>
+        <translation>{file}：読めない数値 {unread} 件を除きました。</translation>
     </message>
     <message>
         <source>{file} holds no code observation of the chosen systems: check the file.</source>
@@ -6732,12 +7088,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{file}の時系「{scale}」は未対応です。GPS時刻に変換してください。</translation>
     </message>
     <message>
+        <source>{name}: {kept_count} observations are there twice and are used once.</source>
+        <translation>{name}：重複する観測 {kept_count} 件は一度だけ使います。</translation>
+    </message>
+    <message>
         <source>{file} does not tell its types of observations: its header is not whole.</source>
         <translation>{file}に観測種別の記載がありません。ヘッダが不完全です。</translation>
     </message>
     <message>
         <source>{file} holds no epoch with observations: check the file.</source>
         <translation>{file}に観測値のあるエポックがありません。ファイルを確認してください。</translation>
+    </message>
+    <message>
+        <source>{name}: {short} epochs are not whole and are used as far as they go.</source>
+        <translation>{name}：不完全なエポック {short} 件は、使えるところまで使います。</translation>
+    </message>
+    <message>
+        <source>{name}: {skipped} lines fit in no epoch and are left out.</source>
+        <translation>{name}：どのエポックにも合わない {skipped} 行を除きました。</translation>
     </message>
     <message>
         <source>{file} has a scale factor that cannot be read: check its header.</source>
@@ -6772,6 +7140,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}を読み込めません（{strerror}）。ファイルを確認してください。</translation>
     </message>
     <message>
+        <source>{path} breaks off: it is used up to there.</source>
+        <translation>{path} は途中で切れています。そこまでを使います。</translation>
+    </message>
+    <message>
         <source>{name} tells no RINEX version in its first line: check the file.</source>
         <translation>{name}の1行目にRINEXのバージョンがありません。ファイルを確認してください。</translation>
     </message>
@@ -6788,8 +7160,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>仰角の異なる衛星が少なく、アンテナの高さを決定できません。ジオイド高を与えてください。</translation>
     </message>
     <message>
+        <source>{first:.0f} to {last:.0f} s of week</source>
+        <translation>週の {first:.0f}～{last:.0f} 秒</translation>
+    </message>
+    <message>
         <source>Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover {span_text} GPS time ({start:.0f} to {end:.0f} s of week).</source>
         <translation>軌跡と{what}の時刻が一致しません。軌跡は{told}、{what}はGPS時刻で{span_text}（週内秒 {start:.0f}～{end:.0f} s）です。</translation>
+    </message>
+    <message>
+        <source>outside the trajectory or in a gap of it</source>
+        <translation>軌跡の範囲外、または軌跡の欠測中</translation>
+    </message>
+    <message>
+        <source>weaker than {min_cn0:g} dB-Hz</source>
+        <translation>{min_cn0:g} dB-Hz より弱い</translation>
     </message>
     <message>
         <source>The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), which is used: the official value is better.</source>
@@ -6804,6 +7188,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>観測ファイルが与えられていません。受信機のRINEX観測ファイルを与えてください。</translation>
     </message>
     <message>
+        <source>without an ephemeris</source>
+        <translation>エフェメリスなし</translation>
+    </message>
+    <message>
+        <source>of unhealthy satellites</source>
+        <translation>不健康な衛星</translation>
+    </message>
+    <message>
+        <source>below {elevation_mask:g} degrees of elevation</source>
+        <translation>仰角 {elevation_mask:g} 度未満</translation>
+    </message>
+    <message>
         <source>No observation can be used ({value}): check that observations, navigation and trajectory belong together.</source>
         <translation>使用できる観測値がありません（{value}）。観測データ、航法ファイル、軌跡が対応しているか確認してください。</translation>
     </message>
@@ -6816,12 +7212,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>精密暦だけでは群遅延（最大数m）が分からないため、補正していません。航法ファイルも与えてください。</translation>
     </message>
     <message>
+        <source>have no ephemeris near in time</source>
+        <translation>近い時刻のエフェメリスがない</translation>
+    </message>
+    <message>
         <source>No satellite of {system_names} can be placed: its signals are left out; give its navigation file.</source>
         <translation>{system_names}の衛星の位置を計算できないため、その信号を除外しました。該当する航法ファイルを与えてください。</translation>
     </message>
     <message>
         <source>By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a geoid separation of {given:g} m says: heights above sea level and above the ellipsoid seem to be mixed up; a separation of about {given_2:.0f} m would fit.</source>
         <translation>衛星によると、アンテナはジオイド高を {given:g} m とした軌跡より {offset:.0f} m {value}位置にあります。標高と楕円体高が混在しているようです。ジオイド高を約 {given_2:.0f} m とすると整合します。</translation>
+    </message>
+    <message>
+        <source>too early, as UTC is</source>
+        <translation>UTCのように早すぎます</translation>
     </message>
     <message>
         <source>The code ranges do not fit the trajectory (the strongest signals contradict each other by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.</source>
@@ -6844,6 +7248,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>軌跡の時刻が {leap:.0f} s ずれています（{fault}）。GPS時刻で与えてください。</translation>
     </message>
     <message>
+        <source>the files hold none</source>
+        <translation>ファイルに一つもありません</translation>
+    </message>
+    <message>
         <source>higher</source>
         <translation>高い</translation>
     </message>
@@ -6864,12 +7272,72 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{path}は、週内時刻が同じ{who}のいずれにも対応し得ます。軌跡を通算GPS秒で与えてください。</translation>
     </message>
     <message>
+        <source>moved, the building would not stay valid or would run into another</source>
+        <translation>移動すると建物が有効でなくなるか、ほかの建物に入り込みます</translation>
+    </message>
+    <message>
+        <source>one satellite only</source>
+        <translation>衛星が1個だけ</translation>
+    </message>
+    <message>
+        <source>too few observations ({count} of {min_observations})</source>
+        <translation>観測が少なすぎます（{min_observations} 必要、{count}）</translation>
+    </message>
+    <message>
+        <source>too few satellites ({satellites} of {min_satellites})</source>
+        <translation>衛星が少なすぎます（{min_satellites} 必要、{satellites}）</translation>
+    </message>
+    <message>
+        <source>too few passes ({passes} of {min_passes})</source>
+        <translation>走行が少なすぎます（{min_passes} 必要、{passes}）</translation>
+    </message>
+    <message>
+        <source>contradicting observations: two offsets are possible</source>
+        <translation>観測が矛盾：二通りのオフセットがあり得ます</translation>
+    </message>
+    <message>
+        <source>contradicting observations: most are NLOS-delayed or outliers</source>
+        <translation>観測が矛盾：大半がNLOS遅延か外れ値です</translation>
+    </message>
+    <message>
+        <source>contradicting observations: the passes do not agree</source>
+        <translation>観測が矛盾：走行どうしが一致しません</translation>
+    </message>
+    <message>
+        <source>offset of {offset:.1f} m is not credible</source>
+        <translation>{offset:.1f} m のオフセットは信頼できません</translation>
+    </message>
+    <message>
+        <source>no antenna in front of it</source>
+        <translation>前方にアンテナがありません</translation>
+    </message>
+    <message>
         <source>Prior, block length, maximum sigma, maximum offset and iterations must be greater than 0.</source>
         <translation>事前値、ブロック長、最大σ、最大オフセット、反復回数は0より大きくしてください。</translation>
     </message>
     <message>
         <source>The minimum numbers of observations, satellites and passes must be at least 1.</source>
         <translation>観測数、衛星数、走行数の最小値は1以上にしてください。</translation>
+    </message>
+    <message>
+        <source>no received signal could meet it</source>
+        <translation>届き得る受信信号がありません</translation>
+    </message>
+    <message>
+        <source>open sky: what it could reflect is in line of sight</source>
+        <translation>開けた空：反射し得る信号は見通し内です</translation>
+    </message>
+    <message>
+        <source>hidden behind other buildings</source>
+        <translation>ほかの建物に隠れています</translation>
+    </message>
+    <message>
+        <source>other walls could have reflected the same signals</source>
+        <translation>ほかの壁面も同じ信号を反射し得ます</translation>
+    </message>
+    <message>
+        <source>too few signals in a row</source>
+        <translation>連続する信号が少なすぎます</translation>
     </message>
     <message>
         <source>At no epoch are three satellites in line of sight, so that the receiver's clock is not known: give observations of more satellites, or check heights and coordinate systems.</source>
@@ -6896,8 +7364,32 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>外周線 {number} は{source}（{columns} x {rows} 画素）の外にあります。座標参照系のない画像上（yは負）に描いてください。</translation>
     </message>
     <message>
+        <source>{points_count} laser points behind it are too few, or no group of them is connected (needed: {min_points})</source>
+        <translation>背後のレーザ点 {points_count} 点は少なすぎるか、つながった点群がありません（{min_points} 点必要）</translation>
+    </message>
+    <message>
+        <source>no laser points lie behind it</source>
+        <translation>背後にレーザ点がありません</translation>
+    </message>
+    <message>
+        <source>the surface runs along the line of sight</source>
+        <translation>面が視線と平行です</translation>
+    </message>
+    <message>
+        <source>too few points or too narrow for a plane of its own</source>
+        <translation>独自の平面を求めるには点が少ないか狭すぎます</translation>
+    </message>
+    <message>
+        <source>no laser points at {known_count} of {known_count_2} places</source>
+        <translation>{known_count_2} か所中 {known_count} か所にレーザ点がありません</translation>
+    </message>
+    <message>
         <source>Edges should run along what the images show, and points lie on what they were measured from; where they do not, survey, orientation or models are off.</source>
         <translation>稜線は画像に写るものに沿い、点は計測対象の上に載るのが正常です。ずれている箇所では、計測データ、標定要素またはモデルに誤りがあります。</translation>
+    </message>
+    <message>
+        <source> Nothing lies in {nothing_count} of {records_count} images.</source>
+        <translation> {records_count} 枚中 {nothing_count} 枚には何も写りません。</translation>
     </message>
     <message>
         <source>{source}, columns {left} to {right}, rows {top} to {bottom}</source>
@@ -7008,12 +7500,40 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>テクスチャの画像{key}が与えられていません。</translation>
     </message>
     <message>
+        <source>{first} holds no buildings: choose another map sheet.</source>
+        <translation>{first} に建物がありません。別の図郭を選択してください。</translation>
+    </message>
+    <message>
         <source>None of the buildings in {first} has a usable outline: {some}.</source>
         <translation>{first}の建物に使用できる外周線がありません: {some}。</translation>
     </message>
     <message>
+        <source>{first} holds no building outlines (BldA or BldL) but {kinds}: give the buildings' file.</source>
+        <translation>{first} には建築物の外周線（BldAまたはBldL）がなく、{kinds} があります。建物のファイルを与えてください。</translation>
+    </message>
+    <message>
+        <source>{not_gsi} is not GSI Fundamental Geospatial Data (its root is not an FGD Dataset): give files named FG-GML-...-BldA or -BldL as downloaded.</source>
+        <translation>{not_gsi} は基盤地図情報ではありません（ルートがFGD Datasetではありません）。ダウンロードしたままのFG-GML-...-BldAまたは-BldLのファイルを与えてください。</translation>
+    </message>
+    <message>
         <source>The outlines are in JGD2000 and were taken into {target} without the movements of the ground in 2011, up to 5 m in north-east Japan: correct them there with PatchJGD.</source>
         <translation>外周線はJGD2000で、2011年の地殻変動（東北地方で最大5 m）を考慮せずに{target}へ変換しました。当該地域ではPatchJGDで補正してください。</translation>
+    </message>
+    <message>
+        <source>{zones_count} of {zones_count_2} buildings seem to lie outside zone {zone_names}, in {others}: choose the reference system if that is not wanted.</source>
+        <translation>{zones_count_2} 棟中 {zones_count} 棟が {zone_names} 系の外、{others} にあるようです。意図しない場合は座標参照系を選択してください。</translation>
+    </message>
+    <message>
+        <source>{same_areas} objects that several files hold alike were taken once.</source>
+        <translation>複数のファイルに同じ内容で含まれる地物 {same_areas} 件は一度だけ取り込みました。</translation>
+    </message>
+    <message>
+        <source>{known} outlines (BldL) of buildings that are there as areas (BldA) were left out.</source>
+        <translation>面（BldA）のある建物の外周線（BldL） {known} 件を除きました。</translation>
+    </message>
+    <message>
+        <source>{mended} outlines that cross or touch themselves were repaired.</source>
+        <translation>自己交差または自己接触する外周線 {mended} 件を修復しました。</translation>
     </message>
     <message>
         <source>No outline in {source} closes to a polygon: give all map sheets around the area, or BldA files.</source>
@@ -7036,8 +7556,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>JGD2024をJGD2011（EPSG:6668）として扱いました。水平座標は同一です。</translation>
     </message>
     <message>
+        <source>{others_count} files with other objects than buildings were not opened ({some}).</source>
+        <translation>建物以外の地物のファイル {others_count} 件は開きませんでした（{some}）。</translation>
+    </message>
+    <message>
+        <source>{not_gsi_count} XML files that are not GSI data were passed over ({some}).</source>
+        <translation>国土地理院データでないXMLファイル {not_gsi_count} 件を読み飛ばしました（{some}）。</translation>
+    </message>
+    <message>
         <source>Objects that are no building outlines were passed over ({kinds}).</source>
         <translation>建物外周線でない地物を読み飛ばしました（{kinds}）。</translation>
+    </message>
+    <message>
+        <source>{unusable_count} buildings have no usable outline and are missing in the result: {some}.</source>
+        <translation>使える外周線のない建物 {unusable_count} 棟は結果にありません：{some}。</translation>
+    </message>
+    <message>
+        <source>{gaps_count} gaps in outlines were closed by a straight line, the widest {gaps:.2g} m.</source>
+        <translation>外周線の切れ目 {gaps_count} か所を直線で閉じました。最大 {gaps:.2g} m。</translation>
+    </message>
+    <message>
+        <source>{curved_objects} curve segments ({kinds}) were replaced by straight lines between the points they give.</source>
+        <translation>曲線部分 {curved_objects} 件（{kinds}）を、与えられた点を結ぶ直線に置き換えました。</translation>
     </message>
     <message>
         <source>The buildings cannot be turned into {target}: choose a reference system made for Japan.</source>
@@ -7088,6 +7628,22 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{source}が破損しています。開始点以降の高さの数が {columns} x {rows} セルを超えています。再度ダウンロードしてください。</translation>
     </message>
     <message>
+        <source>{others_count} files with other data than elevation models were not opened ({some}).</source>
+        <translation>標高モデル以外のファイル {others_count} 件は開きませんでした（{some}）。</translation>
+    </message>
+    <message>
+        <source>{strange_count} XML files that are no elevation models were passed over ({some}).</source>
+        <translation>標高モデルでないXMLファイル {strange_count} 件を読み飛ばしました（{some}）。</translation>
+    </message>
+    <message>
+        <source>{older_count} older files of meshes that have a newer one were left out ({some}).</source>
+        <translation>新しいものがあるメッシュの古いファイル {older_count} 件を除きました（{some}）。</translation>
+    </message>
+    <message>
+        <source>{surface} cells of {values} are heights of the surface (表層面), with trees and buildings, not of the ground.</source>
+        <translation>{values} セル中 {surface} セルは地表ではなく、樹木や建物を含む表層面の高さです。</translation>
+    </message>
+    <message>
         <source>{source} is damaged: {line!r} is no kind with a height; download it again.</source>
         <translation>{source}が破損しています。{line!r} は種別と高さの組ではありません。再度ダウンロードしてください。</translation>
     </message>
@@ -7104,12 +7660,60 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>標高モデルが座標参照系の計算可能範囲の外にあります。日本用のものを選択してください。</translation>
     </message>
     <message>
+        <source>its surface has no exterior</source>
+        <translation>面に外周がありません</translation>
+    </message>
+    <message>
+        <source>a ring has no coordinates</source>
+        <translation>座標のない輪があります</translation>
+    </message>
+    <message>
+        <source>a ring has fewer than three corners</source>
+        <translation>頂点が3点未満の輪があります</translation>
+    </message>
+    <message>
+        <source>its line has no coordinates</source>
+        <translation>線に座標がありません</translation>
+    </message>
+    <message>
+        <source>its line has a single point</source>
+        <translation>線が1点だけです</translation>
+    </message>
+    <message>
+        <source>a latitude has no longitude</source>
+        <translation>緯度に対応する経度がありません</translation>
+    </message>
+    <message>
+        <source>a coordinate is not a number</source>
+        <translation>座標が数値ではありません</translation>
+    </message>
+    <message>
+        <source>it lies outside Japan</source>
+        <translation>日本の外にあります</translation>
+    </message>
+    <message>
         <source>{source} is not whole, valid XML (line {line}, column {column}): download it again.</source>
         <translation>{source}は完全で有効なXMLではありません（{line} 行 {column} 列）。再度ダウンロードしてください。</translation>
     </message>
     <message>
+        <source>it has no surface</source>
+        <translation>面がありません</translation>
+    </message>
+    <message>
         <source>{source} has an object of more than {largest_object} MB, which no building is: download it again.</source>
         <translation>{source}に {largest_object} MB を超えるオブジェクトがあり、建物ではあり得ません。再度ダウンロードしてください。</translation>
+    </message>
+    <message>
+        <source>{courtyards} closed outlines (BldL) inside another of the same type were taken as courtyards.</source>
+        <translation>同じ種別の外周線の内側にある閉じた外周線（BldL） {courtyards} 件を中庭としました。</translation>
+    </message>
+    <message>
+        <source>{sum} open outlines (BldL) that close rings together became {polygons_count} buildings: check them, a ring may also lie between buildings.</source>
+        <translation>互いに閉じる開いた外周線（BldL） {sum} 本から建物 {polygons_count} 棟を作りました。建物の間の輪のこともあるため確認してください。</translation>
+    </message>
+    <message>
+        <source>{sum} open outlines (BldL) close no ring and are missing in the result: give the neighbouring map sheets too, or BldA files.</source>
+        <translation>閉じない外周線（BldL） {sum} 本は結果にありません。隣の図郭も与えるか、BldAのファイルを与えてください。</translation>
     </message>
     <message>
         <source>No file was given: choose {what} ({suffixes}, .zip or a folder of them).</source>
@@ -7160,6 +7764,18 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}を{what}として読み込めません{reason}。破損しているか、種類が異なります。再度出力またはダウンロードしてください。</translation>
     </message>
     <message>
+        <source> (it is no text in UTF-8)</source>
+        <translation>（UTF-8の文字列ではありません）</translation>
+    </message>
+    <message>
+        <source> (it is nested too deep)</source>
+        <translation>（入れ子が深すぎます）</translation>
+    </message>
+    <message>
+        <source> (a number in it is too large)</source>
+        <translation>（大きすぎる数値があります）</translation>
+    </message>
+    <message>
         <source>{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.</source>
         <translation>{path}を{what}として読み込めません{reason}。JSONでないか、破損しています。再度出力してください。</translation>
     </message>
@@ -7204,8 +7820,92 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{label_a}の高さは{first}ですが、{label_b}の高さは{second}です。「標高系の変換」と対応する標高補正グリッドまたはジオイドモデルで一方を変換してください。</translation>
     </message>
     <message>
+        <source>it does not begin as such a file does</source>
+        <translation>この種のファイルの先頭ではありません</translation>
+    </message>
+    <message>
+        <source>its version {version}.{version_2} is none that is known</source>
+        <translation>版 {version}.{version_2} は未知です</translation>
+    </message>
+    <message>
+        <source>its header and the place of its points do not fit its size</source>
+        <translation>ヘッダと点の位置がファイルの大きさに合いません</translation>
+    </message>
+    <message>
+        <source>its point format {point_format} is none that is known</source>
+        <translation>点形式 {point_format} は未知です</translation>
+    </message>
+    <message>
+        <source>its records of {record_length} bytes are too short for point format {point_format}</source>
+        <translation>{record_length} バイトの記録は点形式 {point_format} には短すぎます</translation>
+    </message>
+    <message>
+        <source>its scales, offsets or bounds are no usable numbers</source>
+        <translation>縮尺、原点または範囲が使える数値ではありません</translation>
+    </message>
+    <message>
+        <source>there is no room for its {vlrs:,} variable length records</source>
+        <translation>可変長レコード {vlrs:,} 件の入る余地がありません</translation>
+    </message>
+    <message>
+        <source>its record of extra attributes is cut off</source>
+        <translation>追加属性の記録が途中で切れています</translation>
+    </message>
+    <message>
+        <source>its record of extra attributes holds one of no known kind</source>
+        <translation>追加属性の記録に未知の種類があります</translation>
+    </message>
+    <message>
+        <source>there is no room for its {evlrs:,} extended records</source>
+        <translation>拡張レコード {evlrs:,} 件の入る余地がありません</translation>
+    </message>
+    <message>
+        <source>it is compressed, but its record on the compression is missing</source>
+        <translation>圧縮されていますが、圧縮の記録がありません</translation>
+    </message>
+    <message>
+        <source>its record on the compression is cut off</source>
+        <translation>圧縮の記録が途中で切れています</translation>
+    </message>
+    <message>
+        <source>its record on the compression is none that is known</source>
+        <translation>圧縮の記録が未知のものです</translation>
+    </message>
+    <message>
+        <source>its record on the compression does not fit its points</source>
+        <translation>圧縮の記録が点に合いません</translation>
+    </message>
+    <message>
+        <source>the table of its chunks is not where it says</source>
+        <translation>チャンクの表が示された位置にありません</translation>
+    </message>
+    <message>
+        <source>there is no room for its {number:,} chunks</source>
+        <translation>チャンク {number:,} 個の入る余地がありません</translation>
+    </message>
+    <message>
+        <source>its {number:,} chunks do not hold {count:,} points</source>
+        <translation>チャンク {number:,} 個に {count:,} 点は入りません</translation>
+    </message>
+    <message>
+        <source>it says that its chunks hold {chunk_size:,} points</source>
+        <translation>チャンクに {chunk_size:,} 点が入るとされています</translation>
+    </message>
+    <message>
+        <source>the table of its chunks does not fit its size</source>
+        <translation>チャンクの表がファイルの大きさに合いません</translation>
+    </message>
+    <message>
+        <source>its chunks do not hold {count:,} points</source>
+        <translation>チャンクに {count:,} 点は入りません</translation>
+    </message>
+    <message>
         <source>{path} cannot be read ({strerror}).</source>
         <translation>{path}を読み込めません（{strerror}）。</translation>
+    </message>
+    <message>
+        <source>its header is cut off</source>
+        <translation>ヘッダが途中で切れています</translation>
     </message>
     <message>
         <source>{path} cannot be read as LAS or LAZ ({reason}): copy or download it again, or convert it if it is of another kind.</source>
@@ -7214,6 +7914,22 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>{path} is damaged: copy or download it again.</source>
         <translation>{path}が破損しています。再度コピーまたはダウンロードしてください。</translation>
+    </message>
+    <message>
+        <source>its variable length records reach into its points</source>
+        <translation>可変長レコードが点にまで及んでいます</translation>
+    </message>
+    <message>
+        <source>its extended records reach beyond its end</source>
+        <translation>拡張レコードがファイルの終わりを越えています</translation>
+    </message>
+    <message>
+        <source>the lengths within a chunk do not fit it</source>
+        <translation>チャンク内の長さが合いません</translation>
+    </message>
+    <message>
+        <source>it is truncated: it holds {held:,} of {count:,} points</source>
+        <translation>途中で切れています：{count:,} 点中 {held:,} 点</translation>
     </message>
     <message>
         <source>The mesh file {target} needs a name that ends in .obj.</source>
@@ -7437,15 +8153,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Horizontal error of each control point. Points that stand out alone hint at the control; errors that grow with time, at a part that is not corrected.</source>
-        <translation>各基準点の水平較差。1 点だけ大きい場合は基準点を、時間とともに増える場合は補正されていない区間を疑ってください。</translation>
+        <translation>各検証点の水平誤差。単独で外れる点は検証点の誤り、時間とともに増える誤差は補正されていない部分を示します。</translation>
     </message>
     <message>
         <source>Correction along the path. Look for steps that no loss of satellites explains.</source>
-        <translation>経路に沿った補正量。衛星の途切れで説明できない段差がないか確認してください。</translation>
+        <translation>経路に沿った補正量。衛星の喪失では説明できない段差を探してください。</translation>
     </message>
     <message>
         <source>Standard deviation of the correction. It grows away from ties and control.</source>
-        <translation>補正量の標準偏差。タイと基準点から離れるほど大きくなります。</translation>
+        <translation>補正量の標準偏差。結合や基準から離れるほど大きくなります。</translation>
     </message>
     <message>
         <source>The drives are placed with a standard deviation of {sigma:.1f} cm in plan (median; largest {max:.0f} cm).</source>
@@ -7516,6 +8232,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{away_count_2:,} 枚の画像のうち {away_count:,} 枚は軌跡の時間外に撮影されたため、最も近い時刻の位置姿勢で移動しました。</translation>
     </message>
     <message>
+        <source>moved with its nearest pose</source>
+        <translation>最も近い姿勢とともに移動しました</translation>
+    </message>
+    <message>
+        <source>left where they were</source>
+        <translation>元の位置のままです</translation>
+    </message>
+    <message>
         <source>{outside:,} of {points:,} points were measured outside the trajectory's time: they were {done} and are not to be trusted.</source>
         <translation>{points:,} 点のうち {outside:,} 点は軌跡の時間外に計測されたもので（処理: {done}）、信頼できません。</translation>
     </message>
@@ -7544,12 +8268,16 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>ファイルのヘッダに記載された範囲の外に点があります。ヘッダを修復してください（lasinfo -repair）。</translation>
     </message>
     <message>
+        <source>{determined} of {total} values are determined and corrected; the others keep the values of the file.</source>
+        <translation>{total} 個中 {determined} 個の値を決定して補正しました。残りはファイルの値のままです。</translation>
+    </message>
+    <message>
         <source>Planes seen twice lie {before:.1f} mm apart before and {after:.1f} mm after.</source>
-        <translation>二度観測された平面の間隔は、補正前 {before:.1f} mm、補正後 {after:.1f} mm です。</translation>
+        <translation>二度見た平面のずれは補正前 {before:.1f} mm、補正後 {after:.1f} mm です。</translation>
     </message>
     <message>
         <source>Drives in both directions and past walls at several angles determine more.</source>
-        <translation>両方向の走行と、さまざまな向きの壁沿いの走行があれば、さらに多くの値が決まります。</translation>
+        <translation>両方向の走行や、さまざまな向きの壁の横の走行があると、より多く決定できます。</translation>
     </message>
     <message>
         <source>{patches_count:,} planes in {first_pass} passes.</source>
@@ -7740,6 +8468,14 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{unique_count} 組からはタイポイントの精度が分かりません。σを指定するか、組を追加してください。</translation>
     </message>
     <message>
+        <source>its pairs do not fit each other by {fit:.2f} m</source>
+        <translation>対応点どうしが {fit:.2f} m 合いません</translation>
+    </message>
+    <message>
+        <source>it would rotate the vehicle by {rotation:.0f} degrees; its points may be swapped</source>
+        <translation>車両が {rotation:.0f} 度回転してしまいます。点が入れ替わっている可能性があります</translation>
+    </message>
+    <message>
         <source>All {names_count} sets of tie points contradict themselves: check which place belongs to which, and the coordinate reference system.</source>
         <translation>タイポイントの {names_count} 組すべてが組の内部で矛盾しています。対応する地点の組合せと座標参照系を確認してください。</translation>
     </message>
@@ -7796,16 +8532,28 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>組{name}は他の組から求めた位置から {away:.2f} m 離れています。計測データと基準データが同じ場所を示しているか確認してください。</translation>
     </message>
     <message>
+        <source>{used_count} of {sets_count} sets of tie points are used; after the rectification they lie {figures:.2f} m from the reference on average.</source>
+        <translation>タイポイントの組 {sets_count} 組中 {used_count} 組を使いました。補正後の基準からの距離は平均 {figures:.2f} m です。</translation>
+    </message>
+    <message>
+        <source>beyond the sets</source>
+        <translation>組の範囲外</translation>
+    </message>
+    <message>
+        <source> {left_out} were left out: look at them in the table below.</source>
+        <translation> {left_out} 組を除きました。下の表で確認してください。</translation>
+    </message>
+    <message>
         <source>Halfway between sets expect less than {predicted:.2f} m.</source>
-        <translation>組と組の中間では {predicted:.2f} m 未満のずれを見込んでください。</translation>
+        <translation>組の中間では {predicted:.2f} m 未満と見込まれます。</translation>
     </message>
     <message>
         <source>Read the remarks below first.</source>
-        <translation>先に下の注記を読んでください。</translation>
+        <translation>まず下の注記を読んでください。</translation>
     </message>
     <message>
         <source>Correction to the {name} with its sigma. A set that lies beside the curve's band does not fit the others.</source>
-        <translation>{name}方向の補正量とその標準偏差。帯から外れた組は他の組と合っていません。</translation>
+        <translation>{name}の補正量とその標準偏差。曲線の帯から外れる組は、ほかの組と合っていません。</translation>
     </message>
     <message>
         <source>The height of the origin above the ground was not given: the mean height stays as reported ({sensor_height:.2f} m above the ground).</source>
@@ -7945,7 +8693,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Their intensities follow the curves of the scanners. Look at them over an aerial image before they are matched.</source>
-        <translation>反射強度はスキャナーの曲線に従っています。照合の前に空中写真と重ねて確認してください。</translation>
+        <translation>強度はスキャナごとの曲線に従っています。照合する前に空中写真上で確認してください。</translation>
     </message>
     <message>
         <source>The marking points are only {contrast_of:.1f} times as bright as the ground beside them: look at them before they are used.</source>
@@ -8028,6 +8776,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}の全点の反射強度が {most:g} で、路面標示を識別できません。計測された反射強度付きで計測データを出力してください。</translation>
     </message>
     <message>
+        <source> (they lie {heights:+.0f} m above the scanner)</source>
+        <translation>（スキャナより {heights:+.0f} m の位置にあります）</translation>
+    </message>
+    <message>
         <source>No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both in the same coordinate and height system.</source>
         <translation>{name}に、軌跡から {max_range:g} m 以内の点がありません{apart}。両方を同じ座標系・標高系で与えてください。</translation>
     </message>
@@ -8036,8 +8788,52 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>補正後の軌跡は {time:.1f}～{time_2:.1f} s ですが、補正前の軌跡は {time_3:.1f}～{time_4:.1f} s です。同じ計測の2つを与えてください。</translation>
     </message>
     <message>
+        <source>no markings just before or after the patch</source>
+        <translation>パッチの直前または直後に路面標示がありません</translation>
+    </message>
+    <message>
+        <source>the window here contradicts the correction</source>
+        <translation>ここのウィンドウは補正量と矛盾します</translation>
+    </message>
+    <message>
         <source>No section of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
         <translation>計測データのどの区間も、基準の路面標示に位置合わせできませんでした。両方が同じ道路を同じ座標系で示しているか、計測データの反射強度に標示が表れているか確認してください。</translation>
+    </message>
+    <message>
+        <source>few of the markings here are in the reference</source>
+        <translation>ここの路面標示は基準にほとんどありません</translation>
+    </message>
+    <message>
+        <source>the trajectory has a gap here</source>
+        <translation>ここに軌跡の欠測があります</translation>
+    </message>
+    <message>
+        <source>the trajectory jumps here</source>
+        <translation>ここで軌跡が跳んでいます</translation>
+    </message>
+    <message>
+        <source>the correction reaches the largest error looked for</source>
+        <translation>補正量が探索する最大誤差に達しています</translation>
+    </message>
+    <message>
+        <source>the markings do not fix the position well</source>
+        <translation>路面標示から位置がよく決まりません</translation>
+    </message>
+    <message>
+        <source>the markings around do not fix the position in all directions</source>
+        <translation>周囲の路面標示からは全方向の位置が決まりません</translation>
+    </message>
+    <message>
+        <source>no markings registered around the patch</source>
+        <translation>パッチの周囲に登録できた路面標示がありません</translation>
+    </message>
+    <message>
+        <source>the markings here contradict those around</source>
+        <translation>ここの路面標示は周囲と矛盾します</translation>
+    </message>
+    <message>
+        <source>another position of the markings fits as well</source>
+        <translation>路面標示の別の位置も同程度に合います</translation>
     </message>
     <message>
         <source>No window of the survey could be registered to the reference markings: check that both show the same streets in the same coordinate system, and that the survey has intensities that show paint.</source>
@@ -8076,12 +8872,20 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データの近くに基準の路面標示がありません。両方のCRSと、基準データが走行範囲を覆っているか確認してください。</translation>
     </message>
     <message>
+        <source>{registered:.0f} % of the path is registered, with a median standard deviation of {sigma:.1f} cm in plan.</source>
+        <translation>経路の {registered:.0f} % が登録済みで、水平標準偏差の中央値は {sigma:.1f} cm です。</translation>
+    </message>
+    <message>
+        <source> {distrusted:.0f} % is not to be trusted: leave it out, or measure it otherwise; the table below tells where.</source>
+        <translation> {distrusted:.0f} % は信頼できません。除くか別の方法で計測してください。場所は下の表にあります。</translation>
+    </message>
+    <message>
         <source>Look at the markings before and after below: where they lie on the reference, use the result.</source>
-        <translation>下の補正前後の路面標示を確認し、基準と重なっていれば結果を使ってください。</translation>
+        <translation>下の補正前後の路面標示を確認し、基準に一致していれば結果を使えます。</translation>
     </message>
     <message>
         <source>Correction of the reported positions. Look for steps and spikes: a trajectory drifts smoothly, and jumps only where its satellites were lost or found again.</source>
-        <translation>報告された位置の補正量。段差や突出がないか確認してください。走行軌跡のずれは滑らかに変わり、衛星を失った所や再び捉えた所でだけ跳びます。</translation>
+        <translation>報告された位置の補正量。段差や突出を探してください。軌跡は滑らかにずれ、衛星を失うか再捕捉した所でだけ跳びます。</translation>
     </message>
     <message>
         <source>Standard deviation of the correction. It grows where markings are few or run one way only.</source>
@@ -8089,11 +8893,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Share of a window's marking points that lie on reference markings. Where it falls, paint has changed or the match is wrong.</source>
-        <translation>窓の標示点のうち基準の標示に載る割合。下がる所では標示が変わったか、照合が誤っています。</translation>
+        <translation>ウィンドウの路面標示点のうち基準上にある割合。下がる所では、塗装が変わったか照合が誤っています。</translation>
     </message>
     <message>
         <source>Distance of each window's own correction from the smooth one, in plan. Windows that stand out saw something else than the reference.</source>
-        <translation>各窓だけの補正量と平滑化した補正量の水平距離。突出した窓は基準と異なるものを見ています。</translation>
+        <translation>各ウィンドウ自身の補正量と平滑化後の水平距離。突出するウィンドウは基準と違う物を見ています。</translation>
     </message>
     <message>
         <source>: left as reported (red), right corrected (green). A picture is {side:.0f} m wide.</source>
@@ -8106,6 +8910,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Taking road markings out of the survey.</source>
         <translation>計測データから路面標示を抽出しています。</translation>
+    </message>
+    <message>
+        <source>standard deviation {known:.1f} cm (median)</source>
+        <translation>標準偏差 {known:.1f} cm（中央値）</translation>
+    </message>
+    <message>
+        <source>how accurate it is is not known</source>
+        <translation>精度は不明です</translation>
     </message>
     <message>
         <source>{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.</source>
@@ -8180,12 +8992,36 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>計測データの路面標示の角で、基準の路面標示の角に近いものがありません。</translation>
     </message>
     <message>
+        <source>give both of one survey, in one coordinate reference system</source>
+        <translation>同じ計測の両方を、同じ座標参照系で与えてください</translation>
+    </message>
+    <message>
+        <source>x and y are swapped in one of them: swap them</source>
+        <translation>一方のxとyが入れ替わっています。入れ替えてください</translation>
+    </message>
+    <message>
+        <source>the trajectory looks like latitudes and longitudes in degrees; give it in the points' projected system</source>
+        <translation>軌跡が度の緯度・経度のようです。点群の投影座標系で与えてください</translation>
+    </message>
+    <message>
         <source>{name} lies {length} from where the vehicle was at its times: {reason}.</source>
         <translation>{name}は、その時刻の車両の位置から{length}離れています: {reason}。</translation>
     </message>
     <message>
         <source>All points of {name} lie more than {above:.0f} m {value} the trajectory: heights above the ellipsoid and above sea level cannot be mixed; convert one of them (a geoid model can be given for SBET).</source>
         <translation>{name}の全点が軌跡より{value}に {above:.0f} m 以上離れています。楕円体高と標高は混在できません。どちらかを変換してください（SBETにはジオイドモデルを指定できます）。</translation>
+    </message>
+    <message>
+        <source>the trajectory is in {unit}; give it in metres</source>
+        <translation>軌跡の単位が {unit} です。メートルで与えてください</translation>
+    </message>
+    <message>
+        <source>The reference markings</source>
+        <translation>基準の路面標示</translation>
+    </message>
+    <message>
+        <source>The ground elevation</source>
+        <translation>地表の標高</translation>
     </message>
     <message>
         <source>{what} {reach} {length} from the path of the survey: give those of the same place.</source>
@@ -8202,6 +9038,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The trajectory runs from {time:.3f} to {time_2:.3f} s, but a pose is needed at {worst:.3f} s: give the trajectory of the whole survey.</source>
         <translation>軌跡は {time:.3f}～{time_2:.3f} s ですが、{worst:.3f} s の位置姿勢が必要です。計測全体の軌跡を与えてください。</translation>
+    </message>
+    <message>
+        <source>{name} states the accuracy of the angles: roll {roll:.3f}°, pitch {pitch:.3f}°, heading {heading:.3f}° (medians).</source>
+        <translation>{name} の角度の精度：ロール {roll:.3f}°、ピッチ {pitch:.3f}°、方位 {heading:.3f}°（中央値）。</translation>
     </message>
     <message>
         <source>{name} has {there} but no {missing}: give the standard deviations of all three angles, or of none.</source>
@@ -8224,6 +9064,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}に数値でない標準偏差があります（{error}）。修正してください。</translation>
     </message>
     <message>
+        <source>{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m to heights above the geoid ({geoid}).</source>
+        <translation>{name}：楕円体高を {min:.3f}～{max:.3f} m 下げてジオイドからの高さにしました（{geoid}）。</translation>
+    </message>
+    <message>
         <source>{path}: row {ragged} has {rows_count} values, the header names {header_count}: the file may be cut off; export it again.</source>
         <translation>{path}: {ragged} 行目の値は {rows_count} 個ですが、ヘッダの項目は {header_count} 個です。ファイルが途中で切れている可能性があります。再度出力してください。</translation>
     </message>
@@ -8236,8 +9080,24 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}のエポック数は {table_count} です。2エポック以上の軌跡を与えてください。</translation>
     </message>
     <message>
+        <source>{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as they are.</source>
+        <translation>{name}：ジオイドはSBETの楕円体高にだけ適用します。この高さはそのままです。</translation>
+    </message>
+    <message>
+        <source>{name}: {count} epochs are out of order; they were sorted by time.</source>
+        <translation>{name}：順序の乱れたエポック {count} 件を時刻順に並べました。</translation>
+    </message>
+    <message>
+        <source>{name}: {same_count} epochs are repeated; each was taken once.</source>
+        <translation>{name}：重複するエポック {same_count} 件は一度だけ使いました。</translation>
+    </message>
+    <message>
         <source>{name} has one epoch only: give a trajectory of at least two.</source>
         <translation>{name}は1エポックしかありません。2エポック以上の軌跡を与えてください。</translation>
+    </message>
+    <message>
+        <source>has no epochs for more than a second</source>
+        <translation>に1秒を超える欠測があります</translation>
     </message>
     <message>
         <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>
@@ -8268,6 +9128,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}に時刻 {time:.4f} s の異なる位置姿勢が2つあります。誤っている方を削除してください。</translation>
     </message>
     <message>
+        <source>{name} {what} at {places}{more}: what was measured there is not to be trusted.</source>
+        <translation>{name}：{places}{more} {what}。そこでの計測は信頼できません。</translation>
+    </message>
+    <message>
         <source>A trajectory that came as a layer is written as a layer.</source>
         <translation>レイヤとして入力された軌跡は、レイヤとして出力されます。</translation>
     </message>
@@ -8280,12 +9144,48 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>{name}: 方位が進行方向から {off:.0f}°（中央値）ずれていますが、{angle_names}として読むと進行方向と一致します（{away:.1f}°）。角度をそのように指定するか、{angle_names_2}に変換してください。</translation>
     </message>
     <message>
+        <source>{name}: the vehicle drove backwards, or its headings are half a turn off: they point against the direction of travel.</source>
+        <translation>{name}：車両が後退したか、方位が半回転ずれています。方位が進行方向と逆です。</translation>
+    </message>
+    <message>
+        <source>{name}: the headings lie {off:.0f}° beside the direction of travel (median): where the body's x axis does not point forward, the calibration must say the same; otherwise the headings are wrong.</source>
+        <translation>{name}：方位が進行方向から {off:.0f}° ずれています（中央値）。車体のx軸が前方を向かない場合は校正値も同じでなければなりません。そうでなければ方位が誤っています。</translation>
+    </message>
+    <message>
+        <source>its face is not seen: it lies between the last points before and the first behind</source>
+        <translation>面が見えません：手前の最後の点と奥の最初の点の間にあります</translation>
+    </message>
+    <message>
+        <source>most of it is hidden</source>
+        <translation>大部分が隠れています</translation>
+    </message>
+    <message>
+        <source>the surface changes gradually</source>
+        <translation>面が徐々に変わっています</translation>
+    </message>
+    <message>
+        <source>no kerb lies before it: it may be the side of a vehicle</source>
+        <translation>手前に縁石がありません：車両の側面の可能性があります</translation>
+    </message>
+    <message>
+        <source>it is as long and high as a car</source>
+        <translation>乗用車と同じ長さと高さです</translation>
+    </message>
+    <message>
         <source>No point of {paths} was measured beside the path at the height of its road: give points and trajectory of one drive, in one coordinate and height system.</source>
         <translation>{paths}には、軌跡の脇で路面の高さに計測された点がありません。同じ座標参照系・標高系の、同一走行の点群と軌跡を指定してください。</translation>
     </message>
     <message>
         <source>There are {found:.1f} ground points a square metre beside the path: edges need {sparse:.0f} or more; give the whole survey, not a thinned one.</source>
         <translation>軌跡の脇の地表面点は1 m²あたり{found:.1f}点です。道路端の抽出には{sparse:.0f}点以上が必要です。間引いていない全計測データを指定してください。</translation>
+    </message>
+    <message>
+        <source>something taller stands right behind it: it may be a row of vehicles</source>
+        <translation>すぐ後ろに、より高い物があります：車列の可能性があります</translation>
+    </message>
+    <message>
+        <source>it does not reach the ground: it may be the side of a vehicle</source>
+        <translation>地面に届いていません：車両の側面の可能性があります</translation>
     </message>
     <message>
         <source>A drive leads from one lane to another here, but bounds along it would cross; no virtual lane was made.</source>
@@ -8318,6 +9218,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>More than one {kind} has the id {number}.</source>
         <translation>id {number}の{kind}が複数あります。</translation>
+    </message>
+    <message>
+        <source>{low_count} of {nodes_count} nodes have no height (ele).</source>
+        <translation>{nodes_count} ノード中 {low_count} ノードに高さ（ele）がありません。</translation>
     </message>
     <message>
         <source>The way refers to node {missing}, which is not in the file.</source>
@@ -8429,11 +9333,15 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>The points cover whole surfaces, not paint: give marking points, as road markings from mobile surveys make them, not the survey itself.</source>
-        <translation>点が標示ではなく面全体を覆っています。計測データそのものではなく、移動計測から抽出した路面標示点を指定してください。</translation>
+        <translation>点が塗装ではなく面全体を覆っています。計測そのものではなく、移動計測の路面標示が作る路面標示点を与えてください。</translation>
     </message>
     <message>
         <source>No trajectory was given: only arrows and stop lines tell directions, and nothing connects lanes through junctions.</source>
         <translation>軌跡が指定されていません。方向は矢印と停止線だけから判定され、交差点内の車線は接続されません。</translation>
+    </message>
+    <message>
+        <source>{unknown_count} of {nodes_count} nodes have no height; give the marking lines a ground.</source>
+        <translation>{nodes_count} ノード中 {unknown_count} ノードに高さがありません。路面標示の線に地表面を与えてください。</translation>
     </message>
     <message>
         <source>No drive shows where this lane leads to.</source>
@@ -8524,6 +9432,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>すべての点が一直線上にあるため、面を作成できません。</translation>
     </message>
     <message>
+        <source>{undecided:,} of {total:,} points are unclassified</source>
+        <translation>{total:,} 点中 {undecided:,} 点が未分類です</translation>
+    </message>
+    <message>
         <source>The cloud holds no usable points: all are noise or have no valid height.</source>
         <translation>点群に使用できる点がありません。すべてノイズか、有効な高さがありません。</translation>
     </message>
@@ -8534,6 +9446,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>The cloud has no ground points (class 2): choose the cloth filter instead.</source>
         <translation>点群に地表面の点（クラス2）がありません。クロスフィルタを選択してください。</translation>
+    </message>
+    <message>
+        <source>{ground:,} of {total:,} points have a ground class</source>
+        <translation>{total:,} 点中 {ground:,} 点に地表の分類があります</translation>
     </message>
     <message>
         <source>The cloud has no ground points, only points classified as something else (such as buildings): give the whole cloud with its ground.</source>
@@ -8665,7 +9581,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Tiles: done green, empty grey, failed red, not done white. North is up. Look for empty tiles where data should be.</source>
-        <translation>タイル：完了は緑、空は灰、失敗は赤、未処理は白。北が上です。データがあるはずの所に空のタイルがないか確認してください。</translation>
+        <translation>タイル：完了は緑、空は灰、失敗は赤、未処理は白。上が北です。データがあるはずの所の空のタイルを探してください。</translation>
     </message>
     <message>
         <source>This is an estimate from {records_count} of {tiles_count} tiles.</source>
@@ -9721,11 +10637,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>ends of worn dashes, placed by the others, m along the line</source>
-        <translation>摩耗した破線の端（他の破線から推定、線に沿った m）</translation>
+        <translation>摩耗した塗装端のうちほかから位置を決めたもの、線に沿ったm</translation>
     </message>
     <message>
         <source>begin and end of the dashes, m along the line</source>
-        <translation>破線の始点と終点（線に沿った m）</translation>
+        <translation>塗装部分の始点と終点、線に沿ったm</translation>
     </message>
     <message>
         <source>standard deviation along the road (m)</source>
@@ -9921,7 +10837,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>cells or points with paint</source>
-        <translation>標示のあるセルまたは点</translation>
+        <translation>塗装のあるセルまたは点</translation>
     </message>
     <message>
         <source>paint on the reference, 0 to 1</source>
@@ -10033,7 +10949,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>score of the window, 0 to 1</source>
-        <translation>窓の評価値（0～1）</translation>
+        <translation>ウィンドウの評価値、0～1</translation>
     </message>
     <message>
         <source>weight of its own evidence, 0 to 1</source>
@@ -10529,7 +11445,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Put the errors right first: with them programs refuse the map or lead the wrong way.</source>
-        <translation>先にエラーを直してください。エラーがあると地図を読めないか、誤った経路になります。</translation>
+        <translation>まずエラーを直してください。エラーがあると、プログラムが地図を拒否するか誤った経路を示します。</translation>
     </message>
     <message>
         <source>Severity</source>
@@ -10625,7 +11541,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Lanes pale, ways through junctions red, arrows with the traffic; drives dotted, findings numbered. Look for arrows against the traffic, and for strips of road without a lane.</source>
-        <translation>車線は淡色、交差点内の経路は赤、矢印は通行方向、走行は点線、指摘は番号。逆向きの矢印と、車線のない道路部分がないか確認してください。</translation>
+        <translation>車線は淡色、交差点内の通行路は赤、矢印は通行方向。走行は点線、指摘は番号付きです。逆向きの矢印と、車線のない道路部分を探してください。</translation>
     </message>
     <message>
         <source>No lane was made: nothing shows the direction of any strip between lines.</source>
@@ -10661,7 +11577,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>What is missing or contradicts is numbered in the map and listed below: {0} findings.</source>
-        <translation>不足や矛盾は地図に番号で示し、下に一覧があります：指摘 {0} 件。</translation>
+        <translation>不足や矛盾には地図上で番号を付け、下に一覧を示します：指摘 {0} 件。</translation>
     </message>
     <message>
         <source>{0:.0%} of the length of the bounds was not seen and is drawn through gaps; see the findings “bound not seen”.</source>
@@ -10669,7 +11585,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Of {0} strips beside lines no lane was made; see the findings “no lane made”.</source>
-        <translation>線の脇の {0} か所の帯からは車線を作成していません。一覧のうち車線が作成されなかった箇所の指摘を見てください。</translation>
+        <translation>線の間の帯 {0} 本には車線を作成していません。指摘「no lane made」を参照してください。</translation>
     </message>
     <message>
         <source>Evidence on directions contradicts itself at {0} places.</source>
@@ -10681,7 +11597,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Junction {0}, about {1:.0f}, {2:.0f}: each way that may be driven should be drawn red.</source>
-        <translation>交差点 {0}（{1:.0f}, {2:.0f} 付近）：通行できる経路がすべて赤で描かれているはずです。</translation>
+        <translation>交差点 {0}、およそ {1:.0f}、{2:.0f}：通行できる経路はすべて赤で描かれているはずです。</translation>
     </message>
     <message>
         <source>The first {0} of {1} are shown; the layer holds all.</source>
@@ -10697,7 +11613,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Neither road markings nor marking points were given: give one or both.</source>
-        <translation>路面標示も路面標示点も指定されていません。少なくとも一方を指定してください。</translation>
+        <translation>路面標示も路面標示点も与えられていません。一方または両方を与えてください。</translation>
     </message>
     <message>
         <source>No lines.</source>
@@ -10705,7 +11621,7 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>Marking points add {0} pieces of paint, {1} m².</source>
-        <translation>路面標示点により標示 {0} 個（{1} m²）が加わりました。</translation>
+        <translation>路面標示点により塗装 {0} 片、{1} m² が加わりました。</translation>
     </message>
     <message>
         <source>No line was found in the {0} polygons: check that they are road markings in metres, and lower the minimum line length for short ones.</source>
@@ -10897,11 +11813,11 @@ Each wall says how well its points fit, how well its place is known, how much of
     </message>
     <message>
         <source>largest offset of a wall (m)</source>
-        <translation>壁の最大オフセット (m)</translation>
+        <translation>壁面の最大オフセット (m)</translation>
     </message>
     <message>
         <source>Not merged or unchanged</source>
-        <translation>統合できないもの・変更のないもの</translation>
+        <translation>未統合または変更なし</translation>
     </message>
     <message>
         <source>no points, no roof, no outline, or no valid solid could be made</source>
