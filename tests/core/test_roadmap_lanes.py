@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import importlib.util
+import sys
+from pathlib import Path
+
 import numpy as np
 import pyproj
 import pytest
@@ -16,31 +20,12 @@ from urbanmap_qgis.roadmap.road_axes import axes_of
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
-EAST, NORTH = -7000.0, -34000.0
-ANGLE = np.radians(17.0)
 
-
-def place(points):
-    """Points of the street's own frame as map coordinates with heights."""
-    points = np.asarray(points, float)
-    x, y = points[:, 0], points[:, 1]
-    return np.column_stack([EAST + x * np.cos(ANGLE) - y * np.sin(ANGLE), NORTH + x * np.sin(ANGLE) + y * np.cos(ANGLE),
-                            10.0 + 0.01 * x])
-
-
-def line(y, x0, x1, kind="solid", colour="white", **more):
-    return MapLine(place([(x, y) for x in np.arange(x0, x1 + 0.1, 5.0)]), kind, colour, **more)
-
-
-def drive(*points):
-    fine = [np.linspace(a, b, 60)[:-1] for a, b in zip(np.array(points[:-1], float), np.array(points[1:], float))]
-    return DrivenPath(place(np.vstack([*fine, points[-1:]])))
-
-
-def avenue(x0, x1):
-    """Two lanes each way: edges, dashed lane lines, a yellow centre line."""
-    return [line(7.0, x0, x1), line(3.5, x0, x1, "dashed"), line(0.0, x0, x1, "solid", "yellow"),
-            line(-3.5, x0, x1, "dashed"), line(-7.0, x0, x1)]
+spec = importlib.util.spec_from_file_location("laid_out_roads", Path(__file__).with_name("laid_out_roads.py"))
+sys.modules["laid_out_roads"] = roads = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(roads)
+place, line, drive, avenue = roads.place, roads.line, roads.drive, roads.avenue
+EAST, NORTH, ANGLE = roads.EAST, roads.NORTH, roads.ANGLE
 
 
 def stop(x, y0, y1):
