@@ -41,9 +41,9 @@ class MarkingLines(UrbanMapAlgorithm):
                         "gives lines and areas their heights.", optional=True)
         self.add_distance("SIGMA", "Standard deviation of the markings", "How well the places of the markings are "
                           "known as a whole, in metres; it enters the lines' sigma.", 0.02, 0.0, 10.0)
-        points = self.add_points("POINTS", "Marking points", "LAS, LAZ or COPC files of “Road markings from mobile "
-                                 "survey” on a corrected survey. They show paint that vehicles, trees or shadows hide "
-                                 "from the air: what the polygons do not show is added to them. Without polygons "
+        points = self.add_points("POINTS", "Marking points", "LAS, LAZ or COPC files of “Road markings of a mobile "
+                                 "survey”, from a corrected survey. They show paint that vehicles, trees or shadows "
+                                 "hide from the air: what the polygons do not show is added to them. Without polygons "
                                  "they are all the paint.", optional=True)
         points.setFlags(points.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
         self.add_points_crs()

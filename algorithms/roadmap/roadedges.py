@@ -34,7 +34,7 @@ class RoadEdges(UrbanMapAlgorithm):
         "in between.\n"
         "A kerb whose face is not seen, and rails that may be the sides of vehicles, are doubtful, with the reason. "
         "Points and trajectory must be corrected ones: lines are as wrong as the survey is.\n"
-        "Objects of “Objects from images” and walls of “Walls of the mobile survey” can be put into one GeoPackage "
+        "Objects of “Objects from images” and walls of “Walls from a mobile survey” can be put into one GeoPackage "
         "with the edges."
     )
 
@@ -57,7 +57,7 @@ class RoadEdges(UrbanMapAlgorithm):
                           "metres; it enters the sigma of all edges.", 0.01, 0.0, 10.0)
         self.add_vector("OBJECTS", "Objects", "Objects of “Objects from images” for the GeoPackage.", optional=True,
                         source_type=QgsProcessing.SourceType.TypeVectorAnyGeometry)
-        self.add_vector("WALLS", "Walls", "Walls of “Walls of the mobile survey” for the GeoPackage.",
+        self.add_vector("WALLS", "Walls", "Walls of “Walls from a mobile survey” for the GeoPackage.",
                         optional=True, source_type=QgsProcessing.SourceType.TypeVectorPolygon)
         self.add_points_crs()
         line = QgsProcessing.SourceType.TypeVectorLine

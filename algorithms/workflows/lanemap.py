@@ -35,6 +35,7 @@ class LaneMap(UrbanMapAlgorithm):
         self.add_from(MarkingLines, "MARKINGS", optional=False)
         self.add_from(MarkingLines, "GROUND")
         self.add_from(VectorMap, *MAP_INPUTS, *MAP_SETTINGS)
+        self.add_from(MarkingLines, "POINTS", "POINTS_CRS", advanced=True)
         self.add_from(MarkingLines, "SIGMA", "MIN_LENGTH", advanced=True)
         self.add_from(MarkingLines, MAX_LINE_WIDTH="MAX_WIDTH", advanced=True)
         self.add_from(VectorMap, *MAP_ADVANCED, advanced=True)
@@ -54,8 +55,8 @@ class LaneMap(UrbanMapAlgorithm):
 
         renamed = {"MAX_WIDTH": given["MAX_LINE_WIDTH"]} if "MAX_LINE_WIDTH" in given else {}
         run = self.child_runner(context, feedback, 2)
-        lines = run("markinglines", **pick("MARKINGS", "GROUND", "SIGMA", "MIN_LENGTH"), **renamed,
-                    OUTPUT=given.get("OUTPUT_LINES") or "TEMPORARY_OUTPUT",
+        lines = run("markinglines", **pick("MARKINGS", "POINTS", "POINTS_CRS", "GROUND", "SIGMA", "MIN_LENGTH"),
+                    **renamed, OUTPUT=given.get("OUTPUT_LINES") or "TEMPORARY_OUTPUT",
                     OUTPUT_AREAS=given.get("OUTPUT_AREAS") or "TEMPORARY_OUTPUT")
         made = run("vectormap", **pick(*MAP_INPUTS, *MAP_SETTINGS, *MAP_ADVANCED, *LAYERS, *FILES),
                    LINES=lines["OUTPUT"], AREAS=lines["OUTPUT_AREAS"])

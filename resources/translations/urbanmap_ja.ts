@@ -3968,7 +3968,7 @@
         <translation>路面標示全体の位置の精度（メートル）です。線のσに含まれます。</translation>
     </message>
     <message>
-        <source>LAS, LAZ or COPC files of “Road markings from mobile survey” on a corrected survey. They show paint that vehicles, trees or shadows hide from the air: what the polygons do not show is added to them. Without polygons they are all the paint.</source>
+        <source>LAS, LAZ or COPC files of “Road markings of a mobile survey”, from a corrected survey. They show paint that vehicles, trees or shadows hide from the air: what the polygons do not show is added to them. Without polygons they are all the paint.</source>
         <translation>補正済みの計測に対する「移動計測の路面標示」のLAS、LAZ、COPCファイル。車両、樹木、影で上空から隠れた塗装を補います。ポリゴンにない分が加わります。ポリゴンがなければ、これがすべての塗装になります。</translation>
     </message>
     <message>
@@ -4084,7 +4084,7 @@
         <translation>GeoPackageに入れる「画像からの地物」の地物。</translation>
     </message>
     <message>
-        <source>Walls of “Walls of the mobile survey” for the GeoPackage.</source>
+        <source>Walls of “Walls from a mobile survey” for the GeoPackage.</source>
         <translation>GeoPackageに入れる「移動計測の壁面」の壁面。</translation>
     </message>
     <message>
@@ -4462,14 +4462,6 @@
     <message>
         <source>Goes from reference markings and corrected drives to a lane map, in one run: line work of the markings, then lanes with their bounds, directions and connections, as layers, as Lanelet2 file for Autoware and as OpenDRIVE file.&lt;/p&gt;&lt;p&gt;This is the same chain as “Lane map from markings and drives”, as a model: open it in the modeller to see its steps, or save it under another name and change it.</source>
         <translation>基準の路面標示と補正済みの走行から、車線地図までを一度に作成します: 路面標示の線、次に境界、方向、接続をもつ車線を、レイヤ、Autoware用のLanelet2ファイル、OpenDRIVEファイルとして出力します。&lt;/p&gt;&lt;p&gt;「路面標示と走行からの車線地図」と同じ一連の処理をモデルとしたものです。モデルデザイナーで開いて各段階を確認したり、別名で保存して変更したりできます。</translation>
-    </message>
-    <message>
-        <source>Polygons: class (crosswalk, arrow straight, ..., diamond, unknown), colour, heading (degrees from grid north in which it is read), score (0 to 1: agreement with the shape; of a crosswalk paint at its bars' places less that between them).</source>
-        <translation>ポリゴン: class（crosswalk 横断歩道、arrow straight 直進矢印 ...、diamond ひし形、unknown 不明）、colour、heading（読む向き、座標北からの度）、score（0～1: 形状との一致度。横断歩道では縞の位置の塗装から縞の間の塗装を引いた値）。</translation>
-    </message>
-    <message>
-        <source>Lines, with heights where a ground is given: class (solid, dashed, stop line, guiding strip), colour, width (m), sigma (m, across), length (m), bridged (m without paint that should be there), period and dash (m), dashes (begins and ends along the line, m), chain (sections of one line), partner (chain that makes it a double line), confidence (0 to 1: share of the paint that should be there and is seen; of a stop line less where only lines' ends or only a crosswalk show it).</source>
-        <translation>線（地表を指定した場合は高さ付き）: class（solid 実線、dashed 破線、stop line 停止線、guiding strip 視覚障害者誘導用ブロック）、colour、width（m）、sigma（m、横断方向）、length（m）、bridged（あるべき塗装のない部分、m）、periodとdash（m）、dashes（線に沿った始点と終点、m）、chain（1本の線の区間）、partner（二重線をなす相手のchain）、confidence（0～1: あるべき塗装のうち見えるものの割合。線の端または横断歩道だけから分かる停止線ではこれより低い値）。</translation>
     </message>
     <message>
         <source>UrbanMap: mobile mapping and 3D city models</source>
@@ -5481,7 +5473,7 @@ With ground heights (a raster, or polygons with heights) the correction is in sp
         <source>Finds kerbs, lowered kerbs, road borders without kerb, guard rails and walls along the drive of a corrected mobile survey, as lines with heights, standard deviations and the share of their length that was measured.
 Kerbs are steps between two smooth sides. Each half metre a profile across the edge gives its foot, top and face; passes through the same place are fitted apart and combined by their sigma. Where neither side is seen, as behind parked cars, a line ends: “gap” tells how far the next part of its chain is away, nothing is drawn in between.
 A kerb whose face is not seen, and rails that may be the sides of vehicles, are doubtful, with the reason. Points and trajectory must be corrected ones: lines are as wrong as the survey is.
-Objects of “Objects from images” and walls of “Walls of the mobile survey” can be put into one GeoPackage with the edges.</source>
+Objects of “Objects from images” and walls of “Walls from a mobile survey” can be put into one GeoPackage with the edges.</source>
         <translation>補正済みの移動計測の走行に沿って、縁石、切下げ縁石、縁石のない道路境界、ガードレール、壁を、高さ・標準偏差・計測された長さの割合をもつ線として求めます。
 縁石は、2つの滑らかな面の間の段差です。0.5 mごとの横断プロファイルから、縁石の下端・上端・前面を求めます。同じ場所の走行パスは別々に当てはめ、σにより統合します。駐車車両の後ろなど、両側とも見えないところで線は終わります。「gap」は連なりの次の部分までの距離を示し、その間には何も描きません。
 前面が見えない縁石や、車両の側面かもしれないガードレールは、理由を付けて疑わしいものとします。点と軌跡は補正済みのものとしてください。線の誤差は計測データの誤差と同じになります。
