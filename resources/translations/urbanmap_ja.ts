@@ -5872,6 +5872,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>空中写真 {twice} が2回指定されています。1回だけ指定してください。</translation>
     </message>
     <message>
+        <source> and {count} more</source>
+        <translation> ほか {count} 件</translation>
+    </message>
+    <message>
         <source>Images of the exterior orientation are not in {folder}: {missing}{more}; copy them there, or choose the frames one by one.</source>
         <translation>外部標定要素の画像が {folder} にありません: {missing}{more}。そこにコピーするか、空中写真を1枚ずつ選択してください。</translation>
     </message>
@@ -6202,6 +6206,14 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>Height, maximum offset and rotation (up to 20 degrees) and the share of a wall must be greater than 0.</source>
         <translation>高さ、最大オフセット、回転角（20度以下）、壁面の割合は0より大きくしてください。</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外側</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>内側</translation>
     </message>
     <message>
         <source>only {points_count} points lie in it</source>
@@ -7208,6 +7220,10 @@ Each wall says how well its points fit, how well its place is known, how much of
         <translation>近い時刻のエフェメリスがない</translation>
     </message>
     <message>
+        <source>are unhealthy</source>
+        <translation>が不健康です</translation>
+    </message>
+    <message>
         <source>No satellite of {system_names} can be placed: its signals are left out; give its navigation file.</source>
         <translation>{system_names}の衛星の位置を計算できないため、その信号を除外しました。該当する航法ファイルを与えてください。</translation>
     </message>
@@ -7218,6 +7234,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>too early, as UTC is</source>
         <translation>UTCのように早すぎます</translation>
+    </message>
+    <message>
+        <source>too late</source>
+        <translation>遅すぎます</translation>
     </message>
     <message>
         <source>The code ranges do not fit the trajectory (the strongest signals contradict each other by {scatter:.0f} m): its CRS, its times or the observation file are of another drive.</source>
@@ -9090,6 +9110,10 @@ Each wall says how well its points fit, how well its place is known, how much of
     <message>
         <source>has no epochs for more than a second</source>
         <translation>に1秒を超える欠測があります</translation>
+    </message>
+    <message>
+        <source>jumps</source>
+        <translation>で跳んでいます</translation>
     </message>
     <message>
         <source>{path} is in latitude and longitude: the coordinate reference system of the survey must be known; store it in the point cloud or give it.</source>

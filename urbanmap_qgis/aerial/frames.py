@@ -76,7 +76,7 @@ def _frames_of_folder(folder: Path, poses: Sequence[ExteriorOrientation]) -> lis
         else:
             frames.append(AerialFrame(path, pose))
     if missing:
-        more = f" and {len(missing) - _NAMED} more" if len(missing) > _NAMED else ""
+        more = say(" and {count} more", count=len(missing) - _NAMED) if len(missing) > _NAMED else ""
         raise InputError(say("Images of the exterior orientation are not in {folder}: {missing}{more}; copy them "
                              "there, or choose the frames one by one.", folder=folder.name,
                              missing=", ".join(missing[:_NAMED]), more=more))

@@ -296,4 +296,4 @@ def _notes(others: list[str], strange: list[str], older: list[str], meshes: list
 
 def _some(items: list[str]) -> str:
     more = len(items) - _NAMED_AT_MOST
-    return ", ".join(items[:_NAMED_AT_MOST]) + (f" and {more} more" if more > 0 else "")
+    return ", ".join(items[:_NAMED_AT_MOST]) + (say(" and {count} more", count=more) if more > 0 else "")

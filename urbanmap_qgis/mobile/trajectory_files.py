@@ -175,10 +175,11 @@ def _checked(table: np.ndarray, name: str, notes: list[str], columns: Mapping[st
     angles = unwrapped(from_file_angles(table[:, 4:7], reading.angles))
     trajectory = Trajectory(table[:, 0].copy(), table[:, 1:4].copy(), angles)
     notes = [*notes, *judged_headings(trajectory, table[:, 4:7], reading.angles, name)]
-    for spans, what in ((gaps(trajectory), say("has no epochs for more than a second")), (jumps(trajectory), "jumps")):
+    for spans, what in ((gaps(trajectory), say("has no epochs for more than a second")),
+                        (jumps(trajectory), say("jumps"))):
         if len(spans):
             places = ", ".join(f"{start:.2f} to {end:.2f} s" for start, end in spans[:_SHOWN])
-            more = f" and {len(spans) - _SHOWN} more" if len(spans) > _SHOWN else ""
+            more = say(" and {count} more", count=len(spans) - _SHOWN) if len(spans) > _SHOWN else ""
             notes.append(say("{name} {what} at {places}{more}: what was measured there is not to be trusted.",
                              name=name, what=what, places=places, more=more))
     return TrajectoryFile(trajectory, "layer", tuple(notes), columns, reading=reading)

@@ -342,7 +342,7 @@ def _new_line(edge: OuterEdge, wall: MeasuredWall, measured: float, rotation: fl
 def _far_note(offset: float, rotation: float, settings: MergeSettings) -> str:
     if abs(offset) > settings.max_offset:
         return say("the wall was measured {offset:.2f} m {value} of it", offset=abs(offset),
-                   value="outside" if offset > 0 else "inside")
+                   value=say("outside") if offset > 0 else say("inside"))
     return say("the measured wall is rotated by {rotation:.1f} degrees against it", rotation=abs(rotation))
 
 

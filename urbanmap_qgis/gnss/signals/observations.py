@@ -289,7 +289,7 @@ def _notes(files: Sequence[Observations], navigation: Navigation, model, parts: 
         notes.append(say("Precise orbits alone tell no group delays, up to some metres: they are not taken off; give "
                          "the navigation files too."))
     placed = {str(name) for part in parts for name in np.unique(part.satellite.astype("U1"))}
-    for status, why in ((NO_EPHEMERIS, say("have no ephemeris near in time")), (UNHEALTHY, "are unhealthy")):
+    for status, why in ((NO_EPHEMERIS, say("have no ephemeris near in time")), (UNHEALTHY, say("are unhealthy"))):
         names = sorted({name for part in parts for name in part.unplaced[status] if name[0] in placed})
         if names:
             notes.append(say("Satellites that {why} are left out: {names}.", why=why, names=", ".join(names)))
@@ -353,7 +353,7 @@ def _check_fit(signals: Signals, retimed: Callable[[float, float], Signals]) -> 
     if not scatter > USUAL_SCATTER:
         return ()
     leap = float(leap_seconds(signals.epochs.gps_time[:1])[0])
-    for seconds, fault in ((leap, say("too early, as UTC is")), (-leap, "too late")):
+    for seconds, fault in ((leap, say("too early, as UTC is")), (-leap, say("too late"))):
         if _scatter(retimed(seconds, signals.geoid_separation)) < min(scatter / 2.5, WIDE_SCATTER):
             raise InputError(say("The trajectory's times are {leap:.0f} s {fault}: give them in GPS time.", leap=leap,
                                  fault=fault))

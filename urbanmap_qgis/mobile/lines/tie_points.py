@@ -157,4 +157,4 @@ def pairs_within(ties: TiePoints, trajectory: Trajectory, progress: Progress = S
 
 def _some(sets: np.ndarray) -> str:
     names = list(dict.fromkeys(sets.tolist()))
-    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+    return ", ".join(names[:5]) + (say(" and {count} more", count=len(names) - 5) if len(names) > 5 else "")
