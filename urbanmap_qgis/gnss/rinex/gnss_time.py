@@ -6,6 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ...wording import say
+
 WEEK = 604800.0
 DAY = 86400.0
 UNIX_START = 315964800.0
