@@ -34,7 +34,7 @@ layer.CreateFeature(feature)
 @pytest.fixture(scope="module")
 def japanese(linked_profile):
     profile = linked_profile()
-    return replace(profile, changes={"LANG": "ja_JP.UTF-8", "LC_CTYPE": "C.UTF-8"})
+    return replace(profile, changes={"LANG": "ja_JP.UTF-8", "LC_ALL": "", "LC_CTYPE": "C.UTF-8"})
 
 
 @pytest.fixture(scope="module")
