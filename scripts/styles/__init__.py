@@ -1,0 +1,1 @@
+"""The styles of layers by subject, written by make_styles.py."""

@@ -1,0 +1,138 @@
+"""Styles of roads: markings, lines, lanes, edges, faults of maps, shifts between frames."""
+
+from __future__ import annotations
+
+from qgis.core import (
+    QgsCategorizedSymbolRenderer,
+    QgsLineSymbol,
+    QgsPalettedRasterRenderer,
+    QgsRendererCategory,
+    QgsSingleSymbolRenderer,
+)
+from qgis.PyQt.QtGui import QColor
+
+from .symbols import arrow_along, by_class, fill, line_symbol, marker, rules
+
+
+def road_markings(layer) -> None:
+    """Markings in the colour of their paint, dark at the edge so that they show on light paving too."""
+    colours = {"white": "#ffffff", "yellow": "#ffb000"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("colour", [
+        QgsRendererCategory(value, fill(colour, "#0b6e4f", 0.26), value) for value, colour in colours.items()]))
+    layer.setMapTipTemplate(
+        "[% \"colour\" %] marking, [% round(\"area\", 2) %] m²<br>length [% round(\"length\", 2) %] m, width "
+        "[% round(\"width\", 2) %] m<br>[% round(\"contrast\") %] grey values above the road")
+
+
+def marking_lines(layer) -> None:
+    """Lines by kind, dashed ones dashed."""
+    by_class(layer, {"solid": line_symbol("#2b4c7e", 0.7), "dashed": line_symbol("#2b4c7e", 0.7, "dash"),
+                     "stop line": line_symbol("#d7263d", 1.2), "guiding strip": line_symbol("#c9a227", 0.7, "dot")})
+    layer.setMapTipTemplate(
+        "[% \"class\" %] [% \"colour\" %], [% round(\"length\", 1) %] m, width [% round(\"width\", 2) %] m<br>"
+        "sigma [% round(\"sigma\", 3) %] m, bridged [% round(\"bridged\", 1) %] m")
+
+
+def marking_areas(layer) -> None:
+    """Crosswalks and symbols in colours, unknown paint in grey."""
+    arrows = ("straight", "left", "right", "straight left", "straight right")
+    by_class(layer, {"crosswalk": fill("#2f7f9e"), "diamond": fill("#8a6bb0"), "unknown": fill("#b5b5b5"),
+                     **{f"arrow {kind}": fill("#3f8f63") for kind in arrows}, "arrow, kind unknown": fill("#a3c9b0")})
+
+
+def lanes(layer) -> None:
+    """Lanes of lines and those that only drives show through junctions."""
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory("lane", fill("#f5e9b8"), "lane"),
+        QgsRendererCategory("virtual", fill("#f2c9c0", pen="dash"), "virtual, through a junction")]))
+    layer.setMapTipTemplate(
+        "lane [% \"lane_id\" %], [% round(\"length\", 1) %] m, width [% round(\"width\", 2) %] m<br>"
+        "direction by [% \"evidence\" %]<br>leads to [% coalesce(\"successors\", 'nothing known') %]")
+
+
+def lane_centres(layer) -> None:
+    """Arrows in the direction of traffic."""
+    symbol = QgsLineSymbol()
+    symbol.changeSymbolLayer(0, arrow_along("$geometry", "#d7263d"))
+    layer.setRenderer(QgsSingleSymbolRenderer(symbol))
+
+
+def lane_bounds(layer) -> None:
+    """Bounds by kind."""
+    by_class(layer, {"solid": line_symbol("#2b4c7e", 0.6), "dashed": line_symbol("#2b4c7e", 0.6, "dash"),
+                     "road border": line_symbol("#5a4a42", 0.6), "virtual": line_symbol("#8fa9c9", 0.4, "dot")})
+
+
+def road_edges(layer) -> None:
+    """Edges by kind; doubtful ones dotted."""
+    colours = {"kerb": "#3f8f63", "lowered kerb": "#4a8fe7", "road border": "#c9a227", "guard rail": "#8a6bb0",
+               "wall": "#5a4a42"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("\"kind\" || ', ' || \"status\"", [
+        QgsRendererCategory(f"{kind}, {status}", line_symbol(colour, 0.7, pen), f"{kind}, {status}")
+        for kind, colour in colours.items() for status, pen in (("measured", "solid"), ("doubtful", "dot"))]))
+    layer.setMapTipTemplate(
+        "[% \"kind\" %], [% round(\"height\", 2) %] m high<br>sigma [% round(\"sigma\", 3) %] m, in height "
+        "[% round(\"sigma_z\", 3) %] m<br>[% \"status\" %]")
+
+
+def map_findings(layer) -> None:
+    """Points by what was found."""
+    kinds = {"no lane made": "#e09a2b", "open end": "#4a8fe7", "bound not seen": "#b8b03a",
+             "direction contradicts": "#d7263d", "driven without lane": "#d7263d", "no drive": "#8a6bb0",
+             "stop line without lane": "#9a9a9a", "too narrow": "#d7263d", "way not drawn": "#d7263d",
+             "way drawn by width": "#b8b03a", "no height": "#9a9a9a"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("kind", [
+        QgsRendererCategory(kind, marker(colour, 2.4), kind) for kind, colour in kinds.items()]
+        + [QgsRendererCategory("", marker("#d7263d", 2.4), "others")]))
+    layer.setMapTipTemplate("[% \"kind\" %]<br>[% \"text\" %]")
+
+
+def map_faults(layer) -> None:
+    """Points by severity."""
+    colours = {"error": "#d7263d", "warning": "#e09a2b", "info": "#4a8fe7"}
+    layer.setRenderer(QgsCategorizedSymbolRenderer("severity", [
+        QgsRendererCategory(value, marker(colour, 2.4), value) for value, colour in colours.items()]))
+    layer.setMapTipTemplate("[% \"rule\" %], [% \"element\" %]<br>[% \"text\" %]")
+
+
+def marking_mask(layer) -> None:
+    """Markings in one strong colour, the rest transparent, to be laid over the orthophoto."""
+    entry = QgsPalettedRasterRenderer.Class
+    layer.setRenderer(QgsPalettedRasterRenderer(layer.dataProvider(), 1, [
+        entry(0, QColor(0, 0, 0, 0), "no marking"), entry(255, QColor("#00c853"), "marking")]))
+
+
+def frame_shifts(layer) -> None:
+    """Shifts between overlapping frames: arrows a hundred times as long, red where the pair is apart, grey where
+    heights may displace it."""
+    line = "make_line($geometry, translate($geometry, 100 * \"east\", 100 * \"north\"))"
+    entries = []
+    for label, status, colour in (("agree to half a pixel", "agree", "#1a9850"), ("apart", "apart", "#d73027"),
+                                  ("displaced by heights", "height", "#8c8c8c")):
+        symbol = marker(colour, 1.2)
+        symbol.insertSymbolLayer(0, arrow_along(line, colour))
+        entries.append((label, f"\"status\" = '{status}'", symbol))
+    rules(layer, entries)
+    layer.setMapTipTemplate(
+        "<b>[% \"second\" %]</b> against [% \"first\" %]: [% \"status\" %]<br>here [% round(\"length\", 2) %] m, "
+        "σ [% round(\"sigma\", 2) %] m<br>all [% \"patches\" %] places [% round(\"pair_length\", 2) %] m, "
+        "σ [% round(\"pair_sigma\", 3) %] m<br>(arrows 100 times enlarged)")
+
+
+FIELDS = {
+    frame_shifts: ("Point", "first:string second:string east:double north:double length:double sigma:double "
+                   "pair_length:double pair_sigma:double patches:integer status:string"),
+    marking_lines: ("LineStringZ", "class:string colour:string length:double width:double sigma:double bridged:double"),
+    lanes: ("Polygon", "lane_id:integer kind:string evidence:string length:double width:double successors:string"),
+    lane_centres: ("LineStringZ", "lane_id:integer kind:string width:double"),
+    lane_bounds: ("LineStringZ", "bound_id:integer class:string"),
+    road_edges: ("LineStringZ", "kind:string height:double sigma:double sigma_z:double status:string"),
+    map_findings: ("Point", "kind:string text:string"),
+    map_faults: ("Point", "rule:string severity:string text:string element:string"),
+    marking_areas: ("MultiPolygonZ", "class:string score:double heading:double"),
+    road_markings: ("Polygon", "area:double length:double width:double contrast:double colour:string"),
+}
+"""Kind of geometry and fields of the layer that each style is for."""
+
+RASTERS = (marking_mask,)
+"""Styles of rasters of one band."""
