@@ -18,9 +18,13 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 from qgis import _3d as engine
 from qgis.core import QgsApplication, QgsMapLayer, QgsRasterLayer, QgsVectorLayer
-from styles import buildings, positions, roads, surveys
 
-STYLES = Path(__file__).resolve().parent.parent / "resources" / "styles"
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from scripts.styles import buildings, positions, roads, surveys  # noqa: E402
+
+STYLES = ROOT / "resources" / "styles"
 FIELDS = positions.FIELDS | buildings.FIELDS | surveys.FIELDS | roads.FIELDS
 RASTERS = (*roads.RASTERS, *positions.RASTERS)
 

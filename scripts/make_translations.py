@@ -25,6 +25,10 @@ from xml.sax.saxutils import escape
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
 ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from urbanmap_qgis.wording import read_catalogue  # noqa: E402
+
 TRANSLATIONS = ROOT / "resources" / "translations"
 STYLES = ROOT / "resources" / "styles"
 CONTEXT = "UrbanMap"
@@ -146,16 +150,9 @@ def texts() -> list[str]:
     return list(said)
 
 
-def read_source(path: Path) -> dict[str, str]:
-    """Finished translations of a file by their English text."""
-    if not path.is_file():
-        return {}
-    found = {}
-    for message in ElementTree.parse(path).getroot().iter("message"):
-        translation = message.find("translation")
-        if translation is not None and translation.text and translation.get("type") is None:
-            found[message.findtext("source", "")] = translation.text
-    return found
+def finished(path: Path) -> dict[str, str]:
+    """Finished translations of a file by their English text; none where there is no file yet."""
+    return read_catalogue(path) if path.is_file() else {}
 
 
 def write_source(path: Path, said: list[str], translations: dict[str, str]) -> None:
@@ -182,7 +179,7 @@ def fields(text: str) -> set[str]:
 
 def faults(path: Path, said: list[str]) -> list[str]:
     """What is wrong with a translation: texts without one, fields that the English text does not fill."""
-    translations = read_source(path)
+    translations = finished(path)
     wrong = [f"{path.name} does not translate: {text!r}" for text in said if text not in translations]
     wrong += [f"{path.name} says more than: {text!r}" for text in set(translations) - set(said)]
     wrong += [f"{path.name} fills other fields than: {text!r}" for text, told in translations.items()
@@ -209,7 +206,7 @@ def main() -> int:
     wrong = []
     for path in sorted(TRANSLATIONS.glob("urbanmap_*.ts")):
         if not arguments.check:
-            known = read_source(path)
+            known = finished(path)
             if arguments.take:
                 import json
 

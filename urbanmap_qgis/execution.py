@@ -50,6 +50,12 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
+def end_workers_but(others: set) -> None:
+    """End the processes started since `others` were all: workers pass over a request to end, see `start_worker`."""
+    for process in set(multiprocessing.active_children()) - others:
+        process.kill()
+
+
 def in_order(work: Callable[[Piece], Result], pieces: Iterable[Piece],
              executor: Executor | None = None, check: Callable[[], None] = lambda: None) -> Iterator[Result]:
     """Results of `work` on each piece, in the order of the pieces.

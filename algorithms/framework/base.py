@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import nullcontext
-from html import escape
 from pathlib import Path
 
 from qgis.core import (
@@ -122,7 +121,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return tr(self.HELP).strip().split("\n", 1)[0]
 
     def shortHelpString(self):
-        return help_html(self)
+        from .help_page import panel_html
+
+        return panel_html(self)
 
     def helpUrl(self):
         """The page behind the Help button of the dialog."""
@@ -427,30 +428,6 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             raise InputError(tr("{0}: {1} cannot be opened as a vector layer; check the file and the layer name.")
                              .format(self.label_of(name), parameters.get(name)))
         return source
-
-
-def help_html(algorithm: UrbanMapAlgorithm) -> str:
-    """The help of the panel: what it does, then each parameter and output with its own help.
-
-    QGIS makes a paragraph of every line.
-    """
-    from .help_page import entries
-
-    lines = [escape(line) for line in tr(algorithm.HELP).strip().splitlines()]
-    inputs, outputs = entries(algorithm)
-    lines += _section(tr("Input"), inputs)
-    lines += _section(tr("Output"), outputs)
-    if algorithm.SOURCE:
-        lines.append(f"<i>{escape(tr('Method'))}: {escape(algorithm.SOURCE)}</i>")
-    return "\n".join(lines)
-
-
-def _section(title: str, rows: list[tuple[str, str, str, str]]) -> list[str]:
-    if not rows:
-        return []
-    return [f"<h3>{escape(title)}</h3>",
-            *(f"<b>{escape(label)}</b>: {escape(' '.join(text.split()))}{escape(default)}"
-              for _, label, text, default in rows)]
 
 
 def _is_optional(definition) -> bool:

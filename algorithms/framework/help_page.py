@@ -1,4 +1,4 @@
-"""A page of help for an algorithm, made from what it declares: behind the Help button, and for the documentation."""
+"""The help of an algorithm, made from what it declares: in the dialog, behind its Help button, in the documentation."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from qgis.core import QgsApplication
 
-from .language import language_code
+from ...urbanmap_qgis.wording import language
 from .parameters import tr
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -46,6 +46,22 @@ def entries(algorithm) -> tuple[list[tuple[str, str, str, str]], list[tuple[str,
     outputs = [(item.name(), item.description(), helps.get(item.name(), ""), "")
                for item in algorithm.outputDefinitions()]
     return inputs, outputs
+
+
+def panel_html(algorithm) -> str:
+    """The help of the dialog's panel: what it does, then each parameter and output with its own help.
+
+    QGIS makes a paragraph of every line.
+    """
+    inputs, outputs = entries(algorithm)
+    lines = [escape(line) for line in tr(algorithm.HELP).strip().splitlines()]
+    for title, rows in ((tr("Input"), inputs), (tr("Output"), outputs)):
+        lines += [f"<h3>{escape(title)}</h3>"] if rows else []
+        lines += [f"<b>{escape(label)}</b>: {escape(' '.join(text.split()))}{escape(default)}"
+                  for _, label, text, default in rows]
+    if algorithm.SOURCE:
+        lines.append(f"<i>{escape(tr('Method'))}: {escape(algorithm.SOURCE)}</i>")
+    return "\n".join(lines)
 
 
 def page_markdown(algorithm) -> str:
@@ -88,7 +104,7 @@ def found(name: str) -> list[Path]:
 
 
 def _page(title: str, parts: Iterable[str]) -> str:
-    return (f'<!DOCTYPE html>\n<html lang="{language_code()}">\n<head><meta charset="utf-8">\n<title>{title}</title>\n'
+    return (f'<!DOCTYPE html>\n<html lang="{language()}">\n<head><meta charset="utf-8">\n<title>{title}</title>\n'
             f"<style>{_STYLE}</style></head>\n<body>\n" + "\n".join(parts) + "\n</body>\n</html>\n")
 
 

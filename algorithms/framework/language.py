@@ -7,7 +7,7 @@ from pathlib import Path
 from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
 from qgis.PyQt.QtCore import QCoreApplication, QTranslator
 
-from ...urbanmap_qgis.wording import language, use_catalogue
+from ...urbanmap_qgis.wording import use_catalogue
 from .parameters import UNIT, tr
 
 TRANSLATIONS = Path(__file__).resolve().parents[2] / "resources" / "translations"
@@ -28,11 +28,6 @@ def speak_language(code: str = "") -> QTranslator | None:
     translator.load(str(compiled))
     QCoreApplication.installTranslator(translator)
     return translator
-
-
-def language_code() -> str:
-    """Code of the language in use, such as "en" or "ja"."""
-    return language()
 
 
 def stop_speaking(translator: QTranslator) -> None:

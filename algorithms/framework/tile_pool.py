@@ -11,6 +11,7 @@ from qgis.core import QgsApplication
 
 from ...urbanmap_qgis.dependencies import python_executable
 from ...urbanmap_qgis.errors import Cancelled
+from ...urbanmap_qgis.execution import end_workers_but
 from ...urbanmap_qgis.tiling.journal import FAILED, TileRecord, new_tile_folder, publish
 from .cluster import check_cluster, scheduler_address
 from .dependencies import profile_packages
@@ -62,20 +63,14 @@ def _until_broken(waiting: list[TileJob], count: int, cancelled: Callable[[], bo
                 del at_work[future]
                 yield record
     except BrokenExecutor:
-        _kill_but(others)
+        end_workers_but(others)  # a broken pool asks them to end, and would wait for ever
         return list(at_work.values())
     except BaseException:
-        _kill_but(others)
+        end_workers_but(others)
         raise
     finally:
         executor.shutdown(wait=False, cancel_futures=True)
     return []
-
-
-def _kill_but(others: set) -> None:
-    """End the pool's processes: they pass over a request to end, for which a broken pool would wait for ever."""
-    for process in set(multiprocessing.active_children()) - others:
-        process.kill()
 
 
 def _killed(job: TileJob) -> TileRecord:

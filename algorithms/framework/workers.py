@@ -10,7 +10,7 @@ from concurrent.futures import BrokenExecutor, Executor, ProcessPoolExecutor, Th
 from contextlib import contextmanager
 
 from ...urbanmap_qgis.errors import UrbanMapError
-from ...urbanmap_qgis.execution import start_worker
+from ...urbanmap_qgis.execution import end_workers_but, start_worker
 from ...urbanmap_qgis.wording import catalogue_path
 from .cluster import cluster_executor, scheduler_address
 from .dependencies import profile_packages
@@ -36,8 +36,7 @@ def workers(count: int) -> Iterator[Executor | None]:
             yield executor
         except BaseException as error:
             executor.shutdown(wait=False, cancel_futures=True)
-            for worker in set(multiprocessing.active_children()) - others:
-                worker.kill()
+            end_workers_but(others)
             if isinstance(error, BrokenExecutor):
                 raise UrbanMapError(tr("A worker ended before its work was done, for lack of memory or because "
                                        "Python could not start it; run again with one worker.")) from None

@@ -13,6 +13,7 @@ from rasterio.transform import Affine
 from ..io.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
+from .sight_lines import blocked_lines, sight_lines
 
 CELL = 0.25
 """Side of the cells in which heights of buildings and laser points are kept, m."""
@@ -22,9 +23,6 @@ OFF_WALL = 0.35
 
 OFF_POINTS = 0.8
 """Laser points nearer to the facade's plane than this (m) belong to it."""
-
-OFF_CAMERA = 1.0
-"""The last part of the ray to the camera is not tested, m."""
 
 ENOUGH = 2
 """Laser points in a cell from which it hides."""
@@ -85,24 +83,13 @@ class ViewObstacles:
 
         `normal` (3,) is the facade's, outwards. What lies outside the box hides nothing.
         """
-        vector = cameras - places
-        length = np.linalg.norm(vector, axis=1)
-        direction = vector / length[:, None]
-        off = np.maximum(direction @ normal, 1e-6)
-        start = OFF_WALL / off
-        top = self.low[2] + CELL * self.filled.shape[2]
-        end = length - OFF_CAMERA
-        rising = direction[:, 2] > 1e-6
-        end[rising] = np.minimum(end[rising], np.maximum(top - places[rising, 2], 0.0) / direction[rising, 2])
-        hidden = np.zeros(len(places), bool)
-        for step in range(int(np.ceil(max((end - start).max(initial=0.0), 0.0) / CELL))):
-            along = start + step * CELL
-            left = np.flatnonzero(~hidden & (along < end))
-            if not len(left):
-                break
-            at = places[left] + along[left, None] * direction[left]
-            hidden[left] = self._blocks(at, along[left] * off[left] > OFF_POINTS)
-        return hidden
+        lines = sight_lines(places, cameras)
+        off = np.maximum(lines[0] @ normal, 1e-6)
+
+        def blocks(at: np.ndarray, left: np.ndarray, along: np.ndarray) -> np.ndarray:
+            return self._blocks(at, along * off[left] > OFF_POINTS)
+
+        return blocked_lines(places, lines, OFF_WALL / off, self.low[2] + CELL * self.filled.shape[2], CELL, blocks)
 
     def _blocks(self, at: np.ndarray, clear_of_wall: np.ndarray) -> np.ndarray:
         """Mask (n,) of places (n, 3) inside a building or, clear of the wall, in a cell with laser points."""

@@ -11,6 +11,7 @@ from rasterio.features import rasterize
 from rasterio.transform import Affine
 
 from ..io.raster import own_gdal
+from .sight_lines import blocked_lines, sight_lines
 
 CELL = 0.25
 """Side of a cell where the area allows it, m."""
@@ -18,7 +19,6 @@ CELL = 0.25
 _MOST_CELLS = 16_000_000
 _BELOW = 0.3  # m that a ray must run below a roof to be blocked
 _UP = 0.1  # faces whose normals rise less are walls
-_END = 1.0  # m before the camera that are not tested
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,24 +34,15 @@ class RoofHeights:
 
         The first `clearance` m of the ray are not tested: there lies what the place itself belongs to.
         """
-        hidden = np.zeros(len(places), bool)
         highest = float(self.top.max(initial=-np.inf))
         if not len(places) or not np.isfinite(highest):
-            return hidden
-        vector = cameras - places
-        length = np.linalg.norm(vector, axis=1)
-        direction = vector / np.maximum(length, 1e-9)[:, None]
-        end = length - _END
-        rising = direction[:, 2] > 1e-6
-        end[rising] = np.minimum(end[rising], np.maximum(highest - places[rising, 2], 0.0) / direction[rising, 2])
-        for step in range(int(np.ceil(max((end - clearance).max(), 0.0) / self.cell))):
-            along = clearance + step * self.cell
-            left = np.flatnonzero(~hidden & (along < end))
-            if not len(left):
-                break
-            at = places[left] + along * direction[left]
-            hidden[left] = self._heights(at) > at[:, 2] + _BELOW
-        return hidden
+            return np.zeros(len(places), bool)
+
+        def blocks(at: np.ndarray, left: np.ndarray, along: np.ndarray) -> np.ndarray:
+            return self._heights(at) > at[:, 2] + _BELOW
+
+        return blocked_lines(places, sight_lines(places, cameras), np.full(len(places), clearance), highest, self.cell,
+                             blocks)
 
     def _heights(self, at: np.ndarray) -> np.ndarray:
         column, row = np.floor((at[:, :2] - self.low) / self.cell).astype(int).T
