@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
-from pathlib import Path
-
 import pytest
+
+from tests.core import gsi_dem_writer as writer
 
 ALGORITHM = "urbanmap:loadgsidem"
 CODE = "53394611"
 
-spec = importlib.util.spec_from_file_location(
-    "gsi_dem_writer", Path(__file__).resolve().parents[1] / "core" / "gsi_dem_writer.py")
-writer = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(writer)
 
 
 @pytest.fixture

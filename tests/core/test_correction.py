@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from tests.core.simulated_windows import shifted, simulate
 from urbanmap_qgis.errors import InsufficientDataError
 from urbanmap_qgis.mobile.registration.correction.adjustment import (
     CorrectionSettings,
@@ -21,12 +19,6 @@ from urbanmap_qgis.mobile.registration.correction.gauss_markov import GaussMarko
 from urbanmap_qgis.mobile.registration.correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED
 from urbanmap_qgis.mobile.registration.matching.block_chain import solve_chain
 from urbanmap_qgis.mobile.registration.records import NO_MARKINGS
-
-spec = importlib.util.spec_from_file_location("simulated_windows", Path(__file__).with_name("simulated_windows.py"))
-simulated = importlib.util.module_from_spec(spec)
-sys.modules["simulated_windows"] = simulated
-spec.loader.exec_module(simulated)
-simulate, shifted = simulated.simulate, simulated.shifted
 
 
 def plan_error(drive, correction):

@@ -1,25 +1,20 @@
 """Elevation models of the GSI: cells where the specification puts them, gaps, editions, packings, bad files."""
 
-import importlib.util
 import io
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
 import rasterio
 from pyproj import Transformer
 
+from tests.core import gsi_dem_writer as writer
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.gsi_dem import read_gsi_dem
 from urbanmap_qgis.io.gsi_dem_raster import dem_bounds, dem_zone, write_dem
 from urbanmap_qgis.io.height_systems import heights_of
 from urbanmap_qgis.io.raster import own_gdal, read_raster
 from urbanmap_qgis.io.reprojection import epsg_wkt, plane_transform
-
-spec = importlib.util.spec_from_file_location("gsi_dem_writer", Path(__file__).with_name("gsi_dem_writer.py"))
-writer = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(writer)
 
 CODE, EAST_OF_IT, SECOND = "53394611", "53394612", "533946"
 ROWS, COLUMNS = 150, 225  # of a 5 m mesh

@@ -2,24 +2,17 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
 import pyproj
 import pytest
 import shapely
 
+from tests.core import laid_out_roads as roads
 from urbanmap_qgis.roadmap.lanelet_map import lanelet_elements
 from urbanmap_qgis.roadmap.map_check import check_map
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
 from urbanmap_qgis.roadmap.opendrive_map import opendrive_tree
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
-
-spec = importlib.util.spec_from_file_location("laid_out_roads", Path(__file__).with_name("laid_out_roads.py"))
-sys.modules["laid_out_roads"] = roads = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(roads)
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +10,8 @@ import pyproj
 import pytest
 import shapely
 
+from tests.core import laid_out_roads as roads
+from tests.core import opendrive_reader as reader
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
 from urbanmap_qgis.roadmap.opendrive_map import opendrive_tree, write_opendrive
@@ -18,16 +19,6 @@ from urbanmap_qgis.roadmap.plan_view import along_plan, fit_plan_view, fit_profi
 from urbanmap_qgis.roadmap.road_layout import road_layout
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
-
-def beside(name):
-    """A module of helpers that lies beside this one."""
-    spec = importlib.util.spec_from_file_location(name, Path(__file__).with_name(f"{name}.py"))
-    sys.modules[name] = module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-roads, reader = beside("laid_out_roads"), beside("opendrive_reader")
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
 CLOSE = 0.05  # m
 

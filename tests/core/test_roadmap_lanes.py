@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
-
 import numpy as np
 import pyproj
 import pytest
 import shapely
 
+from tests.core.laid_out_roads import ANGLE, EAST, NORTH, avenue, drive, line, place
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import read_osm, write_osm
 from urbanmap_qgis.roadmap.lanelet_map import META, lanelet_elements
@@ -20,12 +17,6 @@ from urbanmap_qgis.roadmap.road_axes import axes_of
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()
-
-spec = importlib.util.spec_from_file_location("laid_out_roads", Path(__file__).with_name("laid_out_roads.py"))
-sys.modules["laid_out_roads"] = roads = importlib.util.module_from_spec(spec)
-spec.loader.exec_module(roads)
-place, line, drive, avenue = roads.place, roads.line, roads.drive, roads.avenue
-EAST, NORTH, ANGLE = roads.EAST, roads.NORTH, roads.ANGLE
 
 
 def stop(x, y0, y1):
