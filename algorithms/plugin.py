@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from qgis.core import QgsApplication
 
-from .framework.dependencies import activate_profile_packages
-from .framework.language import speak_language, stop_speaking
-from .framework.parameters import tr
+from .framework.declaring.parameters import tr
+from .framework.language.language import speak_language, stop_speaking
+from .framework.packages.dependencies import activate_profile_packages
 from .provider import UrbanMapProvider
 
 
@@ -52,14 +52,14 @@ class UrbanMapPlugin:
         from qgis.PyQt.QtGui import QDesktopServices
 
         from .framework.base import UrbanMapAlgorithm
-        from .framework.help_page import index_file
+        from .framework.language.help_page import index_file
 
         own = [item.create() for item in self.provider.algorithms() if isinstance(item, UrbanMapAlgorithm)]
         QDesktopServices.openUrl(QUrl.fromLocalFile(str(index_file(own))))
 
     def install_packages(self):
         """Show the window that installs missing packages."""
-        from .framework.install import InstallDialog
+        from .framework.packages.install import InstallDialog
 
         self.dialog = InstallDialog(self.iface.mainWindow())
         self.dialog.show()

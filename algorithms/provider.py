@@ -12,8 +12,9 @@ from qgis.core import Qgis, QgsApplication, QgsMessageLog, QgsProcessingModelAlg
 from qgis.PyQt.QtGui import QIcon
 
 from .framework.base import GROUPS, UrbanMapAlgorithm
-from .framework.language import translated_model
-from .framework.parameters import tr
+from .framework.declaring.parameters import tr
+from .framework.language.language import translated_model
+from .framework.version import plugin_version
 
 ROOT = Path(__file__).resolve().parent.parent
 MODELS = ROOT / "resources" / "models"
@@ -85,11 +86,3 @@ def algorithms_of(module) -> Iterator[UrbanMapAlgorithm]:
         if (isinstance(kind, type) and issubclass(kind, UrbanMapAlgorithm) and kind.ID
                 and kind.__module__ == module.__name__):
             yield kind()
-
-
-def plugin_version() -> str:
-    """Version in the plugin's metadata.txt."""
-    for line in (ROOT / "metadata.txt").read_text(encoding="utf-8").splitlines():
-        if line.startswith("version="):
-            return line.partition("=")[2].strip()
-    return ""

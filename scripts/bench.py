@@ -36,7 +36,7 @@ from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs  # noqa: E402
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters  # noqa: E402
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings  # noqa: E402
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all  # noqa: E402
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all  # noqa: E402
 from urbanmap_qgis.terrain.cloth import classify_ground  # noqa: E402
 
 DATA = ROOT.parent / "shared" / "data" / "als"

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from scripts.demo.checks import read_layer
 from scripts.evaluate_faults import WRONG, DrivenSurvey, Outcome, constant_fault, percent, run, table
 from urbanmap_qgis.errors import UrbanMapError
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import read_raster, write_raster
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.ground import classify_ground_files

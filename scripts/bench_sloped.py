@@ -14,7 +14,7 @@ from scripts.scoring import points_inside, summary
 from urbanmap_qgis.buildings.model_stage import BuildingModel
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.quality import height_differences
-from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 WITHIN = (0.1, 0.2, 0.5, 1.0)
 """Heights (m) within which the shares of the points are given."""

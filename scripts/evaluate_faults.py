@@ -23,7 +23,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from urbanmap_qgis.errors import UrbanMapError
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.markings.marking_stage import ExtractionSettings
 from urbanmap_qgis.mobile.markings.records import MarkingPoints

@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from evaluate_chains import building_tables, line_tables, wall_tables
 from evaluate_registration import Evaluation, Table, read_geopackage, read_surveys
 
-from urbanmap_qgis.io.report import Report
+from urbanmap_qgis.io.pages.report import Report
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 
 

@@ -31,7 +31,7 @@ from evaluate_faults import run as run_fault
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from urbanmap_qgis.errors import UrbanMapError
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.control import ControlPoints, accuracy, in_survey_time, read_control, residuals
 from urbanmap_qgis.mobile.landmark_update import update_by_landmarks

@@ -26,10 +26,10 @@ sys.path.insert(0, str(ROOT))
 from scripts.demo.checks import read_layer  # noqa: E402
 from urbanmap_qgis.io.raster import RasterSampler  # noqa: E402
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory  # noqa: E402
-from urbanmap_qgis.roadmap.line_work import LineWork, line_work, with_ground_heights  # noqa: E402
+from urbanmap_qgis.roadmap.lines.line_work import LineWork, line_work, with_ground_heights  # noqa: E402
+from urbanmap_qgis.roadmap.lines.symbol_patterns import matches  # noqa: E402
+from urbanmap_qgis.roadmap.lines.symbols import UNKNOWN_ARROW  # noqa: E402
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapArea, MapLine, VectorMap  # noqa: E402
-from urbanmap_qgis.roadmap.symbol_patterns import matches  # noqa: E402
-from urbanmap_qgis.roadmap.symbols import UNKNOWN_ARROW  # noqa: E402
 from urbanmap_qgis.roadmap.vector_map import build_vector_map  # noqa: E402
 
 LINES = {"centre": "solid", "centre_dash": "dashed", "edge": "solid", "lane": "", "lane_dash": "dashed",

@@ -178,7 +178,7 @@ def _trajectory(path: Path):
 
 
 def _cloud(path: Path):
-    from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+    from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
     return read_all(open_cloud([path]), ("x", "y", "z", "intensity"))
 
@@ -217,7 +217,7 @@ def _times(path: Path):
 
 
 def _buildings(path: Path):
-    from urbanmap_qgis.io.gsi import read_gsi_buildings
+    from urbanmap_qgis.io.official.gsi import read_gsi_buildings
 
     return [geometry.bounds for geometry in read_gsi_buildings(path).geometries]
 
@@ -242,7 +242,7 @@ def _sampled(path: Path):
 def _frame(path: Path):
     from types import SimpleNamespace
 
-    from urbanmap_qgis.aerial.frames import FrameImage
+    from urbanmap_qgis.aerial.frames.frame_images import FrameImage
 
     with FrameImage(path, SimpleNamespace(width=FRAME[1], height=FRAME[0])) as image:
         image.valid(slice(0, image.height), slice(0, image.width))
@@ -259,7 +259,7 @@ def _strip(path: Path):
 
 
 def _orthophoto(path: Path):
-    from urbanmap_qgis.aerial.vehicle_filter import OrthophotoSource
+    from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
     from urbanmap_qgis.geometry.grid import Grid
 
     with OrthophotoSource(path) as source:
@@ -284,14 +284,14 @@ def _elevations(path: Path):
     """NaN stands for nodes without a height; infinity for nothing."""
     import numpy as np
 
-    from urbanmap_qgis.io.gsi_dem import read_gsi_dem
+    from urbanmap_qgis.io.official.gsi_dem import read_gsi_dem
 
     return [(mesh.west, mesh.north, mesh.cell, np.where(np.isnan(mesh.heights), 0.0, mesh.heights))
             for mesh in read_gsi_dem(path).meshes]
 
 
 def _heights(path: Path):
-    from urbanmap_qgis.io.geoid import read_geoid
+    from urbanmap_qgis.io.conversion.geoid import read_geoid
 
     made = read_geoid(path)
     return made.south, made.west, made.steps
@@ -311,9 +311,9 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "range scans CSV": ("a.csv", _head("lines/scans.csv.gz", 500), _scans),
     "range scans gz": ("a.csv.gz", _head("lines/scans.csv.gz", 500), _scans),
     "calibration": ("a.json", _copied("mms/calibration.json"), _of("mobile.calibration", "read_calibration")),
-    "camera": ("a.json", _copied("aerial/camera.json"), _of("aerial.camera", "read_camera")),
-    "exterior orientation": ("a.csv", _copied("aerial/exterior.csv"), _of("aerial.camera", "read_exterior")),
-    "CityJSON": ("a.city.json", _copied("models/buildings.city.json"), _of("io.cityjson", "read_cityjson")),
+    "camera": ("a.json", _copied("aerial/camera.json"), _of("aerial.frames.camera", "read_camera")),
+    "exterior orientation": ("a.csv", _copied("aerial/exterior.csv"), _of("aerial.frames.camera", "read_exterior")),
+    "CityJSON": ("a.city.json", _copied("models/buildings.city.json"), _of("io.models.cityjson", "read_cityjson")),
     "GSI XML": ("FG-GML-533946-BldA-20240401-0001.xml", _gsi, _buildings),
     "GSI zip": ("a.zip", _gsi_zip, _buildings),
     "CityGML": ("a.gml", _citygml, _city),

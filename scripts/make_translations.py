@@ -64,7 +64,7 @@ def constants_shown(folder: Path) -> Iterator[str]:
             if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) in SHOWN:
                 for argument in (*node.args, *(item.value for item in node.keywords)):
                     yield from _plain_texts(argument)
-        for node in tree.body if "io.report" in code or "STATUS" in code else ():
+        for node in tree.body if "io.pages.report" in code or "STATUS" in code else ():
             targets = [item.id for item in getattr(node, "targets", []) if isinstance(item, ast.Name)]
             if targets and TABLES.search(targets[0]):
                 yield from (text for text in _plain_texts(node.value) if " " in text or text.islower())

@@ -24,7 +24,7 @@ from rasterio.transform import Affine
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto  # noqa: E402
+from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto  # noqa: E402
 
 LABELS = ROOT / "tests" / "real" / "labels"
 TOLERANCE = 2

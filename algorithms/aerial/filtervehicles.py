@@ -6,9 +6,9 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import crs_from, metres_per_unit
-from ..framework.parameters import tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import crs_from, metres_per_unit
+from ..framework.running.workers import workers
 from .frame_shifts import FrameShiftsOutput
 
 METHODS = ("vote", "darkest", "paper")
@@ -42,8 +42,8 @@ class FilterVehicles(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.mosaic import PixelSelection
-        from ...urbanmap_qgis.aerial.vehicle_filter import filter_vehicles
+        from ...urbanmap_qgis.aerial.orthophotos.mosaic import PixelSelection
+        from ...urbanmap_qgis.aerial.orthophotos.vehicle_filter import filter_vehicles
 
         layers = self.parameterAsLayerList(parameters, "ORTHOPHOTOS", context)
         if not layers:

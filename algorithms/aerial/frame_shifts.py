@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.layers import make_fields
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
 
 FIELDS = (("first", "text"), ("second", "text"), ("east", "real"), ("north", "real"), ("length", "real"),
           ("sigma", "real"), ("pair_east", "real"), ("pair_north", "real"), ("pair_length", "real"),
@@ -31,7 +31,7 @@ class FrameShiftsOutput:
         if parameters.get("OUTPUT_SHIFTS"):
             import shapely
 
-            from ...urbanmap_qgis.aerial.frame_shifts import shift_columns
+            from ...urbanmap_qgis.aerial.orthophotos.frame_shifts import shift_columns
 
             columns = shift_columns(shifts, pixel)
             points = shapely.points(columns.pop("x"), columns.pop("y"))
@@ -43,7 +43,7 @@ class FrameShiftsOutput:
 
 def read_pairs(algorithm, parameters, context):
     """Shifts by pairs of frames, from the points' layer; None where none was given."""
-    from ...urbanmap_qgis.aerial.marking_report import PairShift
+    from ...urbanmap_qgis.aerial.markings.marking_report import PairShift
 
     table = algorithm.read_vector(parameters, "SHIFTS", context)
     if table is None:

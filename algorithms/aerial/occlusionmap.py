@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
 
 ANGLE_UNITS = ("automatic", "degrees", "gon", "radians")
 ANGLE_ORDERS = ("papers", "usual")
@@ -66,9 +66,9 @@ class OcclusionMap(UrbanMapAlgorithm):
                                "surface shows nothing that stands.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.camera import read_camera, read_exterior
-        from ...urbanmap_qgis.aerial.frames import FrameImage, find_frames
-        from ...urbanmap_qgis.aerial.occlusion import OcclusionSettings, occlusion_map
+        from ...urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+        from ...urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
+        from ...urbanmap_qgis.aerial.frames.occlusion import OcclusionSettings, occlusion_map
 
         progress = self.progress(feedback)
         camera = read_camera(self.input_path(parameters, "CAMERA", context))

@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.running.workers import workers
 from .frame_shifts import FrameShiftsOutput
 
 METHODS = ("vote", "darkest", "paper")
@@ -84,10 +84,10 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
         self.add_shifts_output()
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.camera import read_camera, read_exterior
-        from ...urbanmap_qgis.aerial.frames import find_frames
-        from ...urbanmap_qgis.aerial.mosaic import MosaicFiles
-        from ...urbanmap_qgis.aerial.orthorectification import ElevationInputs, orthorectify
+        from ...urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+        from ...urbanmap_qgis.aerial.frames.frame_images import find_frames
+        from ...urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles
+        from ...urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, orthorectify
         from ...urbanmap_qgis.io.raster import RasterSampler
 
         progress = self.progress(feedback)
@@ -126,9 +126,9 @@ class OrthorectifyFrames(FrameShiftsOutput, UrbanMapAlgorithm):
 
     def _settings(self, parameters, context):
         """How the frames are laid on the ground."""
-        from ...urbanmap_qgis.aerial.mosaic import PixelSelection
-        from ...urbanmap_qgis.aerial.occlusion import PAPER_OCCLUSION, OcclusionSettings
-        from ...urbanmap_qgis.aerial.orthorectification import OrthoSettings
+        from ...urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings
+        from ...urbanmap_qgis.aerial.orthophotos.mosaic import PixelSelection
+        from ...urbanmap_qgis.aerial.orthophotos.orthorectification import OrthoSettings
 
         method = self.parameterAsString(parameters, "METHOD", context)
         paper, even = method == "paper", self.parameterAsBool(parameters, "EVEN_EXPOSURE", context)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import crs_from, horizontal, metres_per_unit
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.crs import crs_from, horizontal, metres_per_unit
+from ..framework.layers.layers import make_fields
+from ..framework.running.workers import workers
 from .frame_shifts import read_pairs
 
 METHODS = ("profile", "paper")
@@ -103,7 +103,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
                 self.same_crs("INPUT", crs, name, self.parameterAsRasterLayer(parameters, name, context).crs())
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.aerial.marking_files import markings_from_orthophoto
+        from ...urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto
 
         progress = self.progress(feedback)
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
@@ -125,7 +125,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
     def shared_settings(self, parameters, context, progress):
         """What all parts of the orthophoto must share when they are worked on apart."""
-        from ...urbanmap_qgis.aerial.marking_files import levels_of_orthophoto
+        from ...urbanmap_qgis.aerial.markings.marking_files import levels_of_orthophoto
 
         crs = self.parameterAsRasterLayer(parameters, "INPUT", context).crs()
         levels = levels_of_orthophoto(self.raster_path(parameters, "INPUT", context),
@@ -135,7 +135,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
     def _places(self, parameters, context, progress):
         """Where markings are looked for."""
-        from ...urbanmap_qgis.aerial.marking_files import SearchArea
+        from ...urbanmap_qgis.aerial.markings.marking_files import SearchArea
 
         return SearchArea(self._polygons(parameters, "ROADS", context, progress),
                           self._polygons(parameters, "BUILDINGS", context, progress),
@@ -143,8 +143,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
     def _settings(self, parameters, context):
         """How markings are told from the road."""
-        from ...urbanmap_qgis.aerial.marking_filter import CleanSettings
-        from ...urbanmap_qgis.aerial.road_markings import LevelAdjustment, MarkingSettings
+        from ...urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
+        from ...urbanmap_qgis.aerial.markings.road_markings import LevelAdjustment, MarkingSettings
 
         paper = self.parameterAsString(parameters, "METHOD", context) == "paper"
         rules = CleanSettings(max_width=self.parameterAsDouble(parameters, "MAX_WIDTH", context),
@@ -162,7 +162,11 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         path = self.output_path(parameters, "OUTPUT_REPORT", context)
         if path is None:
             return None
-        from ...urbanmap_qgis.aerial.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
+        from ...urbanmap_qgis.aerial.markings.marking_report import (
+            OrthophotoQuality,
+            frame_count_shares,
+            write_marking_report,
+        )
 
         count = self.raster_path(parameters, "FRAME_COUNT", context)
         evidence = OrthophotoQuality(read_pairs(self, parameters, context), count and frame_count_shares(count),
@@ -196,7 +200,7 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
 
     def _write(self, parameters, context, found, crs, progress):
         """The polygons' layer, with heights where a ground raster was given."""
-        from ...urbanmap_qgis.aerial.marking_polygons import with_heights
+        from ...urbanmap_qgis.aerial.markings.marking_polygons import with_heights
         from ...urbanmap_qgis.io.raster import RasterSampler
 
         geometries, kind = found.polygons, "Polygon"

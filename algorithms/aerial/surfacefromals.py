@@ -61,7 +61,7 @@ class SurfaceFromAls(UrbanMapAlgorithm):
         self.add_number_output("TRIANGLES_LEFT_OUT", "Triangles left out", "Those longer than the longest edge.")
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.terrain.cloth import ClothSettings
         from ...urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files
 

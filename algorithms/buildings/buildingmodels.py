@@ -6,12 +6,12 @@ from contextlib import ExitStack
 from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import stated_wkt
-from ..framework.layers import make_fields
-from ..framework.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
-from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
-from ..framework.reprojection import with_heights_of_points
-from ..framework.workers import workers
+from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from ..framework.layers.crs import stated_wkt
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import building_names, building_numbers, column, footprints_of, numbers, open_points
+from ..framework.layers.reprojection import with_heights_of_points
+from ..framework.running.workers import workers
 from .segmentroofs import LEVELS, PLANES
 
 
@@ -72,7 +72,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ...urbanmap_qgis.buildings.model_stage import build_models
         from ...urbanmap_qgis.buildings.model_status import GROUND_UNKNOWN, OK
         from ...urbanmap_qgis.buildings.model_table import model_columns
-        from ...urbanmap_qgis.io.obj import write_obj
+        from ...urbanmap_qgis.io.models.obj import write_obj
 
         progress = self.progress(feedback)
         buildings = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
@@ -190,7 +190,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ...urbanmap_qgis.citymodel.cityjson_writer import write_model_cityjson
         from ...urbanmap_qgis.citymodel.model import CityModel
         from ...urbanmap_qgis.citymodel.reference import city_reference
-        from ...urbanmap_qgis.io.atomic import written_beside
+        from ...urbanmap_qgis.io.files.atomic import written_beside
 
         results = {name: self.output_path(parameters, name, context)
                    for name in ("OUTPUT_CITYJSON", "OUTPUT_MESH", "OUTPUT_REPORT")}
@@ -209,7 +209,7 @@ class BuildingModels(UrbanMapAlgorithm):
 
 def city_buildings(models, columns, names):
     """The models with their figures as the writers of files take them, one after another."""
-    from ...urbanmap_qgis.io.cityjson import CityBuilding
+    from ...urbanmap_qgis.io.models.cityjson import CityBuilding
 
     for row, model in enumerate(models):
         attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}

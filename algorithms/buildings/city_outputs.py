@@ -7,8 +7,8 @@ from datetime import date
 from qgis.core import QgsVectorFileWriter
 
 from ...urbanmap_qgis.errors import InputError, OutputError
-from ..framework.destinations import sink_file
-from ..framework.parameters import tr
+from ..framework.declaring.destinations import sink_file
+from ..framework.declaring.parameters import tr
 
 
 def day_of(algorithm, parameters, name, context):
@@ -42,7 +42,7 @@ def write_files(algorithm, parameters, context, names, model, progress):
 
 def _geoid(algorithm, parameters, context):
     """The geoid of GEOID or GEOID_HEIGHT, None where neither is given."""
-    from ...urbanmap_qgis.io.geoid import Geoid, read_geoid
+    from ...urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
 
     path = algorithm.input_path(parameters, "GEOID", context)
     if parameters.get("GEOID_HEIGHT") is None:

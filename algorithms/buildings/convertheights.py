@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import stated_wkt
-from ..framework.parameters import LAZ_FILTER, tr
-from ..framework.trajectories import GEOID_FILTER
+from ..framework.declaring.parameters import LAZ_FILTER, tr
+from ..framework.layers.crs import stated_wkt
+from ..framework.layers.trajectories import GEOID_FILTER
 
 PAIRS = (("POINTS", "OUTPUT_POINTS"), ("RASTER", "OUTPUT_RASTER"), ("LAYER", "OUTPUT_LAYER"))
 
@@ -59,8 +59,8 @@ class ConvertHeights(UrbanMapAlgorithm):
             raise InputError(tr("Give a grid, or one value in its place."))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.geoid import Geoid, read_geoid
-        from ...urbanmap_qgis.io.height_systems import height_system
+        from ...urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
+        from ...urbanmap_qgis.io.reference.height_systems import height_system
 
         progress = self.progress(feedback)
         path = self.input_path(parameters, "GRID", context)
@@ -76,13 +76,13 @@ class ConvertHeights(UrbanMapAlgorithm):
         return {output: str(place), "LEAST": change.lowest, "MEAN": change.mean, "LARGEST": change.highest}
 
     def _points(self, parameters, context, progress, how):
-        from ...urbanmap_qgis.io.height_conversion import convert_points
+        from ...urbanmap_qgis.io.conversion.height_conversion import convert_points
 
         place = self.output_path(parameters, "OUTPUT_POINTS", context)
         return place, convert_points(self.point_files(parameters, "POINTS", context), place, **how, progress=progress)
 
     def _raster(self, parameters, context, progress, how):
-        from ...urbanmap_qgis.io.height_conversion import convert_raster
+        from ...urbanmap_qgis.io.conversion.height_conversion import convert_raster
 
         place = self.output_layer_path(parameters, "OUTPUT_RASTER", context, style="ground")
         wkt = stated_wkt(self.parameterAsRasterLayer(parameters, "RASTER", context).crs())
@@ -90,7 +90,7 @@ class ConvertHeights(UrbanMapAlgorithm):
                                      progress=progress)
 
     def _layer(self, parameters, context, progress, how):
-        from ...urbanmap_qgis.io.height_conversion import convert_geometries, height_conversion
+        from ...urbanmap_qgis.io.conversion.height_conversion import convert_geometries, height_conversion
 
         table = self.read_vector(parameters, "LAYER", context, progress)
         conversion = height_conversion(stated_wkt(table.crs), **how)

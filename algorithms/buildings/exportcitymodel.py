@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.building_layers import read_buildings
-from ..framework.layers import make_fields
-from ..framework.outlines import column
-from ..framework.parameters import CITYJSON_FILTER, tr
-from ..framework.trajectories import GEOID_FILTER
+from ..framework.declaring.parameters import CITYJSON_FILTER, tr
+from ..framework.layers.building_layers import read_buildings
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import column
+from ..framework.layers.trajectories import GEOID_FILTER
 from .city_outputs import check_parquet, day_of, write_files
 
 CITYJSONSEQ_FILTER = "CityJSONSeq (*.city.jsonl *.jsonl)"
@@ -72,7 +72,7 @@ class ExportCityModel(UrbanMapAlgorithm):
     def check(self, parameters, context):
         from ...urbanmap_qgis.citymodel.citygml_writer import gml_folder_trouble
         from ...urbanmap_qgis.citymodel.plateau import check_city_code
-        from ...urbanmap_qgis.citymodel.tiles_writer import tiles_folder_trouble
+        from ...urbanmap_qgis.citymodel.tiles.tiles_writer import tiles_folder_trouble
 
         check_city_code(self.parameterAsString(parameters, "CITY_CODE", context))
         day_of(self, parameters, "DATA_DATE", context)
@@ -116,7 +116,7 @@ class ExportCityModel(UrbanMapAlgorithm):
 
     def _reference(self, parameters, context, table):
         from ...urbanmap_qgis.citymodel.reference import city_reference
-        from ..framework.crs import stated_wkt
+        from ..framework.layers.crs import stated_wkt
 
         return city_reference(stated_wkt(table.crs), self.parameterAsString(parameters, "HEIGHTS", context) or "")
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import crs_name, wkt_of
-from ..framework.layers import make_fields, own_fields
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import crs_name, wkt_of
+from ..framework.layers.layers import make_fields, own_fields
 
 COLUMNS = (("building_id", "text"), ("lod", "text"), ("ground", "real"), ("top", "real"), ("height", "real"),
            ("parts", "int"), ("note", "text"), ("attributes", "text"))
@@ -75,10 +75,10 @@ class LoadCityModel(UrbanMapAlgorithm):
             self.require_projected("CRS", self.parameterAsCrs(parameters, "CRS", context))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.citymodel.building_table import TableNotes, building_rows
         from ...urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
         from ...urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
-        from ...urbanmap_qgis.citymodel.table_store import TableStore
+        from ...urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
+        from ...urbanmap_qgis.citymodel.tables.table_store import TableStore
 
         progress = self.progress(feedback)
         reading, counts, sentences = ReadingNotes(), TableNotes(), []

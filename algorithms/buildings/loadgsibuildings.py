@@ -8,9 +8,9 @@ from qgis.core import QgsCoordinateReferenceSystem
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import wkt_of
-from ..framework.layers import make_fields
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import wkt_of
+from ..framework.layers.layers import make_fields
 
 # The data's own "fid" cannot keep its name: that is the key of every GeoPackage table.
 FIELDS = {"gml_id": "gml_id", "gsi_fid": "fid", "type": "type", "name": "name", "lfSpanFr": "lfSpanFr",
@@ -65,7 +65,7 @@ class LoadGsiBuildings(UrbanMapAlgorithm):
                 self.label_of("CRS"), parameters["CRS"]))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.gsi import read_gsi_buildings, reproject
+        from ...urbanmap_qgis.io.official.gsi import read_gsi_buildings, reproject
 
         progress = self.progress(feedback)
         buildings = read_gsi_buildings(self._paths(parameters, context), progress.part(0.0, 0.8))

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.crs import wkt_of
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import wkt_of
 
 
 class LoadGsiDem(UrbanMapAlgorithm):
@@ -59,9 +59,9 @@ class LoadGsiDem(UrbanMapAlgorithm):
                 self.label_of("CRS"), parameters["CRS"]))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.gsi_dem import read_gsi_dem
-        from ...urbanmap_qgis.io.gsi_dem_raster import dem_bounds, dem_epsg, dem_zone, write_dem
-        from ...urbanmap_qgis.io.reprojection import epsg_wkt, plane_transform
+        from ...urbanmap_qgis.io.conversion.reprojection import epsg_wkt, plane_transform
+        from ...urbanmap_qgis.io.official.gsi_dem import read_gsi_dem
+        from ...urbanmap_qgis.io.official.gsi_dem_raster import dem_bounds, dem_epsg, dem_zone, write_dem
 
         progress = self.progress(feedback)
         meshes = read_gsi_dem(self._paths(parameters, context), progress.part(0.0, 0.6))

@@ -6,12 +6,12 @@ from contextlib import ExitStack
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.building_layers import read_buildings
-from ..framework.layers import make_fields
-from ..framework.outlines import BuildingNames, building_names, column, numbers
-from ..framework.overlays import add_orthophoto, orthophoto_pictures
-from ..framework.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import CITYJSON_FILTER, HTML_FILTER, OBJ_FILTER, tr
+from ..framework.layers.building_layers import read_buildings
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import BuildingNames, building_names, column, numbers
+from ..framework.layers.overlays import add_orthophoto, orthophoto_pictures
+from ..framework.running.workers import workers
 
 _USABLE = ("ok", "partly seen")
 
@@ -184,9 +184,9 @@ class MergeBuildingModels(UrbanMapAlgorithm):
 
     def _write_files(self, parameters, context, crs, merged, columns, names, progress, unfinished):
         """CityJSON and OBJ, where wanted; the CityJSON takes its place when `unfinished` is closed."""
-        from ...urbanmap_qgis.io.atomic import written_beside
-        from ...urbanmap_qgis.io.cityjson import write_cityjson
-        from ...urbanmap_qgis.io.obj import write_obj
+        from ...urbanmap_qgis.io.files.atomic import written_beside
+        from ...urbanmap_qgis.io.models.cityjson import write_cityjson
+        from ...urbanmap_qgis.io.models.obj import write_obj
 
         results = {}
         path = self.output_path(parameters, "OUTPUT_CITYJSON", context)
@@ -205,7 +205,7 @@ class MergeBuildingModels(UrbanMapAlgorithm):
 
 def city_buildings(merged, columns, names):
     """The merged models with their figures as the writers of files take them, one after another."""
-    from ...urbanmap_qgis.io.cityjson import CityBuilding
+    from ...urbanmap_qgis.io.models.cityjson import CityBuilding
 
     for row, building in enumerate(merged):
         attributes = {name: values[row] for name, values in names.columns(columns).items()}

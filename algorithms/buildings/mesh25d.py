@@ -6,11 +6,11 @@ from contextlib import ExitStack
 from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.outlines import building_names, footprints_of, numbers, open_points
-from ..framework.parameters import OBJ_FILTER, tr
-from ..framework.reprojection import with_heights_of_points
-from ..framework.workers import workers
+from ..framework.declaring.parameters import OBJ_FILTER, tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import building_names, footprints_of, numbers, open_points
+from ..framework.layers.reprojection import with_heights_of_points
+from ..framework.running.workers import workers
 
 PLY_FILTER = "PLY mesh (*.ply)"
 
@@ -108,8 +108,8 @@ class Mesh25D(UrbanMapAlgorithm):
     def _write(self, parameters, context, table, meshes, columns, progress):
         from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import MESH_COLUMNS, write_ply
         from ...urbanmap_qgis.geometry.solid import multipolygon
-        from ...urbanmap_qgis.io.atomic import written_beside
-        from ...urbanmap_qgis.io.obj import write_obj
+        from ...urbanmap_qgis.io.files.atomic import written_beside
+        from ...urbanmap_qgis.io.models.obj import write_obj
 
         results = {}
         paths = {name: self.output_path(parameters, name, context) for name in ("OUTPUT_MESH", "OUTPUT_PLY")}
@@ -133,7 +133,7 @@ class Mesh25D(UrbanMapAlgorithm):
 
 def mesh_buildings_of(meshes, columns, names):
     """The meshes as the writer of OBJ files takes them, one after another."""
-    from ...urbanmap_qgis.io.cityjson import CityBuilding
+    from ...urbanmap_qgis.io.models.cityjson import CityBuilding
 
     for row, item in enumerate(meshes):
         attributes = {name: values[row] for name, values in names.columns(columns).items()}

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.outlines import building_names, footprints_of, open_points
-from ..framework.parameters import tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import building_names, footprints_of, open_points
+from ..framework.running.workers import workers
 from .segmentroofs import LEVELS, PLANES
 
 ROBUST, MAXIMUM, PAPER = "robust", "maximum", "paper"

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.outlines import BUILDING_ID, NOTE, building_names, footprints_of, open_points
-from ..framework.parameters import tr
-from ..framework.point_outputs import check_points_output, points_output
-from ..framework.reprojection import with_heights_of_points
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import BUILDING_ID, NOTE, building_names, footprints_of, open_points
+from ..framework.layers.point_outputs import check_points_output, points_output
+from ..framework.layers.reprojection import with_heights_of_points
+from ..framework.running.workers import workers
 
 
 class SegmentBuildings(UrbanMapAlgorithm):

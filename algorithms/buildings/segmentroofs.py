@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.outlines import BUILDING_ID, building_names, footprints_of, numbers, open_points
-from ..framework.parameters import tr
-from ..framework.point_outputs import check_points_output, points_output
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import BUILDING_ID, building_names, footprints_of, numbers, open_points
+from ..framework.layers.point_outputs import check_points_output, points_output
+from ..framework.running.workers import workers
 
 PAPER = "paper"
 PLANES, LEVELS = "planes", "levels"

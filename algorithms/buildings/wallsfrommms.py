@@ -6,12 +6,12 @@ from contextlib import nullcontext
 from dataclasses import replace
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.building_layers import read_buildings
-from ..framework.crs import crs_name
-from ..framework.layers import make_fields
-from ..framework.outlines import building_names
-from ..framework.parameters import tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.layers.building_layers import read_buildings
+from ..framework.layers.crs import crs_name
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import building_names
+from ..framework.running.workers import workers
 
 
 class WallsFromMms(UrbanMapAlgorithm):
@@ -100,7 +100,7 @@ class WallsFromMms(UrbanMapAlgorithm):
 
     def _cloud(self, parameters, context, table, progress):
         """The survey, in the CRS of the buildings."""
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 
         cloud = open_cloud(self.point_files(parameters, "POINTS", context))
         if not cloud.crs_wkt:

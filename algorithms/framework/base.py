@@ -18,17 +18,18 @@ from qgis.core import (
 from qgis.PyQt.QtGui import QIcon
 
 from ...urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, InputError, UrbanMapError, system_sentence
-from ...urbanmap_qgis.io.staging import Staging, final_text
+from ...urbanmap_qgis.io.files.staging import Staging, final_text
 from ...urbanmap_qgis.progress import SILENT, Progress
-from . import crs as crs_checks
-from . import destinations, layers, reprojection
-from .cluster import scheduler
-from .dependencies import refusal
-from .interrupt import signals_cancel
-from .native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
-from .parameters import check_names, tr, with_words
-from .same_sums import same_sums
-from .trajectories import TrajectoryParameters, trajectory_exists
+from .declaring import destinations
+from .declaring.parameters import check_names, tr, with_words
+from .layers import crs as crs_checks
+from .layers import layers, reprojection
+from .layers.trajectories import TrajectoryParameters, trajectory_exists
+from .packages.dependencies import refusal
+from .running.cluster import scheduler
+from .running.interrupt import signals_cancel
+from .running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
+from .running.same_sums import same_sums
 
 ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
 
@@ -121,13 +122,13 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return tr(self.HELP).strip().split("\n", 1)[0]
 
     def shortHelpString(self):
-        from .help_page import panel_html
+        from .language.help_page import panel_html
 
         return panel_html(self)
 
     def helpUrl(self):
         """The page behind the Help button of the dialog."""
-        from .help_page import page_file
+        from .language.help_page import page_file
 
         return page_file(self).as_uri()
 
@@ -206,7 +207,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         """Context in which point clouds that state no CRS have the one of POINTS_CRS, where that is given."""
         if not parameters.get("POINTS_CRS") or self.parameterDefinition("POINTS_CRS") is None:
             return nullcontext()
-        from ...urbanmap_qgis.io.pointcloud import assumed_crs
+        from ...urbanmap_qgis.io.points.pointcloud import assumed_crs
 
         crs = self.parameterAsCrs(parameters, "POINTS_CRS", context)
         self.require_projected("POINTS_CRS", crs)
@@ -224,8 +225,8 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         if not any(definition.name().endswith("REPORT") and parameters.get(definition.name())
                    for definition in self.destinationParameterDefinitions()):
             return nullcontext()
-        from ...urbanmap_qgis.io.report import run_told
-        from .run_facts import run_facts
+        from ...urbanmap_qgis.io.pages.report import run_told
+        from .running.run_facts import run_facts
 
         return run_told(run_facts(self, parameters, context))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.overlays import add_orthophoto, orthophoto_pictures
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.overlays import add_orthophoto, orthophoto_pictures
 from .inputs import GnssInputs
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER
+from ..framework.declaring.parameters import HTML_FILTER
+from ..framework.layers.layers import make_fields
 from .inputs import GnssInputs
 
 

@@ -10,10 +10,10 @@ from qgis.core import QgsProcessing, QgsProcessingContext, QgsProcessingParamete
 
 from ...urbanmap_qgis.errors import InputError
 from ...urbanmap_qgis.progress import Progress
-from ..framework.building_layers import read_buildings
-from ..framework.outlines import numbers
-from ..framework.parameters import Declarations, tr
-from ..framework.trajectories import trajectory_exists, trajectory_of
+from ..framework.declaring.parameters import Declarations, tr
+from ..framework.layers.building_layers import read_buildings
+from ..framework.layers.outlines import numbers
+from ..framework.layers.trajectories import trajectory_exists, trajectory_of
 
 TOP_FIELDS, BASE_FIELDS = ("z_top", "top"), ("z_base", "base", "z_low")
 BUILDING_FIELDS = ("building_id", "building", "building_i")  # the last as a shapefile cuts it

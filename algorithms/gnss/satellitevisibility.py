@@ -8,9 +8,9 @@ from qgis.core import QgsProcessing, QgsProcessingParameterExtent, QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import tr
-from ..framework.trajectories import trajectory_exists
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.trajectories import trajectory_exists
 from .inputs import GnssInputs
 
 SYSTEM_FIELDS = {"gps": "G", "glonass": "R", "galileo": "E", "beidou": "C", "qzss": "J"}

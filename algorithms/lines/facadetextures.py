@@ -6,10 +6,10 @@ from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InsufficientDataError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.outlines import column
-from ..framework.parameters import tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import column
+from ..framework.running.workers import workers
 from .image_sources import add_images, check_images, image_sources
 
 MODEL_FILTER = "glTF binary (*.glb);;Wavefront OBJ (*.obj);;CityJSON (*.city.json *.json)"
@@ -54,14 +54,14 @@ class FacadeTextures(UrbanMapAlgorithm):
         self.add_number_output("SEEN", "Share seen", "Share of all facades' area that images show, 0 to 1.")
 
     def check(self, parameters, context):
-        from ...urbanmap_qgis.imagery.texture_files import check_model_name
+        from ...urbanmap_qgis.imagery.textures.texture_files import check_model_name
 
         check_model_name(self.output_path(parameters, "OUTPUT", context))
         check_images(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.imagery.texture_files import write_textured
-        from ...urbanmap_qgis.imagery.texture_stage import buildings_of, summary, texture_buildings
+        from ...urbanmap_qgis.imagery.textures.texture_files import write_textured
+        from ...urbanmap_qgis.imagery.textures.texture_stage import buildings_of, summary, texture_buildings
 
         progress = self.progress(feedback)
         table = self.read_vector(parameters, "BUILDINGS", context, progress)
@@ -96,19 +96,19 @@ class FacadeTextures(UrbanMapAlgorithm):
         return results
 
     def _settings(self, parameters, context):
-        from ...urbanmap_qgis.imagery.facade_texture import TextureSettings
+        from ...urbanmap_qgis.imagery.textures.facade_texture import TextureSettings
 
         return TextureSettings(*(self.parameterAsDouble(parameters, name, context)
                                  for name in ("RESOLUTION", "REACH", "MIN_SEEN")))
 
     def _voxels(self, parameters, context, table, progress):
         """Cells with laser points round the buildings."""
-        from ...urbanmap_qgis.imagery.obstacles import NO_POINTS, voxels_from_cloud
+        from ...urbanmap_qgis.imagery.views.obstacles import NO_POINTS, voxels_from_cloud
 
         paths = self.point_files(parameters, "POINTS", context)
         if not paths:
             return NO_POINTS
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 
         cloud = open_cloud(paths, table.crs_wkt)
         self.same_crs("POINTS", cloud.crs_wkt, "BUILDINGS", table.crs)

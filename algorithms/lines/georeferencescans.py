@@ -8,7 +8,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
 
 ANGLE_UNITS = ("degrees", "radians")
 
@@ -97,6 +97,6 @@ class GeoreferenceScans(UrbanMapAlgorithm):
 
 def wkt_or_none(crs) -> str | None:
     """WKT of QGIS's CRS, None of an invalid one."""
-    from ..framework.crs import wkt_of
+    from ..framework.layers.crs import wkt_of
 
     return wkt_of(crs) or None

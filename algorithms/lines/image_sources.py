@@ -7,7 +7,7 @@ from pathlib import Path
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
 
 
 def add_images(algorithm) -> None:
@@ -49,7 +49,7 @@ def check_images(algorithm, parameters, context, other: str = "") -> None:
 
 def image_sources(algorithm, parameters, context, crs_wkt, progress) -> list:
     """Line images and frames as the core takes them; `crs_wkt` is that of the map coordinates."""
-    from ...urbanmap_qgis.imagery.views import frame_sources, strip_sources
+    from ...urbanmap_qgis.imagery.views.views import frame_sources, strip_sources
 
     found = []
     lines = [path for path in algorithm.parameterAsFileList(parameters, "IMAGES", context) if path]

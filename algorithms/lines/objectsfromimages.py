@@ -5,9 +5,9 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.outlines import column
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.outlines import column
 from .image_sources import add_images, check_images, image_sources
 
 IMAGE = "image"
@@ -55,8 +55,8 @@ class ObjectsFromImages(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ...urbanmap_qgis.imagery.image_outlines import image_outlines
-        from ...urbanmap_qgis.imagery.object_stage import geometry_type, objects_from_outlines
+        from ...urbanmap_qgis.imagery.objects.image_outlines import image_outlines
+        from ...urbanmap_qgis.imagery.objects.object_stage import geometry_type, objects_from_outlines
 
         progress = self.progress(feedback)
         cloud = self._cloud(parameters, context)
@@ -82,7 +82,7 @@ class ObjectsFromImages(UrbanMapAlgorithm):
 
     def _cloud(self, parameters, context):
         """The point cloud, which must say in which projected CRS it is."""
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 
         cloud = open_cloud(self.point_files(parameters, "POINTS", context))
         self.require_projected("POINTS", cloud.crs_wkt)

@@ -6,7 +6,7 @@ from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
 from .image_sources import add_images, check_images, image_sources
 
 COLOURS = ("height", "intensity", "class", "one")
@@ -59,7 +59,7 @@ class OverlayOnImages(UrbanMapAlgorithm):
                     self.label_of(f"{name}_BEFORE"), self.label_of(name)))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.imagery.overlay_stage import write_overlays
+        from ...urbanmap_qgis.imagery.overlays.overlay_stage import write_overlays
 
         progress = self.progress(feedback)
         states = [self._state(parameters, context, "", tr("after") if self._has_before(parameters) else tr("overlay"),
@@ -84,7 +84,7 @@ class OverlayOnImages(UrbanMapAlgorithm):
 
     def _state(self, parameters, context, ending, name, progress):
         """Data of one state; what was not given for it is that of the other."""
-        from ...urbanmap_qgis.imagery.overlay_stage import edge_state
+        from ...urbanmap_qgis.imagery.overlays.overlay_stage import edge_state
 
         def chosen(base):
             return f"{base}{ending}" if parameters.get(f"{base}{ending}") else base
@@ -105,7 +105,7 @@ class OverlayOnImages(UrbanMapAlgorithm):
         paths = self.point_files(parameters, name, context)
         if not paths:
             return None
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
 
         cloud = open_cloud(paths, table.crs_wkt if table is not None else None)
         self.require_projected(name, cloud.crs_wkt)
@@ -118,7 +118,7 @@ class OverlayOnImages(UrbanMapAlgorithm):
         path = self.raster_path(parameters, "ORTHOPHOTO", context)
         if path is None:
             return []
-        from ...urbanmap_qgis.imagery.orthophoto_source import orthophoto_source
+        from ...urbanmap_qgis.imagery.views.orthophoto_source import orthophoto_source
 
         source = orthophoto_source(path, number)
         self.same_crs("ORTHOPHOTO", source.crs_wkt, "POINTS" if not parameters.get("LINES") else "LINES", crs)

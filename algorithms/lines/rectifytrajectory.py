@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
 from .report_images import add_report_images, check_report_images, report_pictures
 
 METHODS = ("drift", "relative", "iterative", "paper")
@@ -128,7 +128,7 @@ class RectifyTrajectory(UrbanMapAlgorithm):
 
     def _trajectory(self, parameters, context, table, progress):
         """The trajectory's file and the WKT of what CRS is known."""
-        from ..framework.crs import wkt_of
+        from ..framework.layers.crs import wkt_of
 
         given = self.parameterAsCrs(parameters, "CRS", context)
         crs = wkt_of(given) or table.crs_wkt or None

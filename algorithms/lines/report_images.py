@@ -7,8 +7,8 @@ from collections.abc import Callable
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.overlays import pictures
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.overlays import pictures
 
 
 def add_report_images(algorithm) -> None:
@@ -39,7 +39,7 @@ def report_pictures(algorithm, parameters, context, trajectories, crs, progress)
     images = [path for path in algorithm.parameterAsFileList(parameters, "IMAGES", context) if path]
     if not images:
         return lambda report: None
-    from ...urbanmap_qgis.imagery.views import strip_sources
+    from ...urbanmap_qgis.imagery.views.views import strip_sources
 
     table = algorithm.read_vector(parameters, "LINES", context, progress)
     if crs:

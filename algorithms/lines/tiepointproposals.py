@@ -5,7 +5,7 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
+from ..framework.layers.layers import make_fields
 
 FIELDS = (("set", "text"), ("time", "real"), ("length", "real"), ("support", "int"), ("fit", "real"))
 
@@ -50,7 +50,7 @@ class TiePointProposals(UrbanMapAlgorithm):
         import numpy as np
         import shapely
 
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.gps_time import time_shift
         from ...urbanmap_qgis.mobile.lines.tie_point_proposals import propose_tie_points
 

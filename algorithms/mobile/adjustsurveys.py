@@ -8,9 +8,9 @@ from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
-from ..framework.trajectories import TABLE_SUFFIXES, write_trajectory_file
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
+from ..framework.layers.trajectories import TABLE_SUFFIXES, write_trajectory_file
 from .control_points import add_control, read_control
 from .drives import DriveInputs
 from .marking_reference import add_markings, read_reference
@@ -85,7 +85,7 @@ class AdjustSurveys(DriveInputs, UrbanMapAlgorithm):
                     self.label_of("OUTPUT"), target.name))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.adjustment.report import write_network_report
         from ...urbanmap_qgis.mobile.adjustment.stage import adjust_surveys, assign_clouds
         from ...urbanmap_qgis.mobile.calibration import read_calibration

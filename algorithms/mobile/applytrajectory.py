@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
-from ..framework.point_outputs import check_points_output
+from ..framework.declaring.parameters import tr
+from ..framework.layers.point_outputs import check_points_output
 
 OUTSIDE = ("move", "keep", "refuse")
 POSES_FILTER = "Image poses (*.csv *.txt)"
@@ -52,7 +52,7 @@ class ApplyTrajectory(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.errors import InputError
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
 
         progress = self.progress(feedback)

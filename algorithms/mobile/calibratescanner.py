@@ -7,8 +7,8 @@ from pathlib import Path
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER
+from ..framework.declaring.parameters import HTML_FILTER
+from ..framework.layers.layers import make_fields
 from .drives import DriveInputs
 
 FIELDS = (("scanner", "text"), ("parameter", "text"), ("unit", "text"), ("correction", "real"), ("sigma", "real"),
@@ -58,7 +58,7 @@ class CalibrateScanner(DriveInputs, UrbanMapAlgorithm):
         self.trajectory_texts(parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.adjustment.stage import assign_clouds
         from ...urbanmap_qgis.mobile.boresight.adjustment import BoresightSettings
         from ...urbanmap_qgis.mobile.boresight.stage import calibrate_scanners, write_calibration

@@ -5,8 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
 from .control_points import add_control, read_control
 
 FIGURES = {"MEAN_2D": "Mean error in plan", "MAX_2D": "Maximum error in plan",

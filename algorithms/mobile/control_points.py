@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..framework.layers import VectorTable
+from ..framework.layers.layers import VectorTable
 
 HELP = ("CSV or layer with the columns id,x,y,z (where a point truly lies, metres) and time,x_mms,y_mms,z_mms (when "
         "the survey measured it, GPS seconds, and where it lies in the survey). Heights may be missing.")

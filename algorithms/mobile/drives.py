@@ -5,8 +5,8 @@ from __future__ import annotations
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.parameters import tr
-from ..framework.trajectories import TrajectoryParameters, tell_of, trajectory_exists, trajectory_of
+from ..framework.declaring.parameters import tr
+from ..framework.layers.trajectories import TrajectoryParameters, tell_of, trajectory_exists, trajectory_of
 
 
 class DriveInputs(TrajectoryParameters):

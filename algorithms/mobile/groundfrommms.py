@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.point_outputs import check_points_output
-from ..framework.workers import workers
+from ..framework.layers.point_outputs import check_points_output
+from ..framework.running.workers import workers
 
 
 class GroundFromMms(UrbanMapAlgorithm):
@@ -50,7 +50,7 @@ class GroundFromMms(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.pointcloud import open_cloud
+        from ...urbanmap_qgis.io.points.pointcloud import open_cloud
         from ...urbanmap_qgis.mobile.ground import classify_ground_files
         from ...urbanmap_qgis.terrain.cloth import ClothSettings
 

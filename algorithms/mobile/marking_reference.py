@@ -13,8 +13,8 @@ from qgis.core import (
 )
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework import layers
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers import layers
 
 HELP = ("The reference: a raster whose cells are above 0 where there is paint, or marking polygons. “Road markings "
         "from orthophoto” makes both.")

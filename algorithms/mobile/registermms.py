@@ -7,9 +7,9 @@ from dataclasses import replace
 from qgis.core import QgsProcessing
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER
-from ..framework.workers import workers
+from ..framework.declaring.parameters import HTML_FILTER
+from ..framework.layers.layers import make_fields
+from ..framework.running.workers import workers
 from .marking_reference import add_markings
 from .survey_inputs import read_survey_and_reference
 

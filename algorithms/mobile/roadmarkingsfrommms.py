@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import HTML_FILTER
-from ..framework.point_outputs import check_points_output
-from ..framework.workers import workers
+from ..framework.declaring.parameters import HTML_FILTER
+from ..framework.layers.point_outputs import check_points_output
+from ..framework.running.workers import workers
 from .survey_inputs import read_survey
 
 METHODS = ("full", "paper")

@@ -18,7 +18,7 @@ class SurveyInputs(NamedTuple):
 
 def read_survey(algorithm, parameters, context, progress):
     """Files of POINTS, their CRS as WKT, and the core's `TrajectoryFile` of TRAJECTORY, of one place and time."""
-    from ...urbanmap_qgis.io.pointcloud import open_cloud
+    from ...urbanmap_qgis.io.points.pointcloud import open_cloud
     from ...urbanmap_qgis.mobile.survey_checks import require_survey
 
     paths = algorithm.point_files(parameters, "POINTS", context)
@@ -32,7 +32,7 @@ def read_survey(algorithm, parameters, context, progress):
 
 def read_survey_and_reference(algorithm, parameters, context, progress) -> SurveyInputs:
     """The same with MARKINGS and GROUND, in the survey's CRS and at its place."""
-    from ...urbanmap_qgis.io.pointcloud import open_cloud
+    from ...urbanmap_qgis.io.points.pointcloud import open_cloud
     from ...urbanmap_qgis.io.raster import RasterSampler
     from ...urbanmap_qgis.mobile.survey_checks import require_reference, survey_span
 

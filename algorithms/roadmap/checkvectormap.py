@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
 
 SEVERITIES = ("error", "warning", "info")
 
@@ -45,7 +45,7 @@ class CheckVectorMap(UrbanMapAlgorithm):
         import shapely
 
         from ...urbanmap_qgis.io.osm import read_osm
-        from ...urbanmap_qgis.roadmap.map_check import check_map
+        from ...urbanmap_qgis.roadmap.checks.map_check import check_map
 
         progress = self.progress(feedback)
         content = read_osm(self.input_path(parameters, "INPUT", context))
@@ -72,7 +72,7 @@ class CheckVectorMap(UrbanMapAlgorithm):
         return {**results, "OUTPUT_REPORT": str(report)}
 
     def _write_report(self, path, parameters, faults, lanelets):
-        from ...urbanmap_qgis.io.report import BAD, GOOD, LOOK, Report
+        from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK, Report
 
         report = Report(tr("Check of a lane map"))
         number = Counter(fault.severity for fault in faults)

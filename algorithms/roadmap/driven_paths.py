@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.parameters import tr
-from ..framework.trajectories import trajectory_exists, trajectory_of
+from ..framework.declaring.parameters import tr
+from ..framework.layers.trajectories import trajectory_exists, trajectory_of
 
 
 def _files(stage, parameters, context) -> list[str]:

@@ -9,9 +9,9 @@ from typing import NamedTuple
 from qgis.core import QgsCoordinateTransformContext, QgsFeatureSink, QgsFields, QgsVectorFileWriter, QgsWkbTypes
 
 from ...urbanmap_qgis.errors import OutputError
-from ..framework.crs import crs_from
-from ..framework.layers import features_of, without_times
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.crs import crs_from
+from ..framework.layers.layers import features_of, without_times
 
 
 class PackageLayer(NamedTuple):

@@ -7,10 +7,10 @@ from pathlib import Path
 from qgis.core import QgsProcessing, QgsProcessingParameterExtent, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
-from ..framework.building_layers import read_buildings
-from ..framework.outlines import numbers
-from ..framework.parameters import Declarations, tr
-from ..framework.trajectories import trajectory_exists, trajectory_of
+from ..framework.declaring.parameters import Declarations, tr
+from ..framework.layers.building_layers import read_buildings
+from ..framework.layers.outlines import numbers
+from ..framework.layers.trajectories import trajectory_exists, trajectory_of
 
 SIGMA_FIELDS = ("wall_sigma", "sigma_xy")
 DEFAULT_FIELDS = {"TOP_FIELD": ("z_top", "top", "z_max"),
@@ -72,7 +72,7 @@ class LocalisationInputs(Declarations):
         the number of the building of each feature, and its sigma (None without a field)."""
         import numpy as np
 
-        from ...urbanmap_qgis.localisation.wall_map import walls_with_heights
+        from ...urbanmap_qgis.localisation.walls.wall_map import walls_with_heights
 
         table = read_buildings(self, parameters, name, context, progress)
         chosen = parameters if name == "BUILDINGS" else {}
@@ -100,7 +100,7 @@ class LocalisationInputs(Declarations):
         buildings that have none; None where no buildings were given."""
         if not parameters.get("BUILDINGS"):
             return None
-        from ...urbanmap_qgis.localisation.wall_map import WallMap, building_sigmas, wall_sigmas
+        from ...urbanmap_qgis.localisation.walls.wall_map import WallMap, building_sigmas, wall_sigmas
 
         table, pieces, without, building, sigma = self.read_pieces(parameters, "BUILDINGS", context, progress)
         if pieces is None:
@@ -131,7 +131,7 @@ class LocalisationInputs(Declarations):
             return None
         import numpy as np
 
-        from ...urbanmap_qgis.localisation.marking_map import marking_map
+        from ...urbanmap_qgis.localisation.evidence.marking_map import marking_map
 
         self.require_projected("MARKINGS", table.crs)
         usual = self.parameterAsDouble(parameters, "MARKING_SIGMA", context)
@@ -160,8 +160,8 @@ class LocalisationInputs(Declarations):
         from ...urbanmap_qgis.gnss.orbits.ephemeris import read_navigation
         from ...urbanmap_qgis.gnss.rays.visibility import gps_time_of
         from ...urbanmap_qgis.gnss.signals.observations import trajectory_shift
-        from ...urbanmap_qgis.localisation.accuracy_tables import times_of_day
-        from ...urbanmap_qgis.localisation.satellite_evidence import SkyTimes
+        from ...urbanmap_qgis.localisation.evidence.satellite_evidence import SkyTimes
+        from ...urbanmap_qgis.localisation.report.accuracy_tables import times_of_day
 
         files = self.files_of(parameters, "NAVIGATION", context)
         if not files:

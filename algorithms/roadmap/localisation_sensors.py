@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
-from ..framework.parameters import Declarations, tr
+from ..framework.declaring.parameters import Declarations, tr
 
 SCANNERS = ("2D", "multi-layer")
 MATCHING = ("NDT", "ICP")

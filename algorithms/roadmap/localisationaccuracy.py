@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
 from .localisation_inputs import LocalisationInputs
 from .localisation_sensors import LocalisationSensors
 
@@ -79,8 +79,8 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         import shapely
 
         from ...urbanmap_qgis.localisation.accuracy_map import accuracy_map
-        from ...urbanmap_qgis.localisation.accuracy_tables import accuracy_columns, lengths_by_class
-        from ...urbanmap_qgis.localisation.localisation_report import write_localisation_report
+        from ...urbanmap_qgis.localisation.report.accuracy_tables import accuracy_columns, lengths_by_class
+        from ...urbanmap_qgis.localisation.report.localisation_report import write_localisation_report
 
         progress = self.progress(feedback)
         settings = self.settings_from(parameters, context)
@@ -115,7 +115,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         """The core's check of the prediction; None where it is not asked for."""
         if not self.parameterAsBool(parameters, "SIMULATE", context):
             return None
-        from ...urbanmap_qgis.localisation.prediction_check import check_prediction
+        from ...urbanmap_qgis.localisation.simulation.prediction_check import check_prediction
 
         truth = self.read_truth(parameters, context, crs, progress)
         if city.walls is None:
@@ -150,7 +150,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         import numpy as np
 
         from ...urbanmap_qgis.gnss.rays.visibility import area_grid
-        from ...urbanmap_qgis.localisation.road_places import (
+        from ...urbanmap_qgis.localisation.places.road_places import (
             joined_places,
             places_on_drive,
             places_on_grid,
@@ -182,7 +182,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
         if path is None:
             return places
         from ...urbanmap_qgis.io.raster import RasterSampler
-        from ...urbanmap_qgis.localisation.accuracy_tables import ground_under_places
+        from ...urbanmap_qgis.localisation.report.accuracy_tables import ground_under_places
 
         with RasterSampler(path) as ground:
             self.same_crs("GROUND", ground.crs_wkt, "BUILDINGS", table.crs)
@@ -190,7 +190,7 @@ class LocalisationAccuracy(LocalisationInputs, LocalisationSensors, UrbanMapAlgo
 
     def _raster(self, parameters, context, made, crs, results):
         from ...urbanmap_qgis.io.raster import write_raster
-        from ...urbanmap_qgis.localisation.accuracy_tables import accuracy_raster
+        from ...urbanmap_qgis.localisation.report.accuracy_tables import accuracy_raster
 
         path = self.output_layer_path(parameters, "OUTPUT_RASTER", context, style="localisation_raster")
         if path:

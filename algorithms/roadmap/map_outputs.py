@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ..framework.layers import make_fields
+from ..framework.layers.layers import make_fields
 
 DATUMS = ("not stated", "WGS84", "EGM2008")
 
@@ -46,9 +46,9 @@ def write_map_layers(stage, parameters, context, built, crs) -> dict[str, str | 
 def write_map_files(stage, parameters, context, built, crs_wkt, speed_limit, progress) -> dict[str, str | None]:
     """Write the files for other programs that are wanted: Lanelet2 with its projector, OpenDRIVE."""
     from ...urbanmap_qgis.io.osm import write_osm
-    from ...urbanmap_qgis.roadmap.lanelet_map import META, lanelet_elements
-    from ...urbanmap_qgis.roadmap.map_projection import write_projector
-    from ...urbanmap_qgis.roadmap.opendrive_map import opendrive_tree, write_opendrive
+    from ...urbanmap_qgis.roadmap.formats.lanelet_map import META, lanelet_elements
+    from ...urbanmap_qgis.roadmap.formats.map_projection import write_projector
+    from ...urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
 
     names = ("OUTPUT_LANELET2", "OUTPUT_PROJECTOR", "OUTPUT_OPENDRIVE")
     places = {name: stage.output_path(parameters, name, context) for name in names}

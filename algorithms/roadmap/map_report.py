@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
 
 FINDINGS_SHOWN = 300
 
@@ -14,7 +14,7 @@ def write_map_report(stage, parameters, context, built, drives) -> dict[str, str
     path = stage.output_path(parameters, "OUTPUT_REPORT", context)
     if path is None:
         return {}
-    from ...urbanmap_qgis.io.report import Report
+    from ...urbanmap_qgis.io.pages.report import Report
     from ...urbanmap_qgis.roadmap.map_figures import map_figures
 
     report = Report(tr("Lane map"))
@@ -28,7 +28,7 @@ def write_map_report(stage, parameters, context, built, drives) -> dict[str, str
 
 
 def _verdict(report, built, drives, figures) -> None:
-    from ...urbanmap_qgis.io.report import BAD, GOOD, LOOK
+    from ...urbanmap_qgis.io.pages.report import BAD, GOOD, LOOK
 
     if not built.lanes:
         report.verdict(BAD, tr("No lane was made: nothing shows the direction of any strip between lines."))

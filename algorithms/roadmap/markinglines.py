@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing, QgsProcessingParameterDefinition
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
 
 LINE_FIELDS = (("line_id", "int"), ("class", "text"), ("colour", "text"), ("width", "real"), ("sigma", "real"),
                ("length", "real"), ("bridged", "real"), ("period", "real"), ("dash", "real"), ("dashes", "text"),
@@ -75,7 +75,7 @@ class MarkingLines(UrbanMapAlgorithm):
             raise InputError(tr("Neither road markings nor marking points were given: give one or both."))
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.roadmap.line_work import LineSettings, line_work, with_ground_heights
+        from ...urbanmap_qgis.roadmap.lines.line_work import LineSettings, line_work, with_ground_heights
 
         progress = self.progress(feedback)
         polygons, colours, crs, source = self._paint(parameters, context, progress.part(0.0, 0.05))
@@ -112,8 +112,8 @@ class MarkingLines(UrbanMapAlgorithm):
             polygons, colours, crs = list(parts), [names[rows[k]] or "" for k in owner], table.crs
         files = self.point_files(parameters, "POINTS", context)
         if files:
-            from ...urbanmap_qgis.io.pointcloud import open_cloud
-            from ...urbanmap_qgis.roadmap.point_paint import cloud_polygons, hidden_paint
+            from ...urbanmap_qgis.io.points.pointcloud import open_cloud
+            from ...urbanmap_qgis.roadmap.lines.point_paint import cloud_polygons, hidden_paint
 
             cloud = open_cloud(files)
             self.require_projected("POINTS", cloud.crs_wkt)
@@ -148,7 +148,7 @@ class MarkingLines(UrbanMapAlgorithm):
                                 progress=progress)
 
     def _write_areas(self, parameters, context, work, crs, has_heights, progress):
-        from ...urbanmap_qgis.roadmap.line_work import grid_heading
+        from ...urbanmap_qgis.roadmap.lines.line_work import grid_heading
 
         areas = work.areas
         columns = {"area_id": list(range(len(areas))), "class": [area.kind for area in areas],

@@ -8,8 +8,8 @@ from qgis.core import QgsProcessing
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.layers import make_fields
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
+from ..framework.layers.layers import make_fields
 from ..mobile.survey_inputs import read_survey
 from .feature_package import PackageLayer, geometry_type_of, write_package
 
@@ -87,7 +87,7 @@ class RoadEdges(UrbanMapAlgorithm):
     def compute(self, parameters, context, feedback):
         import numpy as np
 
-        from ...urbanmap_qgis.roadmap.edges_records import KERB, MEASURED, EdgeSettings
+        from ...urbanmap_qgis.roadmap.edges.edge_records import KERB, MEASURED, EdgeSettings
 
         progress = self.progress(feedback)
         paths, crs, read = read_survey(self, parameters, context, progress)
@@ -104,7 +104,7 @@ class RoadEdges(UrbanMapAlgorithm):
 
     def _find(self, parameters, context, paths, crs, trajectory, settings, progress):
         from ...urbanmap_qgis.io.raster import RasterSampler
-        from ...urbanmap_qgis.roadmap.edges_stage import road_edges
+        from ...urbanmap_qgis.roadmap.edges.road_edges import road_edges
 
         ground = self.raster_path(parameters, "GROUND", context)
         if ground is None:

@@ -8,7 +8,7 @@ from qgis.core import QgsProcessing, QgsProcessingParameterMultipleLayers
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import HTML_FILTER, tr
+from ..framework.declaring.parameters import HTML_FILTER, tr
 from .driven_paths import check_drives, read_drives
 from .map_outputs import DATUMS, write_map_files, write_map_layers
 from .map_report import write_map_report
@@ -148,7 +148,7 @@ class VectorMap(UrbanMapAlgorithm):
         return areas_of(table.geometries, table.columns)
 
     def _axes(self, parameters, context, lines):
-        from ...urbanmap_qgis.roadmap.road_axes import axes_of
+        from ...urbanmap_qgis.roadmap.lanes.road_axes import axes_of
 
         table = self.read_vector(parameters, "ROADS", context)
         if table is None:

@@ -8,8 +8,8 @@ from qgis.core import QgsProcessingOutputFile, QgsProcessingOutputFolder
 
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
-from ..framework.workers import workers
+from ..framework.declaring.parameters import tr
+from ..framework.running.workers import workers
 
 SCENES = ("canyon", "few markings", "repainted", "elevated road")
 

@@ -6,7 +6,7 @@ from ..aerial.orthorectifyframes import METHODS, OrthorectifyFrames
 from ..aerial.roadmarkingsfromorthophoto import RoadMarkingsFromOrthophoto
 from ..aerial.surfacefromals import SurfaceFromAls
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.parameters import tr
+from ..framework.declaring.parameters import tr
 
 
 class AerialMarkings(UrbanMapAlgorithm):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.point_outputs import check_points_output
+from ..framework.layers.point_outputs import check_points_output
 from ..mobile.applytrajectory import ApplyTrajectory
 from ..mobile.registermms import RegisterMms
 from ..mobile.roadmarkingsfrommms import RoadMarkingsFromMms
@@ -51,7 +51,7 @@ class GeoreferenceMms(UrbanMapAlgorithm):
         check_points_output(self, parameters, context)
 
     def compute(self, parameters, context, feedback):
-        from ...urbanmap_qgis.io.decoded_points import decoded_once
+        from ...urbanmap_qgis.io.points.decoded_points import decoded_once
 
         with decoded_once():
             return self._run_stages(parameters, context, feedback)

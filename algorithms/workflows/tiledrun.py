@@ -8,10 +8,10 @@ from qgis.core import QgsApplication, QgsProcessingParameterString
 
 from ...urbanmap_qgis.errors import InsufficientDataError
 from ..framework.base import UrbanMapAlgorithm
-from ..framework.cluster import check_cluster
-from ..framework.layers import make_fields
-from ..framework.parameters import HTML_FILTER, tr
-from ..framework.tiled_algorithms import CUTTABLE, WHOLE
+from ..framework.declaring.parameters import HTML_FILTER, tr
+from ..framework.layers.layers import make_fields
+from ..framework.running.cluster import check_cluster
+from ..framework.tiles.tiled_algorithms import CUTTABLE, WHOLE
 
 SQUARES, MESHES, SHEETS = "squares", ("mesh1km", "mesh500m", "mesh250m"), ("sheet5000", "sheet2500", "sheet1000",
                                                                          "sheet500")
@@ -79,7 +79,7 @@ class TiledRun(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.tiling.journal import only_run
-        from ..framework.tiled_inputs import TiledInputs
+        from ..framework.tiles.tiled_inputs import TiledInputs
 
         check_cluster()
         progress = self.progress(feedback)
@@ -91,8 +91,8 @@ class TiledRun(UrbanMapAlgorithm):
 
     def _run(self, parameters, context, inputs, folder, progress):
         from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, kept_record
-        from ..framework.tile_merge import merge_results
-        from ..framework.tile_pool import run_tiles
+        from ..framework.tiles.tile_merge import merge_results
+        from ..framework.tiles.tile_pool import run_tiles
 
         tiles = self._chosen(inputs.tiles, self.parameterAsInt(parameters, "ESTIMATE", context))
         jobs = {tile.name: inputs.job(tile) for tile in tiles}
@@ -127,7 +127,7 @@ class TiledRun(UrbanMapAlgorithm):
 
     def _settings(self, parameters, context) -> dict:
         """What the stage is given, by its own names: lines of SETTINGS, then parameters of their own."""
-        from ..framework.tiled_inputs import own_settings, settings_of_lines
+        from ..framework.tiles.tiled_inputs import own_settings, settings_of_lines
 
         stage = self._stage(parameters, context)
         lines = settings_of_lines(self.parameterAsString(parameters, "SETTINGS", context), stage)

@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT))
 from scripts.demo.checks import Figure  # noqa: E402
 from scripts.demo.pictures import make_pictures  # noqa: E402
 from scripts.demo.stages import Stage, stages  # noqa: E402
-from urbanmap_qgis.io.report import Report  # noqa: E402
+from urbanmap_qgis.io.pages.report import Report  # noqa: E402
 
 HEADER = ("stage", "seconds", "against the truth", "value")
 FILES = (

@@ -15,7 +15,7 @@ BOW_TIE = "POLYGON((0 0, 10 10, 10 0, 0 10, 0 0))"
 def example(plugin):
     """An algorithm that copies polygons and does on demand what can go wrong."""
     base = plugin("algorithms.framework.base")
-    layers = plugin("algorithms.framework.layers")
+    layers = plugin("algorithms.framework.layers.layers")
 
     class Example(base.UrbanMapAlgorithm):
         ID = "example"
@@ -149,7 +149,7 @@ def test_failure_in_the_middle_of_writing_keeps_the_earlier_result(
     layer = polygon_layer([SQUARE] * 5)
     run_example(example, feedback, {"FOOTPRINTS": layer, "OUTPUT": str(path)})
     before = path.read_bytes()
-    layers = plugin("algorithms.framework.layers")
+    layers = plugin("algorithms.framework.layers.layers")
     monkeypatch.setattr(layers, "BATCH", 2)
     whole = layers.features_of
 
@@ -178,7 +178,7 @@ def test_style_is_saved_in_the_geopackage_and_given_to_the_loaded_layer(
     )
 
     base = plugin("algorithms.framework.base")
-    monkeypatch.setattr(plugin("algorithms.framework.styles"), "STYLES", tmp_path)
+    monkeypatch.setattr(plugin("algorithms.framework.layers.styles"), "STYLES", tmp_path)
     styled = polygon_layer([SQUARE])
     styled.setRenderer(QgsSingleSymbolRenderer(QgsFillSymbol.createSimple({"color": "#123456"})))
     styled.saveNamedStyle(str(tmp_path / "blue.qml"))
@@ -325,7 +325,7 @@ def test_optional_output_can_be_offered_in_the_toolbox(example, qgis_app):
 def test_same_crs_compares_plane_and_stated_heights(plugin, qgis_app):
     from qgis.core import QgsCoordinateReferenceSystem
 
-    crs = plugin("algorithms.framework.crs")
+    crs = plugin("algorithms.framework.layers.crs")
     errors = plugin("urbanmap_qgis.errors")
     plane, compound, other = (QgsCoordinateReferenceSystem(code) for code in ("EPSG:28992", "EPSG:7415", "EPSG:31370"))
     crs.same_crs("Points", crs.wkt_of(compound), "Outlines", plane)
@@ -342,7 +342,7 @@ def test_a_system_is_known_by_its_names_before_and_after_it_was_renamed(plugin, 
     """As QGIS with a newer database writes EPSG:6677, and as one with an older does."""
     from qgis.core import QgsCoordinateReferenceSystem
 
-    crs = plugin("algorithms.framework.crs")
+    crs = plugin("algorithms.framework.layers.crs")
     plane = QgsCoordinateReferenceSystem("EPSG:6677")
     old = crs.wkt_of(plane)
     assert "JGD2024" not in old
@@ -356,8 +356,8 @@ def test_a_system_is_known_by_its_names_before_and_after_it_was_renamed(plugin, 
 def test_old_and_new_names_of_one_system_are_equal_and_other_heights_are_not(plugin, qgis_app):
     from qgis.core import QgsCoordinateReferenceSystem
 
-    crs, errors = plugin("algorithms.framework.crs"), plugin("urbanmap_qgis.errors")
-    heights = plugin("urbanmap_qgis.io.height_systems")
+    crs, errors = plugin("algorithms.framework.layers.crs"), plugin("urbanmap_qgis.errors")
+    heights = plugin("urbanmap_qgis.io.reference.height_systems")
     plane = crs.wkt_of(QgsCoordinateReferenceSystem("EPSG:6677"))
     renamed = plane.replace("JGD2011", "JGD2024").replace("Datum 2011", "Datum 2024")
     assert renamed != plane
@@ -373,7 +373,7 @@ def test_two_datums_of_one_zone_differ(plugin, qgis_app):
     """JGD2000 and JGD2011 have the same projection and lie metres apart in the north-east of Japan."""
     from qgis.core import QgsCoordinateReferenceSystem
 
-    crs = plugin("algorithms.framework.crs")
+    crs = plugin("algorithms.framework.layers.crs")
     errors = plugin("urbanmap_qgis.errors")
     with pytest.raises(errors.InputError):
         crs.same_crs("A", QgsCoordinateReferenceSystem("EPSG:2451"), "B", QgsCoordinateReferenceSystem("EPSG:6677"))

@@ -151,7 +151,7 @@ def test_point_files_in_two_crs(refuse, cloud):
 
 
 def test_points_without_crs_take_that_of_the_outlines_and_say_so(run, good, cloud, tmp_path):
-    from urbanmap_qgis.io.pointcloud import open_cloud
+    from urbanmap_qgis.io.points.pointcloud import open_cloud
 
     parameters = parameters_of("segmentbuildings", good, tmp_path)
     result = run("urbanmap:segmentbuildings", {**parameters, "POINTS": [cloud(epsg=None)]})
@@ -286,7 +286,7 @@ def test_each_odd_outline_keeps_its_row(run, good, polygon_layer, tmp_path):
 def test_outline_of_two_parts_is_one_building_of_two_solids(run, good, polygon_layer, tmp_path):
     from qgis.core import QgsVectorLayer
 
-    from urbanmap_qgis.io.cityjson import read_cityjson
+    from urbanmap_qgis.io.models.cityjson import read_cityjson
 
     layer = polygon_layer([shapely.MultiPolygon([HOUSE, OTHER]).wkt], kind="MultiPolygon")
     result = run("urbanmap:buildingsfromals", {**parameters_of("buildingsfromals", good, tmp_path),
@@ -371,7 +371,7 @@ def test_files_of_different_precision_go_together(run, good, points, make_cloud,
     """A coarse file without offsets beside a fine one: coordinates of both fit into one file of 32 bit numbers."""
     import laspy
 
-    from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+    from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
     half = len(points) // 2
     far = points + np.array([0.0, 6_800_000.0 - NORTH, 0.0])

@@ -12,7 +12,7 @@ import shapely
 import shapely.affinity
 
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.cityjson import read_cityjson
+from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 EAST, NORTH = -7000.0, -35000.0
 GROUND = 3.0
@@ -265,10 +265,10 @@ def test_order_and_cut_of_the_input_change_no_model(town, save_outlines, make_cl
 def test_two_workers_change_nothing(town, tmp_path, monkeypatch, plugin):
     """Two at work, a few buildings at once, and points that do not fit into memory."""
     monkeypatch.setattr(plugin("urbanmap_qgis.buildings.building_points"), "BUILDINGS_AT_ONCE", 3)
-    monkeypatch.setattr(plugin("urbanmap_qgis.io.point_buckets").PointBuckets.__init__, "__defaults__", (0,))
-    monkeypatch.setattr(plugin("urbanmap_qgis.io.pointcloud").iter_chunks, "__defaults__", (
-        *plugin("urbanmap_qgis.io.pointcloud").iter_chunks.__defaults__[:-1], 20_000))
-    workers = plugin("algorithms.framework.workers")
+    monkeypatch.setattr(plugin("urbanmap_qgis.io.points.point_buckets").PointBuckets.__init__, "__defaults__", (0,))
+    monkeypatch.setattr(plugin("urbanmap_qgis.io.points.pointcloud").iter_chunks, "__defaults__", (
+        *plugin("urbanmap_qgis.io.points.pointcloud").iter_chunks.__defaults__[:-1], 20_000))
+    workers = plugin("algorithms.framework.running.workers")
     monkeypatch.setattr(workers, "_processes", workers._in_window)
     again = run_chain(tmp_path, town.files, town.outlines, WORKERS=2)
     assert solids_of(again["OUTPUT_CITYJSON"]) == solids_of(town.results["OUTPUT_CITYJSON"])

@@ -15,7 +15,7 @@ HOUSE = shapely.box(EAST, NORTH, EAST + 12, NORTH + 15)
 @pytest.fixture
 def stated(plugin):
     """WKT of zone IX with a height system."""
-    heights = plugin("urbanmap_qgis.io.height_systems")
+    heights = plugin("urbanmap_qgis.io.reference.height_systems")
     return lambda kind: heights.stating_heights(CRS.from_epsg(6677).to_wkt(), heights.japanese(kind))
 
 
@@ -40,7 +40,7 @@ def test_models_state_the_heights_of_the_points(run, plugin, polygon_layer, clou
     run("urbanmap:buildingsfromals", {
         "POINTS": [cloud], "FOOTPRINTS": polygon_layer([HOUSE.wkt], "EPSG:6677"), "OUTPUT": files["models.gpkg"],
         "OUTPUT_SURFACES": files["surfaces.gpkg"], "OUTPUT_CITYJSON": files["models.city.json"]})
-    crs = plugin("algorithms.framework.crs")
+    crs = plugin("algorithms.framework.layers.crs")
     for name in ("models.gpkg", "surfaces.gpkg"):
         found = QgsVectorLayer(files[name], name, "ogr").crs()
         # Later releases have no code for heights in JGD2024, and take compound systems by their codes alone.

@@ -75,7 +75,7 @@ def test_a_cluster_gives_the_same_bytes(run, serve, town, tmp_path):
 
 
 def test_workers_with_other_sources_are_refused(plugin):
-    cluster = plugin("algorithms.framework.cluster")
+    cluster = plugin("algorithms.framework.running.cluster")
     errors = plugin("urbanmap_qgis.errors")
 
     class Stale:
@@ -93,7 +93,7 @@ def test_workers_with_other_sources_are_refused(plugin):
 
 
 def test_folders_that_workers_do_not_see_are_refused(plugin, serve, monkeypatch):
-    cluster = plugin("algorithms.framework.cluster")
+    cluster = plugin("algorithms.framework.running.cluster")
     errors = plugin("urbanmap_qgis.errors")
 
     class Blind:
@@ -106,7 +106,7 @@ def test_folders_that_workers_do_not_see_are_refused(plugin, serve, monkeypatch)
 
 
 def test_other_packages_are_refused(plugin):
-    cluster = plugin("algorithms.framework.cluster")
+    cluster = plugin("algorithms.framework.running.cluster")
     errors = plugin("urbanmap_qgis.errors")
 
     class Older:
@@ -121,7 +121,7 @@ def test_other_packages_are_refused(plugin):
 def test_nobody_at_the_address_is_one_sentence(run, plugin, town, monkeypatch):
     from qgis.core import QgsProcessingException
 
-    monkeypatch.setattr(plugin("algorithms.framework.cluster"), "PATIENCE", 2)
+    monkeypatch.setattr(plugin("algorithms.framework.running.cluster"), "PATIENCE", 2)
     for address in ("tcp://127.0.0.1:9", "nonsense"):
         with pytest.raises(QgsProcessingException, match="No Dask scheduler"):
             run("urbanmap:segmentbuildings", {**town, **NO_OUTPUTS, "SCHEDULER": address})
@@ -135,7 +135,7 @@ def test_a_cluster_without_workers_is_refused(run, serve, town):
 
 
 def test_tiles_whose_pieces_go_to_a_cluster_are_the_same_bytes(run, serve, town, tmp_path, plugin, monkeypatch):
-    cluster = plugin("algorithms.framework.cluster")
+    cluster = plugin("algorithms.framework.running.cluster")
     connected = []
     monkeypatch.setattr(cluster, "_client", lambda address, make=cluster._client: connected.append(1) or make(address))
     for name, scheduler in (("here", ""), ("there", serve(2))):
@@ -155,7 +155,7 @@ def test_tiles_whose_pieces_go_to_a_cluster_are_the_same_bytes(run, serve, town,
 def test_a_run_over_tiles_without_its_cluster_does_not_begin(run, plugin, town, tmp_path, monkeypatch):
     from qgis.core import QgsProcessingException
 
-    monkeypatch.setattr(plugin("algorithms.framework.cluster"), "PATIENCE", 2)
+    monkeypatch.setattr(plugin("algorithms.framework.running.cluster"), "PATIENCE", 2)
     with pytest.raises(QgsProcessingException, match="No Dask scheduler"):
         run("urbanmap:tiledrun", {**town, "ALGORITHM": "buildingsfromals", "SCHEDULER": "tcp://127.0.0.1:9",
                                   "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})

@@ -38,7 +38,7 @@ def expected(x, y):
 @pytest.fixture
 def cloud(tmp_path, plugin):
     """Points with heights in JGD2011, stated as WKT."""
-    heights = plugin("urbanmap_qgis.io.height_systems")
+    heights = plugin("urbanmap_qgis.io.reference.height_systems")
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = [0.001] * 3, [EAST, NORTH, 0]
     header.add_crs(CRS.from_wkt(heights.stating_heights(CRS.from_epsg(6677).to_wkt(), heights.japanese("JGD2011"))))
@@ -57,8 +57,8 @@ def test_points_get_the_correction_and_state_the_new_system(run, plugin, cloud, 
     x, y, z = (np.asarray(las[name]) for name in "xyz")
     assert np.abs(z - 30.0 - expected(x, y)).max() < 0.0011
     assert set(las.classification) == {6}
-    heights = plugin("urbanmap_qgis.io.height_systems")
-    opened = plugin("urbanmap_qgis.io.pointcloud").open_cloud([tmp_path / "new.laz"])
+    heights = plugin("urbanmap_qgis.io.reference.height_systems")
+    opened = plugin("urbanmap_qgis.io.points.pointcloud").open_cloud([tmp_path / "new.laz"])
     assert heights.heights_of(opened.crs_wkt).kind == "JGD2024"
     assert result["LEAST"] <= result["MEAN"] <= result["LARGEST"] and 0.2 < result["MEAN"] < 0.3
     assert any("500 heights changed" in text for text in run.feedback.infos)
@@ -70,8 +70,8 @@ def test_points_get_the_correction_and_state_the_new_system(run, plugin, cloud, 
 def test_older_point_formats_state_the_system_too(run, plugin, make_las_1_2, grid, tmp_path):
     run(ALGORITHM, {"POINTS": [str(make_las_1_2)], "SOURCE_HEIGHTS": "JGD2011", "GRID": str(grid),
                     "OUTPUT_POINTS": str(tmp_path / "new.laz")})
-    heights = plugin("urbanmap_qgis.io.height_systems")
-    opened = plugin("urbanmap_qgis.io.pointcloud").open_cloud([tmp_path / "new.laz"])
+    heights = plugin("urbanmap_qgis.io.reference.height_systems")
+    opened = plugin("urbanmap_qgis.io.points.pointcloud").open_cloud([tmp_path / "new.laz"])
     assert heights.heights_of(opened.crs_wkt).kind == "JGD2024"
 
 
@@ -89,8 +89,8 @@ def make_las_1_2(tmp_path):
 
 def test_raster_and_layer(run, read_layer, plugin, polygon_layer, grid, tmp_path):
     from urbanmap_qgis.geometry.grid import Grid
-    from urbanmap_qgis.io.height_systems import heights_of
     from urbanmap_qgis.io.raster import read_raster, write_raster
+    from urbanmap_qgis.io.reference.height_systems import heights_of
 
     place = Grid(EAST, NORTH + 100, 10.0, 10, 10)
     values = np.full(place.shape, 20.0, np.float32)

@@ -32,7 +32,7 @@ def new_context():
 
 @pytest.fixture
 def modules(plugin):
-    return plugin("algorithms.framework.destinations"), plugin("urbanmap_qgis.io.staging")
+    return plugin("algorithms.framework.declaring.destinations"), plugin("urbanmap_qgis.io.files.staging")
 
 
 @pytest.fixture
@@ -280,7 +280,7 @@ def test_a_system_without_room_is_one_sentence(two_outputs, run, tmp_path, failu
 
 
 def test_one_file_that_cannot_be_replaced_leaves_all_as_they_were(plugin, errors, tmp_path, monkeypatch):
-    staging = plugin("urbanmap_qgis.io.staging")
+    staging = plugin("urbanmap_qgis.io.files.staging")
     for name in "abc":
         (tmp_path / name).write_text("old")
     replace = os.replace
@@ -299,8 +299,8 @@ def test_one_file_that_cannot_be_replaced_leaves_all_as_they_were(plugin, errors
 
 
 def test_leftovers_of_a_killed_run_go_and_those_of_others_stay(plugin, tmp_path):
-    staging = plugin("urbanmap_qgis.io.staging")
-    start = ("import sys, time; from pathlib import Path; from urbanmap_qgis.io.staging import Staging\n"
+    staging = plugin("urbanmap_qgis.io.files.staging")
+    start = ("import sys, time; from pathlib import Path; from urbanmap_qgis.io.files.staging import Staging\n"
              "with Staging() as s:\n s.place(Path(sys.argv[1]) / 'x').write_text('half')\n"
              " print('there', flush=True); sys.stdin.read()")
     root = Path(__file__).resolve().parents[2]
@@ -323,7 +323,7 @@ def test_the_same_input_gives_the_same_bytes(run, cloud, polygon_layer, tmp_path
     """Layers with their styles, clouds and files; a second later, and on any number of workers."""
     import time
 
-    workers = plugin("algorithms.framework.workers")
+    workers = plugin("algorithms.framework.running.workers")
     monkeypatch.setattr(workers, "_processes", workers._in_window)
     made = []
     for folder, number in ((tmp_path / "a", 1), (tmp_path / "b", count)):

@@ -69,7 +69,7 @@ def layers_of(path):
 
 def test_every_field_of_every_layer_has_words(made, small_city, plugin):
     """All but those that the user's own outlines and city models have."""
-    words_of = plugin("algorithms.framework.field_words").words_of
+    words_of = plugin("algorithms.framework.layers.field_words").words_of
     models = json.loads((small_city / "models" / "buildings.geojson").read_text(encoding="utf-8"))
     users = layers_of(small_city / "footprints" / "gsi_buildings.gpkg")[0] | set(models["features"][0]["properties"])
     missing = {}

@@ -124,7 +124,7 @@ def test_surfaces_tell_roofs(models, tmp_path):
 def test_textures_go_along(models, tmp_path):
     from qgis.core import QgsProcessingException
 
-    from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+    from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
     (tmp_path / "tex").mkdir()
     (tmp_path / "tex" / "a.jpg").write_bytes(b"\xff\xd8 an image")
@@ -171,7 +171,7 @@ def test_mistakes_get_one_sentence(models, tmp_path, parameters, sentence):
 def test_images_outside_of_the_models_folder_are_refused(models, tmp_path):
     from qgis.core import QgsProcessingException
 
-    from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+    from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
     house = gable_house()
     for number, name in enumerate(("../secret.jpg", "/etc/secret.jpg", "C:\\secret.jpg")):

@@ -69,7 +69,7 @@ def test_strip_images_and_frames_texture_the_street(run, small_city, blocks, tmp
 
 
 def test_workers_change_nothing(run, small_city, blocks, tmp_path, monkeypatch, plugin):
-    workers = plugin("algorithms.framework.workers")
+    workers = plugin("algorithms.framework.running.workers")
     monkeypatch.setattr(workers, "_processes", workers._in_window)
     for count in (1, 2):
         run("urbanmap:facadetextures", given(small_city, blocks, tmp_path, WORKERS=count, RESOLUTION=0.4,

@@ -90,7 +90,7 @@ def test_a_batch_file_is_read_and_its_rows_run(run, qgis_app, make_cloud, tmp_pa
 
 
 def test_layers_of_the_project_are_offered(plugin, monkeypatch):
-    widget = plugin("algorithms.framework.files_widget")
+    widget = plugin("algorithms.framework.declaring.files_widget")
     from pathlib import Path
 
     layers = {"1": SimpleNamespace(name=lambda: "survey"), "2": SimpleNamespace(name=lambda: "image")}

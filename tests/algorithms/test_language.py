@@ -16,7 +16,7 @@ TRANSLATIONS = ROOT / "resources" / "translations"
 @pytest.fixture
 def japanese(qgis_app, plugin):
     """The program speaks Japanese in the test."""
-    language = plugin("algorithms.framework.language")
+    language = plugin("algorithms.framework.language.language")
     translator = language.speak_language("ja")
     assert translator is not None
     yield
@@ -51,7 +51,7 @@ def test_toolbox_and_dialogs_speak_it(japanese, plugin):
     assert chosen.displayName() == "建物モデル" and chosen.group() == "建物"
     assert chosen.parameterDefinition("POINTS").description() == "屋根の点"
     assert "<h3>入力</h3>" in chosen.shortHelpString()
-    page = plugin("algorithms.framework.help_page").page_html(chosen)
+    page = plugin("algorithms.framework.language.help_page").page_html(chosen)
     assert 'lang="ja"' in page and "建物モデル" in page
 
 
@@ -64,8 +64,8 @@ def test_a_mistake_is_told_in_it(japanese, run, tmp_path):
 
 def test_messages_of_the_core_and_reports_speak_it(japanese, plugin, tmp_path):
     with pytest.raises(plugin("urbanmap_qgis.errors").InputError, match="ください"):
-        plugin("urbanmap_qgis.io.pointcloud").open_cloud([])
-    report = plugin("urbanmap_qgis.io.report").Report("Building models")
+        plugin("urbanmap_qgis.io.points.pointcloud").open_cloud([])
+    report = plugin("urbanmap_qgis.io.pages.report").Report("Building models")
     report.table(["building", "status"], [[1, "not modelled"]])
     report.write(tmp_path / "r.html")
     text = (tmp_path / "r.html").read_text(encoding="utf-8")
@@ -73,11 +73,11 @@ def test_messages_of_the_core_and_reports_speak_it(japanese, plugin, tmp_path):
 
 
 def test_legends_and_columns_speak_it(japanese, plugin):
-    styles = plugin("algorithms.framework.styles")
+    styles = plugin("algorithms.framework.layers.styles")
     text = styles.style_text("marking_lines", ["fid", "width", "own"], ["width"])
     assert 'label="dashed"' not in text and 'name="幅' in text
 
 
 def test_english_comes_back(qgis_app, plugin):
     assert plugin("urbanmap_qgis.wording").language() == "en"
-    assert plugin("algorithms.framework.parameters").tr("Building models") == "Building models"
+    assert plugin("algorithms.framework.declaring.parameters").tr("Building models") == "Building models"

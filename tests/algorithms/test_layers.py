@@ -11,14 +11,14 @@ import shapely
 def test_batches_are_whole_and_in_order(plugin, tmp_path, stored):
     from qgis.core import NULL
 
-    module = plugin("algorithms.framework.layers")
+    module = plugin("algorithms.framework.layers.layers")
     count = 2 * module.BATCH + 7
     polygons = shapely.box(np.arange(count), 0, np.arange(count) + 1.0, 1)
     geometries = polygons
     if not stored:
         polygons[5] = None
     else:
-        geometries = plugin("urbanmap_qgis.aerial.stored_polygons").StoredPolygons(tmp_path)
+        geometries = plugin("urbanmap_qgis.aerial.markings.stored_polygons").StoredPolygons(tmp_path)
         geometries.add(polygons)
     number = np.arange(count, dtype=float)
     number[3] = np.nan
@@ -35,7 +35,7 @@ def test_batches_are_whole_and_in_order(plugin, tmp_path, stored):
 
 
 def test_columns_of_different_length_are_refused(plugin):
-    module = plugin("algorithms.framework.layers")
+    module = plugin("algorithms.framework.layers.layers")
     fields = module.make_fields(("number", "int"),)
     with pytest.raises(ValueError, match="differ in length"):
         list(module.features_of(fields, {"number": [1, 2]}, [shapely.box(0, 0, 1, 1)]))

@@ -73,7 +73,7 @@ def test_folder_to_outlines_models_and_surfaces(run, read_layer, plugin, plateau
     assert [face.attributes["surface_type"] for face in faces[:6]] == ["ground", "roof", *["outer wall"] * 4]
     from qgis.core import QgsVectorLayer
 
-    crs = plugin("algorithms.framework.crs")
+    crs = plugin("algorithms.framework.layers.crs")
     layer = QgsVectorLayer(outputs["OUTPUT_MODELS"], "models", "ogr")
     assert crs.horizontal(layer.crs()).authid() == "EPSG:6677"
     assert crs.heights(layer.crs()).kind == "JGD2011"

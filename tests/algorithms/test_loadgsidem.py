@@ -31,7 +31,7 @@ def test_folder_to_raster_in_the_fitting_zone(run, plugin, folder, tmp_path, par
     assert (result["MESHES"], result["HEIGHTS"]) == (1, "JGD2011")
     assert 0.0 < result["EMPTY"] < 0.1
     layer = QgsRasterLayer(str(target), "ground")
-    crs = plugin("algorithms.framework.crs")
+    crs = plugin("algorithms.framework.layers.crs")
     assert crs.horizontal(layer.crs()).authid() == "EPSG:6677"
     assert layer.dataProvider().sample(layer.extent().center(), 1) == (12.5, True)
 

@@ -27,7 +27,7 @@ class Interface:
 @pytest.fixture
 def missing(plugin, monkeypatch):
     """One package that is not there until it is installed, and an installer that only says so."""
-    module = plugin("algorithms.framework.install")
+    module = plugin("algorithms.framework.packages.install")
     dependencies = plugin("urbanmap_qgis.dependencies")
     item = dependencies.Missing(dependencies.Package("urbanmap_toy", "urbanmap-toy"))
     state = {"missing": [item], "error": None}
@@ -69,7 +69,7 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin):
 
 
 def test_window_installs_and_says_so(qgis_app, plugin, missing):
-    dialog = plugin("algorithms.framework.install").InstallDialog()
+    dialog = plugin("algorithms.framework.packages.install").InstallDialog()
     assert "urbanmap-toy" in dialog.label.text()
     assert "-m pip install" in dialog.output.toPlainText()
     dialog.button.click()
@@ -81,7 +81,7 @@ def test_window_installs_and_says_so(qgis_app, plugin, missing):
 
 def test_window_says_why_it_failed_and_can_try_again(qgis_app, plugin, missing):
     missing["error"] = "pip could not install the packages: no network"
-    dialog = plugin("algorithms.framework.install").InstallDialog()
+    dialog = plugin("algorithms.framework.packages.install").InstallDialog()
     dialog.button.click()
     wait_until(qgis_app, lambda: dialog.task is None)
     assert dialog.label.text() == "pip could not install the packages: no network"
@@ -90,6 +90,6 @@ def test_window_says_why_it_failed_and_can_try_again(qgis_app, plugin, missing):
 
 def test_nothing_to_install(qgis_app, plugin, missing):
     missing["missing"] = []
-    dialog = plugin("algorithms.framework.install").InstallDialog()
+    dialog = plugin("algorithms.framework.packages.install").InstallDialog()
     assert not dialog.button.isEnabled()
     assert dialog.label.text() == "All Python packages that UrbanMap needs are there."

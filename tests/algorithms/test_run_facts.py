@@ -40,7 +40,7 @@ def test_inputs_and_settings_are_in_the_users_words(stage, plugin, polygon_layer
     context.setProject(QgsProject.instance())
     table = tmp_path / "表.csv"
     table.write_text("a")
-    facts = plugin("algorithms.framework.run_facts").run_facts(
+    facts = plugin("algorithms.framework.running.run_facts").run_facts(
         stage, {"FOOTPRINTS": layer.id(), "TABLE": str(table), "RATIO": 2.0}, context)
     assert facts.inputs == {"Outlines": "建物外周線", "Table": "表.csv"}
     assert facts.settings == {"Ratio": "2 m²", "Exact": "yes", "Method": "full"}
@@ -52,7 +52,7 @@ def test_inputs_and_settings_are_in_the_users_words(stage, plugin, polygon_layer
 def test_temporary_results_are_not_told_by_their_names(plugin, qgis_app):
     from qgis.core import QgsProcessingContext
 
-    facts = plugin("algorithms.framework.run_facts")
+    facts = plugin("algorithms.framework.running.run_facts")
     text = facts.value_text("Outlines_1a2b3c4d_0000_1111_2222_123456789abc", QgsProcessingContext())
     assert text == "result of an earlier step"
     assert facts.value_text(["/a/b.laz", "/c/d.laz"], QgsProcessingContext()) == "b.laz, d.laz"

@@ -17,7 +17,7 @@ SQUARE = "POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))"
 
 @pytest.fixture
 def styles(plugin):
-    return plugin("algorithms.framework.styles")
+    return plugin("algorithms.framework.layers.styles")
 
 
 def test_results_come_first_and_have_units(styles, qgis_app):
@@ -53,7 +53,7 @@ def test_a_geopackage_keeps_the_words_of_results_only(styles, plugin, qgis_app, 
 
 
 def test_fields_of_the_user_carry_no_mark_into_the_file(plugin, qgis_app):
-    layers = plugin("algorithms.framework.layers")
+    layers = plugin("algorithms.framework.layers.layers")
     base = layers.make_fields(("owner", "text"))
     _, base = layers.own_fields(base)
     own, plain = layers.own_fields(layers.make_fields(("sigma", "real"), base=base))
@@ -89,7 +89,7 @@ def test_a_field_that_one_input_has_without_words_stays_without(plugin, qgis_app
 
     from qgis.core import QgsVectorLayer
 
-    module = plugin("algorithms.framework.earlier_words")
+    module = plugin("algorithms.framework.layers.earlier_words")
     inputs = {"USER": QgsVectorLayer("Point?field=sigma:double&field=owner:string", "theirs", "memory"),
               "STEP": QgsVectorLayer("Point?field=sigma:double&field=up:double", "ours", "memory")}
     algorithm = SimpleNamespace(
@@ -101,7 +101,8 @@ def test_a_field_that_one_input_has_without_words_stays_without(plugin, qgis_app
 
 
 def test_words_are_read_from_a_style(plugin, qgis_app, tmp_path):
-    module, words = plugin("algorithms.framework.earlier_words"), plugin("algorithms.framework.field_words").FieldWords
+    module = plugin("algorithms.framework.layers.earlier_words")
+    words = plugin("algorithms.framework.layers.field_words").FieldWords
     styled = """<!DOCTYPE qgis><qgis><aliases><alias index="0" field="sigma" name="sigma (m)"/>
         <alias index="1" field="owner" name=""/></aliases><fieldConfiguration><field name="sigma"><editWidget>
         <config><Option type="Map"><Option name="Precision" value="3"/></Option></config></editWidget></field>
@@ -127,13 +128,13 @@ def named_fields():
 
 
 def test_every_field_in_the_code_has_words(plugin):
-    words_of, named = plugin("algorithms.framework.field_words").words_of, named_fields()
+    words_of, named = plugin("algorithms.framework.layers.field_words").words_of, named_fields()
     assert len(named) > 120
     assert {name: where for name, where in named.items() if words_of(name) is None} == {}
 
 
 def test_words_in_the_layers_of_a_style_are_of_a_style_that_there_is(plugin):
-    module = plugin("algorithms.framework.field_words")
+    module = plugin("algorithms.framework.layers.field_words")
     for style, field in module._OF_STYLE:
         assert (ROOT / "resources" / "styles" / f"{style}.qml").is_file(), style
         assert module.words_of(field, style) != module.words_of(field), (style, field)
@@ -141,7 +142,7 @@ def test_words_in_the_layers_of_a_style_are_of_a_style_that_there_is(plugin):
 
 def test_what_has_a_unit_has_decimals_and_no_more_than_mean_something(plugin):
     """Lengths, angles and shares: at most millimetres or thousandths."""
-    module = plugin("algorithms.framework.field_words")
+    module = plugin("algorithms.framework.layers.field_words")
     for words in (*module._WORDS.values(), *module._OF_STYLE.values()):
         unit = re.search(r"\((m|m²|m³|s|MB|°|km/h)\)$", words.words) or words.words.endswith("0 to 1")
         assert not unit or words.decimals is not None, words

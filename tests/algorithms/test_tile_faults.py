@@ -33,7 +33,7 @@ def run_tiles(run, town, folder, **more):
 @pytest.fixture
 def after_first_tile(plugin, monkeypatch):
     """`after_first_tile(action)`: done when the first tile is."""
-    pool = plugin("algorithms.framework.tile_pool")
+    pool = plugin("algorithms.framework.tiles.tile_pool")
 
     def arrange(action):
         work, done = pool.work_on_tile, []
@@ -93,7 +93,7 @@ def test_a_folder_of_the_run_that_vanishes_ends_it(run, town, tmp_path, after_fi
 
 
 def test_a_fault_of_ours_fails_one_tile(run, plugin, town, tmp_path, monkeypatch):
-    work = plugin("algorithms.framework.tile_work")
+    work = plugin("algorithms.framework.tiles.tile_work")
     make = work._make
 
     def faulty(job, *arguments):

@@ -157,7 +157,7 @@ def test_tiles_on_map_sheets_carry_their_codes(run, town, read_layer, tmp_path):
 def test_what_cannot_be_cut_is_named_with_the_reason(run, plugin):
     from qgis.core import QgsApplication, QgsProcessingContext
 
-    tables = plugin("algorithms.framework.tiled_algorithms")
+    tables = plugin("algorithms.framework.tiles.tiled_algorithms")
     known = {item.name() for item in QgsApplication.processingRegistry().providerById("urbanmap").algorithms()}
     assert set(tables.CUTTABLE) | set(tables.WHOLE) <= known and not set(tables.CUTTABLE) & set(tables.WHOLE)
     stage = QgsApplication.processingRegistry().createAlgorithmById("urbanmap:tiledrun")
@@ -206,7 +206,7 @@ def test_markings_across_tiles_are_there_once_and_whole(run, read_layer, tmp_pat
 
 
 def test_a_mobile_survey_goes_by_stretches(run, small_city, tmp_path):
-    from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+    from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
     survey = {"POINTS": [str(small_city / "mms" / "survey_01.laz")],
               "TRAJECTORY": str(small_city / "mms" / "survey_01_trajectory.csv"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from tests.city_models import PLACE, town
-from urbanmap_qgis.citymodel.tiles_writer import write_tiles
+from urbanmap_qgis.citymodel.tiles.tiles_writer import write_tiles
 
 
 def test_tiles_open_in_qgis(qgis_app, tmp_path):

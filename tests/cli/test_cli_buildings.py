@@ -10,8 +10,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.cityjson import read_cityjson
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.models.cityjson import read_cityjson
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
 EAST, NORTH = -7000.0, -35000.0
 PLAN = {"家": shapely.box(EAST, NORTH, EAST + 10, NORTH + 15),

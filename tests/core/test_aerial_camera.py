@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from urbanmap_qgis.aerial.camera import (
+from urbanmap_qgis.aerial.frames.camera import (
     Distortion,
     ExteriorOrientation,
     FrameCamera,

@@ -9,8 +9,8 @@ import pytest
 import rasterio
 from rasterio.errors import NotGeoreferencedWarning
 
-from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera
-from urbanmap_qgis.aerial.frames import FrameImage, find_frames
+from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera
+from urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
 from urbanmap_qgis.errors import InputError
 
 CAMERA = FrameCamera(100.0, 0.01, 60, 40)

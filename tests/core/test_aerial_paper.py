@@ -9,14 +9,14 @@ import rasterio
 import shapely
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera
-from urbanmap_qgis.aerial.frames import AerialFrame
-from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
-from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
-from urbanmap_qgis.aerial.normalised_surface import NormalisedSurface
-from urbanmap_qgis.aerial.occlusion import PAPER_OCCLUSION, occlusion_mask
-from urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, orthorectify
-from urbanmap_qgis.aerial.road_markings import PAPER_MARKINGS, MarkingSettings
+from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera
+from urbanmap_qgis.aerial.frames.frame_images import AerialFrame
+from urbanmap_qgis.aerial.frames.normalised_surface import NormalisedSurface
+from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, occlusion_mask
+from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.road_markings import PAPER_MARKINGS, MarkingSettings
+from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
+from urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, OrthoSettings, orthorectify
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster

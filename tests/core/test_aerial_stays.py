@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 
 from tests.figures import stays
-from urbanmap_qgis.aerial.camera import read_camera, read_exterior
-from urbanmap_qgis.aerial.frames import find_frames
-from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
-from urbanmap_qgis.aerial.marking_filter import CleanSettings
-from urbanmap_qgis.aerial.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
-from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
-from urbanmap_qgis.aerial.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
-from urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, orthorectify
-from urbanmap_qgis.aerial.road_markings import MarkingSettings
+from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.frame_images import find_frames
+from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
+from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
+from urbanmap_qgis.aerial.markings.marking_report import OrthophotoQuality, frame_count_shares, write_marking_report
+from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings
+from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
+from urbanmap_qgis.aerial.orthophotos.orthorectification import ElevationInputs, OrthoSettings, orthorectify
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity import write
 from urbanmap_qgis.samplecity.truth import geotiff

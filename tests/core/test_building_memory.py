@@ -19,8 +19,8 @@ import numpy as np, shapely
 from urbanmap_qgis.buildings import segmentation
 from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
-from urbanmap_qgis.io import pointcloud
-from urbanmap_qgis.io.point_buckets import PointBuckets
+from urbanmap_qgis.io.points import pointcloud
+from urbanmap_qgis.io.points.point_buckets import PointBuckets
 cloud, side, folder = sys.argv[1], int(sys.argv[2]), sys.argv[3]
 PointBuckets.__init__.__defaults__ = (0,)
 pointcloud.iter_chunks.__defaults__ = (*pointcloud.iter_chunks.__defaults__[:-1], 100_000)

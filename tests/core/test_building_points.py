@@ -11,8 +11,8 @@ from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.point_assignment import PlanIndex, assign_points
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.execution import in_order
-from urbanmap_qgis.io.point_buckets import PointBuckets
-from urbanmap_qgis.io.pointcloud import PointLayout, open_cloud
+from urbanmap_qgis.io.points.point_buckets import PointBuckets
+from urbanmap_qgis.io.points.pointcloud import PointLayout, open_cloud
 
 
 @pytest.mark.parametrize("limit", [0, 10**9])

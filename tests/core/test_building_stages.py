@@ -26,7 +26,7 @@ from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.geometry.grid import Grid
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 from urbanmap_qgis.progress import Progress
 
 X0, Y0, GROUND = -6900.0, -34200.0, 20.0
@@ -111,7 +111,7 @@ def test_workers_and_cuts_change_nothing(tmp_path, make_cloud, footprints, monke
     with ThreadPoolExecutor(2) as executor:
         two = run_chain(path, footprints, tmp_path, executor)
     assert np.array_equal(model_columns(one[3])["volume"], model_columns(two[3])["volume"], equal_nan=True)
-    monkeypatch.setattr("urbanmap_qgis.io.point_buckets.MEMORY_LIMIT", 0)
+    monkeypatch.setattr("urbanmap_qgis.io.points.point_buckets.MEMORY_LIMIT", 0)
     monkeypatch.setattr("urbanmap_qgis.buildings.building_points.BUILDINGS_AT_ONCE", 1)
     three = run_chain(path, footprints, tmp_path)
     for first, third in zip(one[3][:4], three[3][:4]):

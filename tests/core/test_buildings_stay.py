@@ -24,9 +24,9 @@ from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment
 from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.wall_stage import find_walls, wall_columns
 from urbanmap_qgis.geometry.solid import multipolygon
-from urbanmap_qgis.io.cityjson import CityBuilding, read_cityjson, write_cityjson
-from urbanmap_qgis.io.obj import write_obj
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.models.cityjson import CityBuilding, read_cityjson, write_cityjson
+from urbanmap_qgis.io.models.obj import write_obj
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 

@@ -10,7 +10,7 @@ import pytest
 
 from tests.city_models import PLACE, town
 from urbanmap_qgis.citymodel.model import CityReference
-from urbanmap_qgis.citymodel.tiles_writer import earth_centred, tiles_folder_trouble, write_tiles
+from urbanmap_qgis.citymodel.tiles.tiles_writer import earth_centred, tiles_folder_trouble, write_tiles
 from urbanmap_qgis.errors import InputError, OutputError
 
 

@@ -16,7 +16,7 @@ from urbanmap_qgis.citymodel.model import AttributeGroup, CityReference, CodeVal
 from urbanmap_qgis.citymodel.reference import compound_epsg
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.mesh_code import third_mesh_code
-from urbanmap_qgis.io.cityjson import read_cityjson
+from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 SPACES = {"core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
           "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",

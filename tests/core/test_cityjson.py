@@ -11,8 +11,8 @@ from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import Cancelled, InputError, OutputError
-from urbanmap_qgis.io import cityjson_parts
-from urbanmap_qgis.io.cityjson import CityBuilding, read_cityjson, write_cityjson
+from urbanmap_qgis.io.models import cityjson_parts
+from urbanmap_qgis.io.models.cityjson import CityBuilding, read_cityjson, write_cityjson
 from urbanmap_qgis.progress import Progress
 
 

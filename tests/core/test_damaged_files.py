@@ -15,16 +15,16 @@ import pytest
 import rasterio
 from pyproj import CRS
 
-from urbanmap_qgis.aerial.camera import read_camera, read_exterior
-from urbanmap_qgis.aerial.vehicle_filter import OrthophotoSource
+from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
 from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
 from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
-from urbanmap_qgis.io import gsi_gml, gsi_sources
-from urbanmap_qgis.io.cityjson import read_cityjson
-from urbanmap_qgis.io.gsi import read_gsi_buildings
-from urbanmap_qgis.io.pointcloud import iter_chunks, open_cloud
+from urbanmap_qgis.io.models.cityjson import read_cityjson
+from urbanmap_qgis.io.official import gsi_gml, gsi_sources
+from urbanmap_qgis.io.official.gsi import read_gsi_buildings
+from urbanmap_qgis.io.points.pointcloud import iter_chunks, open_cloud
 from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.image_poses import read_image_poses
@@ -271,7 +271,7 @@ def test_points_that_find_no_room(tmp_path):
     """What the compressor says where the disk is full."""
     from lazrs import LazrsError
 
-    from urbanmap_qgis.io.atomic import written_beside
+    from urbanmap_qgis.io.files.atomic import written_beside
 
     with pytest.raises(OutputError, match="make room on its disk"), written_beside(tmp_path / "a.laz") as path:
         path.write_bytes(b"half")

@@ -6,9 +6,9 @@ import laspy
 import numpy as np
 import pytest
 
-from urbanmap_qgis.io import decoded_points
-from urbanmap_qgis.io.decoded_points import decoded_once
-from urbanmap_qgis.io.pointcloud import iter_chunks, open_cloud
+from urbanmap_qgis.io.points import decoded_points
+from urbanmap_qgis.io.points.decoded_points import decoded_once
+from urbanmap_qgis.io.points.pointcloud import iter_chunks, open_cloud
 
 
 def survey(path, count, seed=0):

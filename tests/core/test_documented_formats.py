@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.camera import (
+from urbanmap_qgis.aerial.frames.camera import (
     ExteriorOrientation,
     angles_from_usual_order,
     project_to_frame,

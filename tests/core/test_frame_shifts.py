@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.frame_shifts import apart, frame_shifts, shift_columns, status_of
-from urbanmap_qgis.aerial.mosaic import GroundView
+from urbanmap_qgis.aerial.orthophotos.frame_shifts import apart, frame_shifts, shift_columns, status_of
+from urbanmap_qgis.aerial.orthophotos.mosaic import GroundView
 from urbanmap_qgis.geometry.grid import Grid
 
 GRID = Grid(0.0, 100.0, 0.1, 400, 500)

@@ -5,7 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.gain_compensation import GainCorrection, RadiometricSamples, compensate_gains, robust_line
+from urbanmap_qgis.aerial.orthophotos.gain_compensation import (
+    GainCorrection,
+    RadiometricSamples,
+    compensate_gains,
+    robust_line,
+)
 
 GAINS = np.array([[1.0, 1.1, 0.9], [1.25, 1.0, 1.0], [0.8, 0.95, 1.2]])
 OFFSETS = np.array([[0.0, 4.0, -6.0], [-10.0, 0.0, 3.0], [12.0, -5.0, 0.0]])

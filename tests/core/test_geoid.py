@@ -8,7 +8,7 @@ import rasterio
 from rasterio.transform import Affine
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.io.geoid import Geoid, read_geoid
+from urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
 
 SOUTH, WEST, STEPS = 35.0, 139.0, (1 / 60, 1 / 40)
 ROWS, COLUMNS = 61, 41

@@ -9,7 +9,7 @@ import shapely
 from pyproj import CRS, Transformer
 
 from urbanmap_qgis.errors import Cancelled, InputError
-from urbanmap_qgis.io.gsi import fitting_zone, read_gsi_buildings, reproject
+from urbanmap_qgis.io.official.gsi import fitting_zone, read_gsi_buildings, reproject
 from urbanmap_qgis.progress import Progress
 
 LAT, LON = 35.69, 139.76

@@ -10,11 +10,11 @@ from pyproj import Transformer
 
 from tests.core import gsi_dem_writer as writer
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.io.gsi_dem import read_gsi_dem
-from urbanmap_qgis.io.gsi_dem_raster import dem_bounds, dem_zone, write_dem
-from urbanmap_qgis.io.height_systems import heights_of
+from urbanmap_qgis.io.conversion.reprojection import epsg_wkt, plane_transform
+from urbanmap_qgis.io.official.gsi_dem import read_gsi_dem
+from urbanmap_qgis.io.official.gsi_dem_raster import dem_bounds, dem_zone, write_dem
 from urbanmap_qgis.io.raster import own_gdal, read_raster
-from urbanmap_qgis.io.reprojection import epsg_wkt, plane_transform
+from urbanmap_qgis.io.reference.height_systems import heights_of
 
 CODE, EAST_OF_IT, SECOND = "53394611", "53394612", "533946"
 ROWS, COLUMNS = 150, 225  # of a 5 m mesh

@@ -6,8 +6,15 @@ import pytest
 from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.io.crs_text import datum_key, horizontal_part, parse_wkt, same_horizontal, vertical_part, wkt_text
-from urbanmap_qgis.io.height_systems import (
+from urbanmap_qgis.io.reference.crs_text import (
+    datum_key,
+    horizontal_part,
+    parse_wkt,
+    same_horizontal,
+    vertical_part,
+    wkt_text,
+)
+from urbanmap_qgis.io.reference.height_systems import (
     ELLIPSOIDAL,
     UNKNOWN,
     height_system,

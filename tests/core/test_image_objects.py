@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, project_to_frame
-from urbanmap_qgis.aerial.frames import AerialFrame
+from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera, project_to_frame
+from urbanmap_qgis.aerial.frames.frame_images import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
-from urbanmap_qgis.imagery.image_outlines import image_outlines
-from urbanmap_qgis.imagery.object_stage import measure_object
-from urbanmap_qgis.imagery.outline_points import outline_points
-from urbanmap_qgis.imagery.views import FrameSource, strip_source
+from urbanmap_qgis.imagery.objects.image_outlines import image_outlines
+from urbanmap_qgis.imagery.objects.object_stage import measure_object
+from urbanmap_qgis.imagery.objects.outline_points import outline_points
+from urbanmap_qgis.imagery.views.views import FrameSource, strip_source
 from urbanmap_qgis.mobile.calibration import MountedCamera
 from urbanmap_qgis.mobile.lines.line_camera import LineCamera, StripImage, project_to_strip
 from urbanmap_qgis.mobile.trajectory import Trajectory

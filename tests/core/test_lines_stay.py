@@ -10,13 +10,13 @@ import shapely
 from pyproj import CRS
 
 from tests.figures import stays
-from urbanmap_qgis.imagery.facade_texture import TextureSettings
-from urbanmap_qgis.imagery.image_outlines import image_outlines
-from urbanmap_qgis.imagery.object_stage import objects_from_outlines
-from urbanmap_qgis.imagery.texture_files import write_textured
-from urbanmap_qgis.imagery.texture_stage import buildings_of, texture_buildings
-from urbanmap_qgis.imagery.views import strip_sources
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.imagery.objects.image_outlines import image_outlines
+from urbanmap_qgis.imagery.objects.object_stage import objects_from_outlines
+from urbanmap_qgis.imagery.textures.facade_texture import TextureSettings
+from urbanmap_qgis.imagery.textures.texture_files import write_textured
+from urbanmap_qgis.imagery.textures.texture_stage import buildings_of, texture_buildings
+from urbanmap_qgis.imagery.views.views import strip_sources
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import RasterSampler
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.gps_time import time_shift

@@ -9,10 +9,10 @@ import shapely
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map
 from urbanmap_qgis.localisation.ellipses import along_and_across, plan_ellipses
-from urbanmap_qgis.localisation.evidence import Evidence, SharedError, covariance, fused, surface_rows
+from urbanmap_qgis.localisation.evidence.information import Evidence, SharedError, covariance, fused, surface_rows
+from urbanmap_qgis.localisation.evidence.marking_map import marking_map
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
-from urbanmap_qgis.localisation.marking_map import marking_map
-from urbanmap_qgis.localisation.place_status import (
+from urbanmap_qgis.localisation.places.place_status import (
     BELOW,
     GOOD,
     HEIGHTS_DIFFER,
@@ -24,8 +24,8 @@ from urbanmap_qgis.localisation.place_status import (
     POOR,
     TUNNEL,
 )
-from urbanmap_qgis.localisation.road_places import places_on_drive, places_on_grid, places_on_roads, tunnels
-from urbanmap_qgis.localisation.wall_map import WallMap, building_sigmas, wall_sigmas, walls_with_heights
+from urbanmap_qgis.localisation.places.road_places import places_on_drive, places_on_grid, places_on_roads, tunnels
+from urbanmap_qgis.localisation.walls.wall_map import WallMap, building_sigmas, wall_sigmas, walls_with_heights
 
 PRIOR = np.diag([1e-6, 1e-6, 1e-6])
 

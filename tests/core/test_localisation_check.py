@@ -9,13 +9,13 @@ import shapely
 from urbanmap_qgis.gnss.rays.tracing import WallObstacles
 from urbanmap_qgis.gnss.rays.wall_faces import building_walls
 from urbanmap_qgis.localisation.accuracy_map import LocalisationMap, accuracy_map, field_of_walls
-from urbanmap_qgis.localisation.localisation_report import stretches, write_localisation_report
 from urbanmap_qgis.localisation.localisation_settings import LocalisationSettings, VehicleScanner
-from urbanmap_qgis.localisation.prediction_check import check_prediction, compared, rank_agreement
-from urbanmap_qgis.localisation.road_places import places_on_roads
-from urbanmap_qgis.localisation.simulated_matches import match_error, plan_matching_map, space_matching_map
-from urbanmap_qgis.localisation.simulated_scans import displaced, ray_directions, simulated_scans
-from urbanmap_qgis.localisation.wall_map import WallMap, wall_sigmas
+from urbanmap_qgis.localisation.places.road_places import places_on_roads
+from urbanmap_qgis.localisation.report.localisation_report import stretches, write_localisation_report
+from urbanmap_qgis.localisation.simulation.prediction_check import check_prediction, compared, rank_agreement
+from urbanmap_qgis.localisation.simulation.simulated_matches import match_error, plan_matching_map, space_matching_map
+from urbanmap_qgis.localisation.simulation.simulated_scans import displaced, ray_directions, simulated_scans
+from urbanmap_qgis.localisation.walls.wall_map import WallMap, wall_sigmas
 
 BOXES = [(10, 10, 40, 40), (-35, 12, -10, 40), (-40, -40, -9, -10), (11, -40, 40, -12), (-6, 45, 5, 60)]
 

@@ -8,10 +8,10 @@ import pytest
 import shapely
 
 from tests.core import laid_out_roads as roads
-from urbanmap_qgis.roadmap.lanelet_map import lanelet_elements
-from urbanmap_qgis.roadmap.map_check import check_map
+from urbanmap_qgis.roadmap.checks.map_check import check_map
+from urbanmap_qgis.roadmap.formats.lanelet_map import lanelet_elements
+from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
-from urbanmap_qgis.roadmap.opendrive_map import opendrive_tree
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()

@@ -8,7 +8,7 @@ import pytest
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.io.osm import OsmFile, OsmNode, OsmRelation, OsmWay, read_osm
-from urbanmap_qgis.roadmap.map_check import check_map
+from urbanmap_qgis.roadmap.checks.map_check import check_map
 
 LANE = {"type": "lanelet", "subtype": "road", "location": "urban", "one_way": "yes", "speed_limit": "40"}
 

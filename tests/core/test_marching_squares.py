@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
 
-from urbanmap_qgis.aerial.marching_squares import zero_lines
+from urbanmap_qgis.aerial.markings.marching_squares import zero_lines
 
 
 def framed(field):

@@ -8,10 +8,10 @@ import pytest
 import rasterio
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.marking_confidence import clear_of_paint, texture
-from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
-from urbanmap_qgis.aerial.marking_filter import Cleaned, CleanSettings
-from urbanmap_qgis.aerial.road_markings import MarkingSettings, _filled
+from urbanmap_qgis.aerial.markings.marking_confidence import clear_of_paint, texture
+from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_filter import Cleaned, CleanSettings
+from urbanmap_qgis.aerial.markings.road_markings import MarkingSettings, _filled
 
 PIXEL = 0.1
 

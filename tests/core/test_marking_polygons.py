@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from pyproj import CRS
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial import marking_polygons
-from urbanmap_qgis.aerial.marching_squares import zero_lines
-from urbanmap_qgis.aerial.marking_polygons import merge_tile_polygons, tile_polygons, with_heights
-from urbanmap_qgis.aerial.road_markings import (
+from urbanmap_qgis.aerial.markings import marking_polygons
+from urbanmap_qgis.aerial.markings.marching_squares import zero_lines
+from urbanmap_qgis.aerial.markings.marking_polygons import merge_tile_polygons, tile_polygons, with_heights
+from urbanmap_qgis.aerial.markings.road_markings import (
     Markings,
     MarkingSettings,
     find_markings,

@@ -11,9 +11,9 @@ import rasterio
 import shapely
 from rasterio.transform import from_origin
 
-from urbanmap_qgis.aerial.marking_files import MarkingResult
-from urbanmap_qgis.aerial.marking_polygons import MarkingPolygons
-from urbanmap_qgis.aerial.marking_report import (
+from urbanmap_qgis.aerial.markings.marking_files import MarkingResult
+from urbanmap_qgis.aerial.markings.marking_polygons import MarkingPolygons
+from urbanmap_qgis.aerial.markings.marking_report import (
     OrthophotoQuality,
     PairShift,
     frame_count_shares,

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import Calibration, MountedScanner
 from urbanmap_qgis.mobile.markings import marking_stage, survey_points
 from urbanmap_qgis.mobile.markings.curve_report import doubts, facts_of, write_curve_report

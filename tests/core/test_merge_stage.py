@@ -28,7 +28,7 @@ from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid import OVERHANG, multipolygon
-from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 X0, Y0, BASE = -7000.0, -34000.0, 10.0
 

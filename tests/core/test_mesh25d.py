@@ -28,7 +28,7 @@ from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid import GROUND, INNER_WALL, OUTER_WALL, Solid
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 
 X0, Y0, BASE = -7000.0, -34000.0, 12.0
 

@@ -10,7 +10,7 @@ import shapely
 from pyproj import CRS
 
 from tests.figures import ENVELOPES, stays
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.accuracy_report import write_accuracy_report
 from urbanmap_qgis.mobile.apply_correction import apply_correction, apply_to_images
 from urbanmap_qgis.mobile.calibration import read_calibration

@@ -8,8 +8,8 @@ from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import volume
-from urbanmap_qgis.io.cityjson import CityBuilding
-from urbanmap_qgis.io.obj import write_obj
+from urbanmap_qgis.io.models.cityjson import CityBuilding
+from urbanmap_qgis.io.models.obj import write_obj
 
 
 def house(name, x):

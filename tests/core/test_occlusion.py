@@ -10,11 +10,16 @@ from hypothesis import strategies as st
 from rasterio.errors import NotGeoreferencedWarning
 from shapely.geometry import box
 
-from urbanmap_qgis.aerial import occlusion
-from urbanmap_qgis.aerial.camera import Distortion, ExteriorOrientation, FrameCamera, project_to_frame
-from urbanmap_qgis.aerial.normalised_surface import NormalisedSurface, steepened_walls, wall_offsets, with_low_parts
-from urbanmap_qgis.aerial.occlusion import OcclusionSettings, occlusion_map, occlusion_mask
-from urbanmap_qgis.aerial.silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
+from urbanmap_qgis.aerial.frames import occlusion
+from urbanmap_qgis.aerial.frames.camera import Distortion, ExteriorOrientation, FrameCamera, project_to_frame
+from urbanmap_qgis.aerial.frames.normalised_surface import (
+    NormalisedSurface,
+    steepened_walls,
+    wall_offsets,
+    with_low_parts,
+)
+from urbanmap_qgis.aerial.frames.occlusion import OcclusionSettings, occlusion_map, occlusion_mask
+from urbanmap_qgis.aerial.frames.silhouette import SilhouetteEdges, fill_silhouette, silhouette_edges
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster

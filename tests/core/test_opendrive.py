@@ -13,10 +13,10 @@ import shapely
 from tests.core import laid_out_roads as roads
 from tests.core import opendrive_reader as reader
 from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.roadmap.formats.opendrive_map import opendrive_tree, write_opendrive
+from urbanmap_qgis.roadmap.formats.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
+from urbanmap_qgis.roadmap.formats.road_layout import road_layout
 from urbanmap_qgis.roadmap.map_records import DrivenPath, MapLine, MapSettings
-from urbanmap_qgis.roadmap.opendrive_map import opendrive_tree, write_opendrive
-from urbanmap_qgis.roadmap.plan_view import along_plan, fit_plan_view, fit_profile, plan_length
-from urbanmap_qgis.roadmap.road_layout import road_layout
 from urbanmap_qgis.roadmap.vector_map import build_vector_map
 
 WKT = pyproj.CRS.from_epsg(6677).to_wkt()

@@ -12,11 +12,16 @@ import pytest
 import rasterio
 import shapely
 
-from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera, frame_rays
-from urbanmap_qgis.aerial.frame_shifts import FrameShift
-from urbanmap_qgis.aerial.frames import AerialFrame
-from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
-from urbanmap_qgis.aerial.orthorectification import ElevationInputs, OrthoSettings, frame_footprint, orthorectify
+from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera, frame_rays
+from urbanmap_qgis.aerial.frames.frame_images import AerialFrame
+from urbanmap_qgis.aerial.orthophotos.frame_shifts import FrameShift
+from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
+from urbanmap_qgis.aerial.orthophotos.orthorectification import (
+    ElevationInputs,
+    OrthoSettings,
+    frame_footprint,
+    orthorectify,
+)
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.grid import Grid
 from urbanmap_qgis.io.raster import write_raster
@@ -209,7 +214,7 @@ def test_footprint_of_a_level_frame():
 def test_a_displaced_frame_is_told(place, monkeypatch):
     ground, _, frames, output = place
     shift = FrameShift("東.tif", "b.tif", np.zeros((9, 2)), np.tile((0.3, -0.4), (9, 1)))
-    monkeypatch.setattr("urbanmap_qgis.aerial.orthorectification.frame_shifts", lambda *_: [shift])
+    monkeypatch.setattr("urbanmap_qgis.aerial.orthophotos.orthorectification.frame_shifts", lambda *_: [shift])
     warnings, shifts = [], []
     lay(frames(), CAMERA, ground, output, settings=OrthoSettings(0.2), shifts=shifts,
                  progress=Progress(warn=warnings.append))
@@ -224,7 +229,7 @@ def pool(kind):
 
 @pytest.mark.parametrize("kind", ["threads", "processes"])
 def test_workers_make_the_same_files(place, tmp_path, monkeypatch, kind):
-    monkeypatch.setattr("urbanmap_qgis.aerial.mosaic.tiles.__defaults__", (200,))
+    monkeypatch.setattr("urbanmap_qgis.aerial.orthophotos.mosaic.tiles.__defaults__", (200,))
     ground, surface, frames, output = place
     given = frames(light=150.0)
     made = [lay(given, CAMERA, ground, output, tmp_path / "count.tif", surface, [shapely.box(20, 20, 25, 25)],

@@ -9,16 +9,16 @@ import rasterio
 import shapely
 from rasterio.transform import from_origin
 
-from urbanmap_qgis.aerial.camera import ExteriorOrientation, FrameCamera
-from urbanmap_qgis.aerial.frames import AerialFrame
+from urbanmap_qgis.aerial.frames.camera import ExteriorOrientation, FrameCamera
+from urbanmap_qgis.aerial.frames.frame_images import AerialFrame
 from urbanmap_qgis.errors import InputError, InsufficientDataError
-from urbanmap_qgis.imagery.edge_lines import edge_samples, edge_segments
-from urbanmap_qgis.imagery.orthophoto_source import orthophoto_source
-from urbanmap_qgis.imagery.overlay_layers import BLOCK, nearest_points, visible_edges
-from urbanmap_qgis.imagery.overlay_pictures import Overlay, PointColours, best_windows, draw
-from urbanmap_qgis.imagery.overlay_stage import NO_POINTS, OverlayState, write_overlays
-from urbanmap_qgis.imagery.roof_heights import NO_ROOFS, roof_heights
-from urbanmap_qgis.imagery.views import FrameSource
+from urbanmap_qgis.imagery.overlays.edge_lines import edge_samples, edge_segments
+from urbanmap_qgis.imagery.overlays.overlay_layers import BLOCK, nearest_points, visible_edges
+from urbanmap_qgis.imagery.overlays.overlay_pictures import Overlay, PointColours, best_windows, draw
+from urbanmap_qgis.imagery.overlays.overlay_stage import NO_POINTS, OverlayState, write_overlays
+from urbanmap_qgis.imagery.overlays.roof_heights import NO_ROOFS, roof_heights
+from urbanmap_qgis.imagery.views.orthophoto_source import orthophoto_source
+from urbanmap_qgis.imagery.views.views import FrameSource
 
 X, Y, Z = -7000.0, -34000.0, 10.0
 WIDTH, DEPTH, HEIGHT = 16.0, 10.0, 9.0

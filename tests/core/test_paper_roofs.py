@@ -10,7 +10,7 @@ from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.roofs.paper_roofs import paper_roofs
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
 DENSITY = 7.0
 

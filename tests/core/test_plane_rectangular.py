@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from pyproj import CRS
 
-from urbanmap_qgis.io.plane_rectangular import TOWNS, ZONE_NAMES, zone_epsg, zone_numbers
+from urbanmap_qgis.io.reference.plane_rectangular import TOWNS, ZONE_NAMES, zone_epsg, zone_numbers
 
 # Origins in the notification: latitude, longitude.
 ORIGINS = [(33, 129.5), (33, 131), (36, 132 + 10 / 60), (33, 133.5), (36, 134 + 20 / 60), (36, 136),

@@ -20,7 +20,7 @@ from urbanmap_qgis.buildings.quality import RoofCell, model_fit
 from urbanmap_qgis.buildings.solids.sloped_solid import SlopedCell, sloped_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.geometry.solid import INNER_WALL, ROOF, volume
-from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 VAL3DITY = Path(__file__).resolve().parents[3] / "shared" / "tools" / "val3dity"
 X0, Y0 = 84_900.0, 447_400.0

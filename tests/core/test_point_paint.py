@@ -7,8 +7,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.roadmap.line_work import line_work
-from urbanmap_qgis.roadmap.point_paint import hidden_paint, point_polygons
+from urbanmap_qgis.roadmap.lines.line_work import line_work
+from urbanmap_qgis.roadmap.lines.point_paint import hidden_paint, point_polygons
 
 
 def scanned(shapes, step=0.07, seed=1):

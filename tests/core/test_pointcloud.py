@@ -5,7 +5,14 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import Cancelled, InputError, InsufficientDataError, OutputError
-from urbanmap_qgis.io.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud, read_all, valid_points
+from urbanmap_qgis.io.points.pointcloud import (
+    PointLayout,
+    cloud_writer,
+    iter_chunks,
+    open_cloud,
+    read_all,
+    valid_points,
+)
 from urbanmap_qgis.progress import Progress
 
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from pyproj import CRS
 
-from urbanmap_qgis.io.pointcloud import open_cloud
-from urbanmap_qgis.io.renamed_crs import known_wkt
+from urbanmap_qgis.io.points.pointcloud import open_cloud
+from urbanmap_qgis.io.reference.renamed_crs import known_wkt
 
 
 def renamed(epsg):

@@ -11,8 +11,8 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import InputError, OutputError
-from urbanmap_qgis.io.report import BAD, LOOK, Fixed, Report, RunFacts, rounded, run_told
-from urbanmap_qgis.io.svg import RAMP, UNKNOWN, bars, plan_map
+from urbanmap_qgis.io.pages.report import BAD, LOOK, Fixed, Report, RunFacts, rounded, run_told
+from urbanmap_qgis.io.pages.svg import RAMP, UNKNOWN, bars, plan_map
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -7,8 +7,7 @@ from pyproj import Transformer
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
-from urbanmap_qgis.io.raster import RasterSampler, write_raster
-from urbanmap_qgis.io.reprojection import (
+from urbanmap_qgis.io.conversion.reprojection import (
     epsg_wkt,
     moved_geometries,
     plane_transform,
@@ -16,6 +15,7 @@ from urbanmap_qgis.io.reprojection import (
     seem_swapped,
     swapped_overlap,
 )
+from urbanmap_qgis.io.raster import RasterSampler, write_raster
 
 
 def test_geometries_move_and_keep_their_heights():

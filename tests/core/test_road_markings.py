@@ -15,9 +15,9 @@ from pyproj import CRS
 from rasterio.enums import ColorInterp
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
-from urbanmap_qgis.aerial.marking_filter import CleanSettings
-from urbanmap_qgis.aerial.road_markings import (
+from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
+from urbanmap_qgis.aerial.markings.road_markings import (
     MarkingSettings,
     find_markings,
     level_adjustment_of,

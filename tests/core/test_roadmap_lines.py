@@ -7,10 +7,10 @@ import pytest
 import shapely
 from shapely import affinity
 
-from urbanmap_qgis.roadmap.crosswalks import find_crosswalks
-from urbanmap_qgis.roadmap.dash_pattern import line_sections
-from urbanmap_qgis.roadmap.line_work import line_work, with_ground_heights
-from urbanmap_qgis.roadmap.strokes import all_strokes, polygon_strokes
+from urbanmap_qgis.roadmap.lines.crosswalks import find_crosswalks
+from urbanmap_qgis.roadmap.lines.dash_pattern import line_sections
+from urbanmap_qgis.roadmap.lines.line_work import line_work, with_ground_heights
+from urbanmap_qgis.roadmap.lines.strokes import all_strokes, polygon_strokes
 
 
 def dashes(length, dash, gap, y=0.0, start=0.0):

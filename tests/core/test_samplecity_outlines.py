@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.io.gsi import read_gsi_buildings, reproject
+from urbanmap_qgis.io.official.gsi import read_gsi_buildings, reproject
 from urbanmap_qgis.samplecity.scene.world import make_scene
 from urbanmap_qgis.samplecity.truth import outlines
 from urbanmap_qgis.samplecity.truth.geopackage import Layer, write_geopackage

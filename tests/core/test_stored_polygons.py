@@ -7,9 +7,9 @@ import pytest
 import shapely
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial import marking_polygons
-from urbanmap_qgis.aerial.marking_polygons import TilePolygons, merge_tile_polygons
-from urbanmap_qgis.aerial.stored_polygons import StoredPolygons, StoredRows, batches
+from urbanmap_qgis.aerial.markings import marking_polygons
+from urbanmap_qgis.aerial.markings.marking_polygons import TilePolygons, merge_tile_polygons
+from urbanmap_qgis.aerial.markings.stored_polygons import StoredPolygons, StoredRows, batches
 
 SIDE, ROWS = 100, 12
 NORTH_UP = Affine(1, 0, 0, 0, -1, 0)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 from urbanmap_qgis.tiling.point_pieces import (
     FileIndex,
     all_inside,

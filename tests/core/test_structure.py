@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 import pytest
@@ -34,6 +34,7 @@ TABLE_WORK = {"np": {"array", "asarray", "full", "zeros", "where", "isfinite", "
 LONGEST_STAGE = 220  # lines
 LONGEST_MODULE = 500
 LONGEST_FUNCTION = 60
+MODULES_OF_A_ROOM = 20
 
 
 def room(name: str) -> str:
@@ -174,6 +175,14 @@ def test_public_names_stand_for_one_thing():
         for public in source_tree.public_names(path):
             places[public].append(name)
     assert not {public: found for public, found in places.items() if len(found) > 1}
+
+
+@pytest.mark.parametrize("folder", [CORE, source_tree.FACE])
+def test_rooms_stay_small(folder):
+    """More modules in one folder than a reader takes in: which rooms are in there?"""
+    held = Counter(path.parent.relative_to(ROOT).as_posix() for path in source_tree.modules(folder).values()
+                   if path.name != "__init__.py")
+    assert not {room: number for room, number in held.items() if number > MODULES_OF_A_ROOM}
 
 
 @pytest.mark.parametrize("folder", [CORE, source_tree.FACE])

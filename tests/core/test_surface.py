@@ -169,7 +169,7 @@ def test_result_does_not_depend_on_tiles_order_or_workers(make_cloud, tmp_path, 
     reference = run([whole], "one")
     monkeypatch.setattr("urbanmap_qgis.terrain.delaunay._BLOCK_POINTS", 1500)
     monkeypatch.setattr("urbanmap_qgis.terrain.tiles._TILE_METRES", tile_metres)
-    monkeypatch.setattr("urbanmap_qgis.io.point_buckets.MEMORY_LIMIT", 10_000)
+    monkeypatch.setattr("urbanmap_qgis.io.points.point_buckets.MEMORY_LIMIT", 10_000)
     with ThreadPoolExecutor(3) as executor:
         tiled = run(parts, "tiled", executor)
     alone = run(parts, "alone")

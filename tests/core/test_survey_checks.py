@@ -9,7 +9,7 @@ from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.grid import Grid
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import write_raster
 from urbanmap_qgis.mobile.registration.start.reference import Reference
 from urbanmap_qgis.mobile.survey_checks import require_reference, require_survey, survey_span

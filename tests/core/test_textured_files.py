@@ -11,11 +11,11 @@ import shapely
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import OUTER_WALL, FaceTexture
 from urbanmap_qgis.geometry.solid_faces import solids_of
-from urbanmap_qgis.imagery.texture_files import write_textured
-from urbanmap_qgis.imagery.texture_stage import Textured
-from urbanmap_qgis.io.cityjson import CityBuilding, read_cityjson, write_cityjson
-from urbanmap_qgis.io.gltf import write_glb
-from urbanmap_qgis.io.obj import write_obj
+from urbanmap_qgis.imagery.textures.texture_files import write_textured
+from urbanmap_qgis.imagery.textures.texture_stage import Textured
+from urbanmap_qgis.io.models.cityjson import CityBuilding, read_cityjson, write_cityjson
+from urbanmap_qgis.io.models.gltf import write_glb
+from urbanmap_qgis.io.models.obj import write_obj
 
 CORNER = np.array([-7000.0, -34000.0, 10.0])
 SIZE = np.array([8.0, 5.0, 3.0])

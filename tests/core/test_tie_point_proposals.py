@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from urbanmap_qgis.errors import Cancelled, InsufficientDataError
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.lines.tie_point_proposals import outline_corners, propose_tie_points, wall_cells
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.progress import Progress

@@ -14,7 +14,7 @@ from pyproj import CRS
 from tests.small_disk import small_disk
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.geometry.grid import Grid
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 from urbanmap_qgis.io.raster import read_raster, write_raster
 from urbanmap_qgis.tiling.journal import (
     DONE,

@@ -8,7 +8,7 @@ import pytest
 from pyproj import CRS, Transformer
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration, scanner_of, scanner_positions
 from urbanmap_qgis.mobile.gps_time import shift_between, time_shift
 from urbanmap_qgis.mobile.image_poses import move_images, read_image_poses, write_image_poses

@@ -5,7 +5,7 @@ import pytest
 from pyproj import CRS
 
 from urbanmap_qgis.errors import InputError
-from urbanmap_qgis.io.geoid import Geoid
+from urbanmap_qgis.io.conversion.geoid import Geoid
 from urbanmap_qgis.mobile.trajectory import Trajectory
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory, write_trajectory
 from urbanmap_qgis.mobile.trajectory_reading import ANGLES, TrajectoryReading, from_file_angles, to_file_angles

@@ -8,7 +8,7 @@ from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.segmentation import segment_buildings
 from urbanmap_qgis.buildings.unclassified_roofs import unclassified_roof_points
-from urbanmap_qgis.io.pointcloud import open_cloud, read_all
+from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
 OUTLINE = shapely.box(0, 0, 30, 20)
 

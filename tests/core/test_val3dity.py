@@ -12,7 +12,7 @@ from urbanmap_qgis.buildings.solids.plan_partition import Cell, partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
 from urbanmap_qgis.geometry.solid import Solid
-from urbanmap_qgis.io.cityjson import CityBuilding, write_cityjson
+from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 VAL3DITY = Path(__file__).resolve().parents[3] / "shared" / "tools" / "val3dity"
 

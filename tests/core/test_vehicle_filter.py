@@ -7,8 +7,8 @@ import pytest
 import rasterio
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.mosaic import PixelSelection
-from urbanmap_qgis.aerial.vehicle_filter import filter_vehicles
+from urbanmap_qgis.aerial.orthophotos.mosaic import PixelSelection
+from urbanmap_qgis.aerial.orthophotos.vehicle_filter import filter_vehicles
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.progress import Progress
 

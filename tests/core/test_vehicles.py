@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial import vehicles
-from urbanmap_qgis.aerial.vehicles import composite, darkest, majority_vote, steepest_view
+from urbanmap_qgis.aerial.orthophotos import vehicles
+from urbanmap_qgis.aerial.orthophotos.vehicles import composite, darkest, majority_vote, steepest_view
 
 ROAD, PAINT, WHITE_CAR, BLACK_CAR = 80.0, 200.0, 250.0, 20.0
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.visibility import off_ground, visible_ground
+from urbanmap_qgis.aerial.frames.visibility import off_ground, visible_ground
 from urbanmap_qgis.geometry.grid import Grid
 
 GRID = Grid(1000.0, 2000.0, 0.5, 200, 240)

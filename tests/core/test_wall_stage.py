@@ -21,7 +21,7 @@ from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.facade_points import FacadeSettings
 from urbanmap_qgis.facades.wall_stage import WALL_COLUMNS, WallSettings, find_walls, wall_columns
 from urbanmap_qgis.geometry.solid import multipolygon
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.trajectory import move_points
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
 
@@ -213,7 +213,7 @@ def test_walls_do_not_depend_on_the_threads_of_the_sums(small_city, true_survey)
     script = ("import sys, shapely, hashlib\n"
               "from urbanmap_qgis.facades.building_plans import building_plans\n"
               "from urbanmap_qgis.facades.wall_stage import find_walls\n"
-              "from urbanmap_qgis.io.pointcloud import open_cloud\n"
+              "from urbanmap_qgis.io.points.pointcloud import open_cloud\n"
               "plans = building_plans(shapely.from_wkt(open(sys.argv[2]).read().split(chr(10))), range(1, 9))\n"
               "walls, _ = find_walls(open_cloud([sys.argv[1]]), plans)\n"
               "text = repr([(wall.contour.wkb_hex, wall.plane.sigma, wall.seen, wall.offset) for wall in walls])\n"

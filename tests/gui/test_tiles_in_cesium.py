@@ -7,7 +7,7 @@ import pytest
 
 from tests.city_models import town
 from tests.gui.cesium import cesium_folder, chromium, shown
-from urbanmap_qgis.citymodel.tiles_writer import write_tiles
+from urbanmap_qgis.citymodel.tiles.tiles_writer import write_tiles
 
 
 def red_image():

@@ -17,7 +17,7 @@ from urbanmap_qgis.citymodel.city_files import write_city_files
 from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes, open_citygml
 from urbanmap_qgis.citymodel.citygml_writer import write_citygml
 from urbanmap_qgis.citymodel.model import CityModel, CityReference
-from urbanmap_qgis.io.cityjson import read_cityjson
+from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 SHARED = Path(__file__).resolve().parents[3] / "shared"
 TOOLS = SHARED / "tools"

@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from urbanmap_qgis.citymodel.building_table import TableNotes, building_rows
 from urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
 from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
 from urbanmap_qgis.citymodel.citygml_writer import write_citygml
+from urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
 
 PLATEAU = Path(__file__).resolve().parents[3] / "shared" / "data" / "als" / "plateau"
 FILES = {"yokosuka/52397519_bldg_6697_op.gml": (13, 3), "sapporo/64413325_bldg_6697_op.gml": (25, 0)}

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.cityjson import read_cityjson
+from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 MODELS = (Path(__file__).resolve().parents[2].parent / "shared" / "data" / "als" / "delft_west"
           / "peer_3dfier_lod1.city.json")

@@ -8,7 +8,7 @@ import pytest
 import shapely
 from shapely.geometry import shape
 
-from urbanmap_qgis.io.gsi import read_gsi_buildings, reproject
+from urbanmap_qgis.io.official.gsi import read_gsi_buildings, reproject
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 SAMPLE = DATA / "gsi" / "FG-GML-sample-BldA.xml"

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.io.osm import read_osm
-from urbanmap_qgis.roadmap.map_check import check_map
+from urbanmap_qgis.roadmap.checks.map_check import check_map
 
 SIND = Path(__file__).resolve().parents[3] / "shared" / "data" / "aerial" / "sind" / "Changchun_Pudong.osm"
 

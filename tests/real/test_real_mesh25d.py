@@ -10,7 +10,7 @@ import shapely
 
 from urbanmap_qgis.buildings.mesh25d.mesh_stage import mesh_buildings
 from urbanmap_qgis.buildings.outlines.footprint import clean_footprints
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 
 SOME = 24
 

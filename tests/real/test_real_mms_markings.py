@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.calibration import read_calibration
 from urbanmap_qgis.mobile.ground import classify_ground_files
 from urbanmap_qgis.mobile.markings.curve_report import contrast_of, doubts

@@ -12,10 +12,10 @@ import rasterio
 from rasterio.errors import NotGeoreferencedWarning
 from scipy.ndimage import map_coordinates
 
-from urbanmap_qgis.aerial.camera import frame_rays, project_to_frame, read_camera, read_exterior
-from urbanmap_qgis.aerial.frames import FrameImage, find_frames
-from urbanmap_qgis.aerial.normalised_surface import NormalisedSurface
-from urbanmap_qgis.aerial.occlusion import occlusion_mask
+from urbanmap_qgis.aerial.frames.camera import frame_rays, project_to_frame, read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.frame_images import FrameImage, find_frames
+from urbanmap_qgis.aerial.frames.normalised_surface import NormalisedSurface
+from urbanmap_qgis.aerial.frames.occlusion import occlusion_mask
 from urbanmap_qgis.geometry.sampling import sample
 from urbanmap_qgis.io.raster import read_raster
 from urbanmap_qgis.terrain.surface_files import SurfaceSettings, surfaces_from_files

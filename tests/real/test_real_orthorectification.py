@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 import pytest
 
-from urbanmap_qgis.aerial.camera import read_camera, read_exterior
-from urbanmap_qgis.aerial.frames import find_frames
-from urbanmap_qgis.aerial.mosaic import MosaicFiles, PixelSelection
-from urbanmap_qgis.aerial.orthorectification import (
+from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
+from urbanmap_qgis.aerial.frames.frame_images import find_frames
+from urbanmap_qgis.aerial.orthophotos.mosaic import MosaicFiles, PixelSelection
+from urbanmap_qgis.aerial.orthophotos.orthorectification import (
     ElevationInputs,
     FramePixels,
     OrthorectifiedFrame,

@@ -12,7 +12,7 @@ import rasterio
 from rasterio.features import rasterize
 from rasterio.transform import Affine
 
-from urbanmap_qgis.aerial.marking_files import SearchArea, markings_from_orthophoto
+from urbanmap_qgis.aerial.markings.marking_files import SearchArea, markings_from_orthophoto
 
 DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 CITY = DATA / "city"

@@ -8,7 +8,7 @@ import shapely
 
 from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.wall_stage import find_walls
-from urbanmap_qgis.io.pointcloud import open_cloud
+from urbanmap_qgis.io.points.pointcloud import open_cloud
 
 
 @pytest.fixture(scope="module")

@@ -8,8 +8,8 @@ import laspy
 import numpy as np
 
 from ..errors import InputError
-from ..io.point_buckets import PointBuckets, stable_order
-from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, valid_points
+from ..io.points.point_buckets import PointBuckets, stable_order
+from ..io.points.pointcloud import PointCloud, PointLayout, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from ..wording import say
 

@@ -13,7 +13,7 @@ from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
 from ..geometry.solid import Solid
-from ..io.pointcloud import PointCloud, PointLayout
+from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from ..wording import say
 from .building_points import BUILDINGS_AT_ONCE, coordinates, iter_building_blocks, require_dimension

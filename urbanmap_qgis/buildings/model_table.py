@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 
 from ..geometry.solid import volume
-from ..io.report import BAD, GOOD, LOOK, Report
-from ..io.svg import plan_map
+from ..io.pages.report import BAD, GOOD, LOOK, Report
+from ..io.pages.svg import plan_map
 from ..wording import say
 from .model_figures import OWN_FIGURES, figure_columns, model_figures
 from .model_stage import BuildingModel

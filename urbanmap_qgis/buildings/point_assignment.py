@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
-from ..io.point_buckets import stable_order
+from ..io.points.point_buckets import stable_order
 
 INDEX_CELL = 8.0
 """Side (m) of the cells that points are sorted into to find those near an outline."""

@@ -12,7 +12,7 @@ import shapely
 from ..errors import InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
-from ..io.pointcloud import PointCloud, PointLayout
+from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints

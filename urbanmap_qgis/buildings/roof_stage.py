@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from ..execution import in_order
-from ..io.pointcloud import PointCloud, PointLayout, cloud_writer
+from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..progress import SILENT, Progress
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints

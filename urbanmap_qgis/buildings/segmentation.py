@@ -21,8 +21,8 @@ from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
 from ..geometry.sampling import sample
-from ..io.point_buckets import PointBuckets, stable_order
-from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
+from ..io.points.point_buckets import PointBuckets, stable_order
+from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, valid_points
 from ..progress import SILENT, Progress
 from ..terrain.surface import ground_raster
 from ..wording import say

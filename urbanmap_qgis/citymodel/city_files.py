@@ -9,8 +9,8 @@ from typing import Union
 
 import numpy as np
 
-from ..io.geoid import Geoid
-from ..io.height_systems import ELLIPSOIDAL, UNKNOWN
+from ..io.conversion.geoid import Geoid
+from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
 from ..wording import say
 from .city_sources import placed_model
@@ -20,7 +20,7 @@ from .images import images_beside
 from .model import CityModel, CityObject
 from .plateau import with_plateau_attributes
 from .reference import PLATEAU_SYSTEMS, city_reference
-from .tiles_writer import write_tiles
+from .tiles.tiles_writer import write_tiles
 
 _Place = Union[str, os.PathLike, None]
 

@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError, InsufficientDataError
-from ..io.gsi_sources import PathLike
-from ..io.height_systems import height_system, stating_heights
-from ..io.plane_rectangular import zone_epsg, zone_numbers
-from ..io.reprojection import epsg_wkt, plane_transform
+from ..io.conversion.reprojection import epsg_wkt, plane_transform
+from ..io.official.gsi_sources import PathLike
+from ..io.reference.height_systems import height_system, stating_heights
+from ..io.reference.plane_rectangular import zone_epsg, zone_numbers
 from ..progress import SILENT, Progress
 from ..wording import say
 from .citygml_reader import ReadingNotes, open_citygml

@@ -16,9 +16,9 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from ..errors import InputError
-from ..io.gsi_sources import PathLike, Wanted, XmlSource, list_sources
-from ..io.guard import reads
-from ..io.xml_stream import root_children
+from ..io.files.guard import reads
+from ..io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources
+from ..io.official.xml_stream import root_children
 from ..progress import SILENT, Progress
 from ..wording import say
 from .gml_shapes import GmlTextures, ShapeReader

@@ -18,7 +18,7 @@ import numpy as np
 
 from ..errors import InputError, OutputError
 from ..geometry.mesh_code import third_mesh_code
-from ..io.atomic import written_beside
+from ..io.files.atomic import written_beside
 from ..progress import SILENT, Progress
 from ..wording import say
 from .citygml_attributes import generic_attribute, split_attributes, xml_text

@@ -16,8 +16,8 @@ import numpy as np
 
 from ..errors import InputError
 from ..geometry.solid import FaceTexture
-from ..io.guard import first_not_finite, read_json, reads
-from ..io.height_systems import JAPANESE
+from ..io.files.guard import first_not_finite, read_json, reads
+from ..io.reference.height_systems import JAPANESE
 from ..progress import SILENT, Progress
 from ..wording import say
 from .citygml_reader import ReadingNotes

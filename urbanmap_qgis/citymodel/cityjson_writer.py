@@ -13,8 +13,8 @@ from typing import IO, Any
 import numpy as np
 
 from ..errors import InputError
-from ..io.atomic import written_beside
-from ..io.cityjson_parts import UNITS, VertexList, json_text, json_value, write_end
+from ..io.files.atomic import written_beside
+from ..io.models.cityjson_parts import UNITS, VertexList, json_text, json_value, write_end
 from ..progress import SILENT, Progress
 from ..wording import say
 from .model import (

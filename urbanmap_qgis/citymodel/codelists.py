@@ -7,7 +7,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from ..errors import OutputError
-from ..io.atomic import written_beside
+from ..io.files.atomic import written_beside
 from ..wording import say
 from .model import CodeValue
 

@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 
 from ..errors import InputError, OutputError
 from ..geometry.solid import FaceTexture, Solid
-from ..io.guard import read_json, reads
+from ..io.files.guard import read_json, reads
 from ..wording import say
 from .model import CityModel, CityObject
 

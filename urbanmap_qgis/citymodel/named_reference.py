@@ -12,8 +12,8 @@ from pyproj import CRS
 from pyproj.exceptions import CRSError
 
 from ..errors import InputError
-from ..io.crs_text import horizontal_part, parse_wkt, wkt_text
-from ..io.height_systems import height_system, heights_of
+from ..io.reference.crs_text import horizontal_part, parse_wkt, wkt_text
+from ..io.reference.height_systems import height_system, heights_of
 from ..wording import say
 from .model import CityReference
 from .reference import GEOGRAPHIC, GEOGRAPHIC_2024, JGD2024

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from ..errors import InputError
-from ..io.crs_text import horizontal_part, parse_wkt
-from ..io.height_systems import height_system, heights_of, same_heights
+from ..io.reference.crs_text import horizontal_part, parse_wkt
+from ..io.reference.height_systems import height_system, heights_of, same_heights
 from ..wording import say
 from .model import CityReference
 

@@ -18,8 +18,8 @@ import shapely
 from scipy import ndimage
 
 from ..errors import InputError, InsufficientDataError
-from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, iter_chunks, valid_points
+from ..io.points.point_buckets import PointBuckets
+from ..io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from ..wording import say

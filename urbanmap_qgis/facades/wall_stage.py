@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 
 from ..execution import in_order
-from ..io.pointcloud import PointCloud
+from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from ..wording import say

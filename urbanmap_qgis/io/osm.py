@@ -12,8 +12,8 @@ from xml.sax.saxutils import quoteattr
 
 from ..errors import InputError
 from ..wording import say
-from .atomic import written_beside
-from .guard import reads
+from .files.atomic import written_beside
+from .files.guard import reads
 
 
 @dataclass(frozen=True)

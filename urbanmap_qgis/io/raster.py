@@ -20,9 +20,9 @@ from ..geometry.grid import Grid
 from ..geometry.sampling import sample
 from ..progress import SILENT, Progress
 from ..wording import say
-from .atomic import written_beside
-from .height_systems import heights_of, stating_heights
-from .renamed_crs import known_wkt
+from .files.atomic import written_beside
+from .reference.height_systems import heights_of, stating_heights
+from .reference.renamed_crs import known_wkt
 
 NODATA = -9999.0
 _BLOCK = 256

@@ -8,20 +8,20 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..progress import SILENT, Progress
-from .clutter import clutter_patterns
 from .ellipses import PlanEllipse, along_and_across, plan_ellipses
-from .evidence import covariance, fused
+from .evidence.information import covariance, fused
+from .evidence.marking_map import MarkingMap, marking_evidence, visible_markings
+from .evidence.satellite_evidence import SkyTimes, satellite_plan
+from .evidence.wall_evidence import representation, walls_covariance
 from .localisation_settings import LocalisationSettings
 from .map_aliases import EVIDENCE_OF_CELL, NO_ALIAS, STEP, AliasModes, ScoreField, alias_modes
-from .marking_map import MarkingMap, marking_evidence, visible_markings
-from .place_checks import refusals, sky_covered
-from .place_status import SourceSigns, place_classes, place_words
-from .road_places import RoadPlaces
-from .satellite_evidence import SkyTimes, satellite_plan
-from .wall_cells import PlanWallCells, pieces_at_height, wall_plan_cells, wall_points
-from .wall_evidence import representation, walls_covariance
-from .wall_map import WallMap
-from .wall_scan import AZIMUTHS, LAYERS, WallScan, scan_walls
+from .places.place_checks import refusals, sky_covered
+from .places.place_status import SourceSigns, place_classes, place_words
+from .places.road_places import RoadPlaces
+from .walls.clutter import clutter_patterns
+from .walls.wall_cells import PlanWallCells, pieces_at_height, wall_plan_cells, wall_points
+from .walls.wall_map import WallMap
+from .walls.wall_scan import AZIMUTHS, LAYERS, WallScan, scan_walls
 
 BLOCK = 250
 """Places worked on at once: bounds the memory."""

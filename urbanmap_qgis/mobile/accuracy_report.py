@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..io.report import LOOK, Fixed, Report
-from ..io.svg_profile import COLOURS, Series, profile
+from ..io.pages.report import LOOK, Fixed, Report
+from ..io.pages.svg_profile import COLOURS, Series, profile
 from ..wording import say
 from .control import Accuracy, ControlPoints, accuracy
 

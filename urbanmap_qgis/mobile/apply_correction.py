@@ -12,8 +12,8 @@ import laspy
 import numpy as np
 
 from ..errors import InputError, InsufficientDataError
-from ..io.atomic import written_beside
-from ..io.pointcloud import PointCloud, PointLayout, iter_chunks, open_cloud
+from ..io.files.atomic import written_beside
+from ..io.points.pointcloud import PointCloud, PointLayout, iter_chunks, open_cloud
 from ..progress import SILENT, Progress
 from ..wording import say
 from .gps_time import time_shift

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
-from ..io.guard import read_json, reads
+from ..io.files.guard import read_json, reads
 from ..wording import say
 from .trajectory import Trajectory, body_to_map
 

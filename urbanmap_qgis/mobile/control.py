@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError, InsufficientDataError
-from ..io.guard import read_text, reads
+from ..io.files.guard import read_text, reads
 from ..wording import say
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection

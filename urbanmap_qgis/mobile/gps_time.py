@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..errors import InputError
-from ..io.pointcloud import PointCloud, iter_chunks
+from ..io.points.pointcloud import PointCloud, iter_chunks
 from ..wording import say
 from .trajectory import Trajectory
 

@@ -14,9 +14,9 @@ import numpy as np
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
-from ..io.decoded_points import decoded_once
-from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, valid_points
+from ..io.points.decoded_points import decoded_once
+from ..io.points.point_buckets import PointBuckets
+from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud, valid_points
 from ..progress import SILENT, Progress
 from ..terrain.cloth import JAVANMARDI, ClothSettings, LowestHeights, bottom_points, final_cloth, first_cloth
 from ..terrain.outliers import isolation_limit, plausible

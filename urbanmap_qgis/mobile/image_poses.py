@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import InputError
-from ..io.atomic import written_beside
-from ..io.guard import first_not_finite, read_text, reads
+from ..io.files.atomic import written_beside
+from ..io.files.guard import first_not_finite, read_text, reads
 from ..wording import say
 from .trajectory import Trajectory, attitude_angles, interpolate, rotations, unwrapped
 

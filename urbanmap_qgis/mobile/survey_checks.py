@@ -8,7 +8,7 @@ import numpy as np
 import shapely
 
 from ..errors import InputError
-from ..io.pointcloud import PointCloud
+from ..io.points.pointcloud import PointCloud
 from ..io.raster import RasterSampler
 from ..progress import SILENT, Progress
 from ..wording import say

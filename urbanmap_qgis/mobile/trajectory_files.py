@@ -13,9 +13,9 @@ import numpy as np
 from pyproj import CRS, Proj, Transformer
 
 from ..errors import InputError
-from ..io.atomic import written_beside
-from ..io.guard import first_not_finite, read_text, reads
-from ..io.pointcloud import plan_crs
+from ..io.files.atomic import written_beside
+from ..io.files.guard import first_not_finite, read_text, reads
+from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, unwrapped
 from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, told

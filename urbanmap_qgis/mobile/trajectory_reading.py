@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..errors import InputError
-from ..io.geoid import Geoid
+from ..io.conversion.geoid import Geoid
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, path_chainage, unwrapped
 

@@ -9,10 +9,10 @@ import shapely
 
 from ..progress import SILENT, Progress
 from ..wording import say
-from .bound_continuation import continued
-from .junctions import connect_by_drives
-from .lane_assembly import add_section
-from .lane_strips import (
+from .lanes.bound_continuation import continued
+from .lanes.junctions import connect_by_drives
+from .lanes.lane_assembly import add_section
+from .lanes.lane_strips import (
     add_arrows,
     add_drives,
     add_stops,
@@ -21,10 +21,10 @@ from .lane_strips import (
     settle_directions,
     spread_directions,
 )
+from .lanes.narrow_places import narrow_places
+from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
+from .lanes.road_sections import road_sections
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
-from .narrow_places import narrow_places
-from .road_axes import RoadAxis, add_axes, add_speed_limits
-from .road_sections import road_sections
 
 STOP_REACH = 5.0
 """A lane ends at a stop line so near, m."""

@@ -12,8 +12,8 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from ..errors import OutputError
-from ..io.atomic import written_beside
-from ..io.staging import take_lock
+from ..io.files.atomic import written_beside
+from ..io.files.staging import take_lock
 from ..wording import say
 from .tile_grid import GridTile
 

@@ -14,7 +14,7 @@ from rasterio.transform import Affine
 from rasterio.windows import Window
 
 from ..errors import InputError, OutputError
-from ..io.atomic import written_beside
+from ..io.files.atomic import written_beside
 from ..io.raster import own_gdal
 from ..progress import SILENT, Progress
 from ..wording import say

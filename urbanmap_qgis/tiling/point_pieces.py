@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..io.point_buckets import PointBuckets
-from ..io.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud
+from ..io.points.point_buckets import PointBuckets
+from ..io.points.pointcloud import PointLayout, cloud_writer, iter_chunks, open_cloud
 from ..progress import SILENT, Progress
 from .tile_grid import Bounds, GridTile, TileGrid
 

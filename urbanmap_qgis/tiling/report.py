@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ..io.report import BAD, GOOD, LOOK, Fixed, Report
+from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
 from ..wording import say
 from .journal import DONE, EMPTY, FAILED, TileRecord
 from .tile_grid import GridTile, TileGrid

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from ...io.report import BAD, GOOD, LOOK, Report
+from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...wording import say
 from .merge_stage import MERGED, NOT_MERGED, UNCHANGED, MergedBuilding
 

@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 
 from ...errors import InsufficientDataError
-from ...io.cityjson import read_cityjson
+from ...io.models.cityjson import read_cityjson
 from ...wording import say
 from .model_parts import face_polygons
 

@@ -9,8 +9,8 @@ import numpy as np
 import shapely
 
 from ...errors import InsufficientDataError
-from ...io.point_buckets import PointBuckets
-from ...io.pointcloud import PointCloud, iter_chunks, valid_points
+from ...io.points.point_buckets import PointBuckets
+from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..outlines.footprint import Footprints

@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 
 from ...geometry.grid import Grid
-from ...io.point_buckets import stable_order
+from ...io.points.point_buckets import stable_order
 
 POINTS_PER_CELL = 1.0
 """Cells are made this full on average: the finest at which neighbouring points still lie in neighbouring cells."""

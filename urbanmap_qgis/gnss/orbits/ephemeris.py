@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InputError
-from ...io.guard import reads
+from ...io.files.guard import reads
 from ...wording import say
 from ..rinex.navigation import GlonassRecords, Ionosphere, KeplerRecords, NavigationRecords, read_navigation_files
 from .earth_fixed import SPEED_OF_LIGHT

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
-from ...io.guard import first_not_finite, reads
+from ...io.files.guard import first_not_finite, reads
 from ...wording import say
 from ..rinex.gnss_time import calendar_seconds, known_scale, to_gps
 from ..rinex.text_lines import read_bytes

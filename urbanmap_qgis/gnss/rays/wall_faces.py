@@ -16,7 +16,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
-from ...io.cityjson import read_cityjson
+from ...io.models.cityjson import read_cityjson
 from ...wording import say
 
 _UPRIGHT = 0.02

@@ -8,8 +8,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ...io.report import BAD, GOOD, LOOK, Report, percent
-from ...io.svg import bars
+from ...io.pages.report import BAD, GOOD, LOOK, Report, percent
+from ...io.pages.svg import bars
 from ...wording import say
 from ..rays.ray_lines import RayStatistics, ray_statistics
 from ..rays.reflections import LOS, NLOS, REFLECTED, SignalPaths

@@ -14,7 +14,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from ...errors import InputError
-from ...io.guard import reads
+from ...io.files.guard import reads
 from ...wording import say
 from .gnss_time import BEIDOU_OFFSET, calendar_seconds, leap_seconds, nearest_week, to_gps
 from .text_lines import RinexFile, read_rinex

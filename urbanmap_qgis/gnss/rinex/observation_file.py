@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...io.guard import reads
+from ...io.files.guard import reads
 from ...progress import SILENT, Progress
 from ...wording import say
 from .gnss_time import calendar_seconds, known_scale, to_gps

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
-from ...io.guard import reads
+from ...io.files.guard import reads
 from ...wording import say
 
 _LARGEST = 2**30

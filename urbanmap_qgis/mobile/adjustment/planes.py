@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...io.pointcloud import iter_chunks, open_cloud
+from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ..apply_correction import survey_time_shift
 from ..boresight.plane_patches import PatchSearch, PlanePatches, group_pairs

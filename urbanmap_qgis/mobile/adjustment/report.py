@@ -6,8 +6,8 @@ import os
 
 import numpy as np
 
-from ...io.report import GOOD, LOOK, Report
-from ...io.svg_profile import COLOURS, Series, profile
+from ...io.pages.report import GOOD, LOOK, Report
+from ...io.pages.svg_profile import COLOURS, Series, profile
 from ...wording import say
 from .network import KINDS, plan_residuals
 from .stage import STATUS_NAMES, AdjustedDrive, AdjustedSurvey

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...io.pointcloud import PointCloud, iter_chunks, open_cloud
+from ...io.points.pointcloud import PointCloud, iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..apply_correction import survey_time_shift

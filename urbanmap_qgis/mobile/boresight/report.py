@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from ...io.report import BAD, GOOD, LOOK, Report
+from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...wording import say
 from .stage import CalibratedScanners
 

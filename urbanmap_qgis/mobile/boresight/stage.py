@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...io.atomic import written_beside
-from ...io.pointcloud import iter_chunks, open_cloud
+from ...io.files.atomic import written_beside
+from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..apply_correction import survey_time_shift

@@ -17,7 +17,7 @@ import numpy as np
 from pyproj import CRS
 
 from ...errors import InputError, InsufficientDataError
-from ...io.atomic import written_beside
+from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..calibration import Calibration, MountedScanner, scanner_of

@@ -20,8 +20,8 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import InputError
-from ...io.guard import first_not_finite, reads
-from ...io.pointcloud import iter_chunks, open_cloud
+from ...io.files.guard import first_not_finite, reads
+from ...io.points.pointcloud import iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ...wording import say
 

@@ -8,8 +8,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ...io.report import BAD, GOOD, LOOK, Fixed, Report
-from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
+from ...io.pages.report import BAD, GOOD, LOOK, Fixed, Report
+from ...io.pages.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ...wording import say
 from ..trajectory import Trajectory
 from .course_heights import CourseHeights

@@ -13,7 +13,7 @@ from rasterio.errors import NotGeoreferencedWarning, RasterioError
 from rasterio.windows import Window
 
 from ...errors import InputError
-from ...io.guard import reads
+from ...io.files.guard import reads
 from ...io.raster import own_gdal
 from ...wording import say
 from ..calibration import Calibration, MountedCamera

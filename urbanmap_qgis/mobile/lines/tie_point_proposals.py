@@ -15,7 +15,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from ...errors import InsufficientDataError
-from ...io.pointcloud import PointCloud, iter_chunks, valid_points
+from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..trajectory import Trajectory, interpolate

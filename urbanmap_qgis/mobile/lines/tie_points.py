@@ -16,7 +16,7 @@ import numpy as np
 import shapely
 
 from ...errors import InputError
-from ...io.guard import read_text, reads
+from ...io.files.guard import read_text, reads
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..gps_time import shift_between

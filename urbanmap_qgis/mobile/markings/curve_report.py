@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ...io.report import BAD, GOOD, LOOK, Report
+from ...io.pages.report import BAD, GOOD, LOOK, Report
 from ...wording import say
 from .intensity_calibration import IntensityCurve
 from .lasers import LaserGains

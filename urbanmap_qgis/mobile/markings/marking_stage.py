@@ -14,9 +14,9 @@ import numpy as np
 
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
-from ...io.decoded_points import decoded_once
-from ...io.point_buckets import PointBuckets
-from ...io.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud
+from ...io.points.decoded_points import decoded_once
+from ...io.points.point_buckets import PointBuckets
+from ...io.points.pointcloud import PointCloud, PointLayout, cloud_writer, iter_chunks, open_cloud
 from ...progress import SILENT, Progress
 from ...terrain.cloth import JAVANMARDI, ClothSettings, classify_ground
 from ...terrain.surface import ground_source

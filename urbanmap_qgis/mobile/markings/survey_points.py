@@ -10,9 +10,9 @@ import laspy
 import numpy as np
 
 from ...errors import InputError, InsufficientDataError
-from ...io.decoded_points import FileState, file_state
-from ...io.point_buckets import PointBuckets
-from ...io.pointcloud import PointCloud, iter_chunks, valid_points
+from ...io.points.decoded_points import FileState, file_state
+from ...io.points.point_buckets import PointBuckets
+from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
 from ...progress import SILENT, Progress
 from ...terrain.surface import GROUND_CLASSES
 from ...wording import say

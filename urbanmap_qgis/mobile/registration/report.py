@@ -9,9 +9,9 @@ from pathlib import Path
 import cv2
 import numpy as np
 
+from ...io.pages.report import BAD, GOOD, LOOK, Fixed, Report
+from ...io.pages.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ...io.raster import RasterSampler
-from ...io.report import BAD, GOOD, LOOK, Fixed, Report
-from ...io.svg_profile import COLOURS, Series, ShadedInterval, profile
 from ...wording import say
 from ..pose_correction import correction_between
 from .correction.patch_status import BRIDGED, DISTRUSTED, REGISTERED, STATUS_NAMES

@@ -1,0 +1,1 @@
+"""How parameters and outputs are declared, asked for, and where outputs go."""

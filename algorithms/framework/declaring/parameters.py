@@ -1,0 +1,306 @@
+"""Terse declarations of parameters and outputs: label, unit, range and help in one call."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Mapping, Sequence
+
+from qgis.core import (
+    QgsProcessing,
+    QgsProcessingOutputNumber,
+    QgsProcessingOutputString,
+    QgsProcessingParameterBoolean,
+    QgsProcessingParameterCrs,
+    QgsProcessingParameterDefinition,
+    QgsProcessingParameterDistance,
+    QgsProcessingParameterEnum,
+    QgsProcessingParameterFeatureSink,
+    QgsProcessingParameterFeatureSource,
+    QgsProcessingParameterField,
+    QgsProcessingParameterFile,
+    QgsProcessingParameterFileDestination,
+    QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterMultipleLayers,
+    QgsProcessingParameterNumber,
+    QgsProcessingParameterRasterDestination,
+    QgsProcessingParameterRasterLayer,
+    QgsProcessingParameterString,
+    QgsUnitTypes,
+)
+from qgis.PyQt.QtCore import QCoreApplication
+
+from ....urbanmap_qgis.errors import InputError
+
+LAZ_FILTER = "LAZ point cloud (*.laz);;LAS point cloud (*.las)"
+CITYJSON_FILTER = "CityJSON (*.city.json *.json)"
+HTML_FILTER = "HTML report (*.html)"
+OBJ_FILTER = "Wavefront OBJ (*.obj)"
+
+FILES_WIDGET = f"{__package__}.files_widget.FilesWidget"
+"""What QGIS's dialogs show for several files."""
+
+UNIT = re.compile(r" \([^()]*\)$")
+"""The unit at the end of a label."""
+
+_POLYGON = QgsProcessing.SourceType.TypeVectorPolygon
+
+
+def tr(text: str) -> str:
+    """`text` in the user's language."""
+    return QCoreApplication.translate("UrbanMap", text)
+
+
+def with_files_widget(definition, layers: bool) -> None:
+    """Let dialogs show our own field for a parameter of several files; `layers`: with those of point cloud layers."""
+    if definition.type() == "multilayer" and definition.layerType() == QgsProcessing.SourceType.TypeFile:
+        definition.setMetadata({"widget_wrapper": {"class": FILES_WIDGET}, "urbanmap_layers": layers})
+
+
+class Declarations:
+    """Methods with which an algorithm declares its parameters and outputs.
+
+    Every method takes the parameter's name, its label and its help, adds the definition and returns it.
+    Labels and help are given in English and translated here. `advanced` puts a parameter under "Advanced".
+    """
+
+    def output_helps(self) -> dict[str, str]:
+        """Help of outputs that are not parameters (numbers, texts), by name."""
+        if not hasattr(self, "_output_helps"):
+            self._output_helps: dict[str, str] = {}
+        return self._output_helps
+
+    def points_names(self) -> set[str]:
+        """Names of the parameters that take point cloud files."""
+        if not hasattr(self, "_points_names"):
+            self._points_names: set[str] = set()
+        return self._points_names
+
+    def declare_parameter(self, definition, help: str, advanced: bool = False):
+        """Add any parameter definition with its help."""
+        definition.setHelp(tr(help))
+        with_files_widget(definition, definition.name() in self.points_names())
+        if advanced:
+            definition.setFlags(definition.flags() | QgsProcessingParameterDefinition.Flag.FlagAdvanced)
+        self.addParameter(definition)
+        return definition
+
+    # Input
+
+    def add_points(self, name: str = "POINTS", label: str = "Point clouds", help: str = "", optional: bool = False):
+        """One or several LAS, LAZ or COPC files; read with `point_files`.
+
+        File outputs of earlier steps can be chosen for it in the modeller.
+        """
+        text = help or "One or several LAS, LAZ or COPC files in one projected coordinate system, heights in metres."
+        self.points_names().add(name)
+        return self.declare_parameter(QgsProcessingParameterMultipleLayers(
+            name, tr(label), QgsProcessing.SourceType.TypeFile, None, optional), text)
+
+    def add_points_crs(self, name: str = "POINTS_CRS", label: str = "CRS of the point clouds"):
+        """The CRS of point clouds that state none: taken by itself wherever a file without one is opened in the run."""
+        return self.add_crs(name, label, "Projected coordinate system in metres of files that state none; those that "
+                            "state one keep it.", optional=True, advanced=True)
+
+    def add_file(self, name: str, label: str, help: str, filter: str = "", extension: str = "",
+                 folder: bool = False, optional: bool = False, advanced: bool = False):
+        """An existing file (or folder); read with `input_path`."""
+        behavior = QgsProcessingParameterFile.Behavior
+        return self.declare_parameter(QgsProcessingParameterFile(
+            name, tr(label), behavior.Folder if folder else behavior.File, extension, None, optional,
+            tr(filter)), help, advanced)
+
+    def add_polygons(self, name: str, label: str, help: str, optional: bool = False):
+        """A polygon layer; read with `read_polygons`."""
+        return self.declare_parameter(QgsProcessingParameterFeatureSource(
+            name, tr(label), [_POLYGON], None, optional), help)
+
+    def add_vector(self, name: str, label: str, help: str, optional: bool = False,
+                   source_type=QgsProcessing.SourceType.TypeVector):
+        """A vector layer or table of any kind, or of one `QgsProcessing.SourceType`; read with `read_vector`."""
+        return self.declare_parameter(QgsProcessingParameterFeatureSource(
+            name, tr(label), [source_type], None, optional), help)
+
+    def add_field(self, name: str, label: str, help: str, parent: str, default: str | None = None,
+                  optional: bool = True, advanced: bool = False):
+        """A field of the layer parameter `parent`."""
+        return self.declare_parameter(QgsProcessingParameterField(
+            name, tr(label), default, parent, QgsProcessingParameterField.DataType.Any, False, optional),
+            help, advanced)
+
+    def add_raster(self, name: str, label: str, help: str, optional: bool = False):
+        """A raster layer; its file is had with `raster_path`."""
+        return self.declare_parameter(QgsProcessingParameterRasterLayer(name, tr(label), None, optional), help)
+
+    def add_crs(self, name: str, label: str, help: str, default=None, optional: bool = False,
+                advanced: bool = False):
+        """A coordinate reference system."""
+        return self.declare_parameter(
+            QgsProcessingParameterCrs(name, tr(label), default, optional), help, advanced)
+
+    # Numbers and choices
+
+    def add_number(self, name: str, label: str, help: str, default: float | None = None,
+                   minimum: float | None = None, maximum: float | None = None, unit: str = "",
+                   integer: bool = False, optional: bool = False, advanced: bool = False):
+        """A number; `unit` (such as "m2" or "points") is shown after the label."""
+        kind = QgsProcessingParameterNumber.Type
+        definition = QgsProcessingParameterNumber(
+            name, _with_unit(label, unit), kind.Integer if integer else kind.Double, default, optional)
+        _limit(definition, minimum, maximum)
+        return self.declare_parameter(definition, help, advanced)
+
+    def add_distance(self, name: str, label: str, help: str, default: float | None = None,
+                     minimum: float | None = 0.0, maximum: float | None = None,
+                     optional: bool = False, advanced: bool = False):
+        """A distance in metres."""
+        definition = QgsProcessingParameterDistance(name, _with_unit(label, "m"), default, "", optional)
+        definition.setDefaultUnit(QgsUnitTypes.DistanceUnit.DistanceMeters)
+        _limit(definition, minimum, maximum)
+        return self.declare_parameter(definition, help, advanced)
+
+    def add_workers(self):
+        """How many workers share the work; read with `parameterAsInt`."""
+        self.add_number("WORKERS", "Workers", "Number of buildings or tiles worked on at the same time. The "
+                        "result does not depend on it.", 1, 1, 256, integer=True, advanced=True)
+        self.add_text("SCHEDULER", "Dask scheduler", "Address of a Dask cluster that shares the work instead of "
+                      "workers on this machine, such as tcp://host:8786. The result does not depend on it. "
+                      "Inputs, outputs and temporary files must be on storage that all its machines see.",
+                      advanced=True)
+
+    def add_boolean(self, name: str, label: str, help: str, default: bool = False, advanced: bool = False):
+        """Yes or no."""
+        return self.declare_parameter(QgsProcessingParameterBoolean(name, tr(label), default), help, advanced)
+
+    def add_choice(self, name: str, label: str, help: str, choices: Sequence[str], default: str,
+                   advanced: bool = False):
+        """One of a few words; the words themselves are the values. On the command line their numbers do as well."""
+        definition = QgsProcessingParameterEnum(name, tr(label), list(choices), False, default, False, True)
+        return self.declare_parameter(definition, f"{help} ({', '.join(choices)})", advanced)
+
+    def add_text(self, name: str, label: str, help: str, default: str | None = None, optional: bool = True,
+                 advanced: bool = False):
+        """A text."""
+        return self.declare_parameter(
+            QgsProcessingParameterString(name, tr(label), default, False, optional), help, advanced)
+
+    # Output
+
+    # An optional output is written when asked for; `by_default` makes the toolbox ask for it from the start, while on
+    # the command line and in models it may still be left out.
+
+    def add_file_output(self, name: str, label: str, help: str, filter: str, optional: bool = False,
+                        by_default: bool = False):
+        """A file to write. Its path: `output_path`."""
+        return self.declare_parameter(QgsProcessingParameterFileDestination(
+            name, tr(label), tr(filter), None, optional, not optional or by_default), help)
+
+    def add_points_output(self, name: str = "OUTPUT", label: str = "Point cloud", help: str = "",
+                          optional: bool = False, by_default: bool = False):
+        """A LAZ or LAS file to write."""
+        return self.add_file_output(name, label, help, LAZ_FILTER, optional, by_default)
+
+    def add_folder_output(self, name: str, label: str, help: str, optional: bool = False, by_default: bool = False):
+        """A folder to write into."""
+        return self.declare_parameter(QgsProcessingParameterFolderDestination(
+            name, tr(label), None, optional, not optional or by_default), help)
+
+    def add_raster_output(self, name: str, label: str, help: str, optional: bool = False, by_default: bool = False):
+        """A raster to write. Its path: `output_layer_path`."""
+        return self.declare_parameter(QgsProcessingParameterRasterDestination(
+            name, tr(label), None, optional, not optional or by_default), help)
+
+    def add_layer_output(self, name: str, label: str, help: str, optional: bool = False,
+                         source_type=_POLYGON, by_default: bool = False):
+        """A vector layer or table to write with `write_layer`."""
+        return self.declare_parameter(QgsProcessingParameterFeatureSink(
+            name, tr(label), source_type, None, optional, not optional or by_default), help)
+
+    def add_number_output(self, name: str, label: str, help: str, unit: str = ""):
+        """A number among the results."""
+        self.output_helps()[name] = tr(help)
+        return self.addOutput(QgsProcessingOutputNumber(name, _with_unit(label, unit)))
+
+    def add_text_output(self, name: str, label: str, help: str):
+        """A text among the results."""
+        self.output_helps()[name] = tr(help)
+        return self.addOutput(QgsProcessingOutputString(name, tr(label)))
+
+    # Chains
+
+    def add_from(self, stage: type, *names: str, label: str = "", help: str = "", advanced: bool | None = None,
+                 optional: bool | None = None, by_default: bool | None = None, **renamed: str):
+        """Parameters and outputs as the algorithm class `stage` declares them: a chain repeats nothing.
+
+        `names` keep their names, `renamed` gives them another in the chain (`OUTPUT_GROUND="OUTPUT"`). What else is
+        given replaces what the stage says; the label's unit stays.
+        """
+        owner = stage()
+        owner.initAlgorithm()
+        for name, original in (*((name, name) for name in names), *renamed.items()):
+            definition = owner.parameterDefinition(original)
+            if definition is None:
+                self.output_helps()[name] = owner.output_helps()[original]
+                output = owner.outputDefinition(original)
+                self.addOutput(type(output)(name, output.description()))
+                continue
+            # Not clone(): of a copy that C++ made Python does not learn when it is deleted, and takes what comes to
+            # its address for it.
+            definition = type(definition)(definition)
+            definition.setName(name)
+            if label:
+                definition.setDescription(tr(label) + "".join(UNIT.findall(definition.description())))
+            if help:
+                definition.setHelp(tr(help))
+            if by_default is not None:
+                definition.setCreateByDefault(by_default)
+            flags = definition.Flag
+            for wanted, flag in ((advanced, flags.FlagAdvanced), (optional, flags.FlagOptional)):
+                if wanted is not None:
+                    definition.setFlags(definition.flags() | flag if wanted else definition.flags() & ~flag)
+            for kinds in ("points_names", "trajectory_names"):
+                if original in getattr(owner, kinds, set)():
+                    getattr(self, kinds)().add(name)
+            self.addParameter(definition)
+
+
+def check_names(given: Mapping[str, object], known: Sequence[str]) -> list[str]:
+    """One sentence for each given parameter name that the algorithm does not have."""
+    sentences = []
+    for name in sorted(set(given) - set(known)):
+        close = difflib.get_close_matches(name.upper(), known, 1)
+        hint = f"did you mean {close[0]}?" if close else f"known are {', '.join(known)}."
+        sentences.append(tr("Unknown parameter {0} is ignored; {1}").format(name, hint))
+    return sentences
+
+
+def with_words(parameters: Mapping[str, object], definitions: Sequence) -> dict[str, object]:
+    """The parameters with the words of choices where their numbers, as `qgis_process help` counts them, were given.
+
+    Raises
+    ------
+    InputError : what was given is neither a word nor the number of one.
+    """
+    made = dict(parameters)
+    for definition in definitions:
+        given = made.get(definition.name())
+        if definition.type() != "enum" or not definition.usesStaticStrings() or not isinstance(given, (str, int)):
+            continue
+        words = definition.options()
+        text = str(given).strip()
+        if given not in words and (isinstance(given, bool) or not text.isdecimal() or int(text) >= len(words)):
+            raise InputError(tr("{0}: {1} is none of {2}; give one of these words, or its number from 0 on.").format(
+                definition.description(), given, ", ".join(words)))
+        made[definition.name()] = given if given in words else words[int(text)]
+    return made
+
+
+def _with_unit(label: str, unit: str) -> str:
+    return f"{tr(label)} ({tr(unit.replace('m2', 'm²'))})" if unit else tr(label)
+
+
+def _limit(definition, minimum: float | None, maximum: float | None) -> None:
+    if minimum is not None:
+        definition.setMinimum(minimum)
+    if maximum is not None:
+        definition.setMaximum(maximum)

@@ -1,0 +1,57 @@
+"""The user's language: QGIS's own, where there is a translation of UrbanMap."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from qgis.core import QgsApplication, QgsProcessingModelAlgorithm
+from qgis.PyQt.QtCore import QCoreApplication, QTranslator
+
+from ....urbanmap_qgis.wording import use_catalogue
+from ..declaring.parameters import UNIT, tr
+
+TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations"
+
+
+def speak_language(code: str = "") -> QTranslator | None:
+    """Say everything in the language of QGIS (or of `code`, such as "ja"); None where there is no translation.
+
+    The core reads the translation's source, which needs no Qt; all else Qt's compiled file. The translator speaks as
+    long as it is kept.
+    """
+    source = TRANSLATIONS / f"urbanmap_{(code or QgsApplication.locale())[:2]}.ts"
+    compiled = source.with_suffix(".qm")
+    if not (source.is_file() and compiled.is_file()):
+        return None
+    use_catalogue(source)
+    translator = QTranslator()
+    translator.load(str(compiled))
+    QCoreApplication.installTranslator(translator)
+    return translator
+
+
+def stop_speaking(translator: QTranslator) -> None:
+    """Go back to English."""
+    QCoreApplication.removeTranslator(translator)
+    use_catalogue(None)
+
+
+def translated_model(model: QgsProcessingModelAlgorithm, group: str) -> QgsProcessingModelAlgorithm:
+    """The model with its labels and help in the user's language; its name is its id and stays."""
+    model.setGroup(tr(group))
+    for definition in model.parameterDefinitions():
+        if definition.name() in model.parameterComponents():
+            made = definition.clone()
+            made.setDescription(_label(made.description()))
+            made.setHelp(tr(made.help()) if made.help() else "")
+            model.updateModelParameter(made)
+    model.setHelpContent({key: tr(text) if isinstance(text, str) and text else text
+                          for key, text in model.helpContent().items()})
+    return model
+
+
+def _label(text: str) -> str:
+    """A label with its unit behind it."""
+    unit = "".join(UNIT.findall(text))
+    words = text[:len(text) - len(unit)]
+    return tr(words) + (f" ({tr(unit[2:-1])})" if unit else "")

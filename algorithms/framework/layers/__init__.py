@@ -1,0 +1,1 @@
+"""Vector and point layers in and out: reference systems, styles, words of tables."""

@@ -1,0 +1,176 @@
+"""What layers look like: their symbols, legends and tables, in the user's language."""
+
+from __future__ import annotations
+
+import re
+import sqlite3
+from collections.abc import Mapping, Sequence
+from contextlib import closing
+from html import escape, unescape
+from pathlib import Path
+
+from qgis.core import QgsMapLayerType, QgsProcessingContext, QgsProcessingLayerPostProcessorInterface
+from qgis.PyQt.QtXml import QDomDocument
+
+from ....urbanmap_qgis.io.files.staging import final_text
+from ....urbanmap_qgis.progress import Progress
+from ..declaring.parameters import tr
+from .field_words import FieldWords, words_of
+
+STYLES = Path(__file__).resolve().parents[3] / "resources" / "styles"
+TIME = "2000-01-01T00:00:00.000Z"
+
+TABLE_ONLY = '<qgis styleCategories="Fields|Forms|AttributeTable" version="3.22.0">\n</qgis>\n'
+"""The style of a layer that has none: only how its table looks."""
+
+TABLE_STYLE = "table"
+"""Its name in a GeoPackage."""
+
+_LEGEND = re.compile(r'(<(?:category|range|rule|item|paletteEntry)\b[^>]*\blabel=")([^"]*)(")')
+
+_STYLES_TABLE = """
+CREATE TABLE layer_styles (id INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, f_table_catalog TEXT(256),
+  f_table_schema TEXT(256), f_table_name TEXT(256), f_geometry_column TEXT(256), styleName TEXT(30), styleQML TEXT,
+  styleSLD TEXT, useAsDefault BOOLEAN, description TEXT, owner TEXT(30), ui TEXT(30), update_time DATETIME)
+"""
+"""The table in which QGIS looks for styles of layers of a GeoPackage."""
+
+
+def style_path(style: str) -> Path:
+    """File of a style that the plugin brings."""
+    return STYLES / f"{style}.qml"
+
+
+Earlier = tuple[tuple[str, FieldWords], ...]
+"""Fields of an earlier step with the words that its result has of them."""
+
+
+def style_text(style: str, fields: Sequence[str] = (), own: Sequence[str] = (), earlier: Earlier = ()) -> str:
+    """A style as QML, its legend in the user's language; with how the table of a layer with `fields` looks.
+
+    `own` : those fields that are results; behind them come those of `earlier` steps, with their words; the others are
+    the user's and stay as they are, behind these.
+
+    Raises
+    ------
+    OSError : the style's file cannot be read.
+    """
+    text = style_path(style).read_text(encoding="utf-8") if style else TABLE_ONLY
+    text = _LEGEND.sub(lambda found: found[1] + escape(tr(unescape(found[2]))) + found[3] if found[2] else found[0],
+                       text)
+    kept = {name: words for name, words in earlier if name in fields and name not in own}
+    table = _table_elements(fields, own, style, kept)
+    return text.replace("</qgis>", f"{table}</qgis>") if table else text
+
+
+def _table_elements(fields: Sequence[str], own: Sequence[str], style: str, kept: Mapping[str, FieldWords]) -> str:
+    """Aliases, decimals and order of a table's columns as elements of QML."""
+    told = {name: words for name in own if name in fields and (words := words_of(name, style)) is not None} | kept
+    if not told:
+        return ""
+    lines = ["  <aliases>", *(f'    <alias index="{fields.index(name)}" field="{escape(name)}" '
+                              f'name="{escape(tr(words.words))}"/>' for name, words in told.items()), "  </aliases>"]
+    lines += ["  <fieldConfiguration>", *(_rounded(name, words) for name, words in told.items()
+                                          if words.decimals is not None), "  </fieldConfiguration>"]
+    order = sorted(fields, key=lambda name: 0 if name in own else 1 if name in kept else 2)
+    lines += ["  <attributetableconfig>", "    <columns>",
+              *(f'      <column type="field" name="{escape(name)}" hidden="{int(name == "fid")}" width="-1"/>'
+                for name in order), "    </columns>", "  </attributetableconfig>"]
+    return "\n".join([*lines, ""])
+
+
+def _rounded(name: str, words: FieldWords) -> str:
+    """How many decimals the table shows of a field; the value itself stays as it is."""
+    return (f'    <field name="{escape(name)}"><editWidget type="Range"><config><Option type="Map">'
+            f'<Option name="Precision" type="int" value="{words.decimals}"/>'
+            '<Option name="AllowNull" type="bool" value="true"/></Option></config></editWidget></field>')
+
+
+def give_style(context: QgsProcessingContext, place: str, style: str, own: tuple[str, ...] = (),
+               earlier: Earlier = ()) -> None:
+    """Let QGIS give resources/styles/`style`.qml to the layer at `place` when it loads it after the run.
+
+    `own`, `earlier` : fields that are results, see `style_text`.
+    """
+    place = final_text(place)
+    if context.willLoadLayerOnCompletion(place) and (not style or style_path(style).is_file()):
+        context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style, own, earlier))
+
+
+class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
+    """Gives a style to a layer that QGIS loads after a run."""
+
+    def __init__(self, style: str, own: tuple[str, ...] = (), earlier: Earlier = ()):
+        super().__init__()
+        self.style = style
+        self.own = own
+        self.earlier = earlier
+
+    def postProcessLayer(self, layer, context, feedback):
+        fields = [field.name() for field in layer.fields()] if layer.type() == QgsMapLayerType.VectorLayer else []
+        document = QDomDocument()
+        try:
+            document.setContent(style_text(self.style, fields, self.own, self.earlier))
+        except OSError as error:
+            feedback.pushWarning(tr("The style {0} could not be given to {1}: {2}").format(
+                self.style, layer.name(), error.strerror))
+            return
+        succeeded, message = layer.importNamedStyle(document)
+        if not succeeded:
+            feedback.pushWarning(tr("The style {0} could not be given to {1}: {2}").format(
+                self.style, layer.name(), message))
+        layer.triggerRepaint()
+
+
+# QGIS does not keep post-processors alive, and drops those that Python has collected without a word.
+_POST_PROCESSORS: dict[tuple[str, tuple[str, ...], Earlier], StylePostProcessor] = {}
+
+
+def _post_processor(style: str, own: tuple[str, ...], earlier: Earlier) -> StylePostProcessor:
+    return _POST_PROCESSORS.setdefault((style, own, earlier), StylePostProcessor(style, own, earlier))
+
+
+def save_style(path: Path, style: str, own: Sequence[str], progress: Progress, earlier: Earlier = ()) -> None:
+    """Save a style into a GeoPackage as the default of its only layer; a result without a style is still a result.
+
+    QGIS would write the style's own words in an order that differs from run to run, and leave 3D renderers out where
+    it has not been told of them, as in `qgis_process`; so the style's file is stored as it is.
+    """
+    try:
+        text = style_text(style, field_names(path), own, earlier)
+    except OSError as error:
+        progress.warn(tr("The style {0} is not saved in {1}: {2}").format(style, path.name, error.strerror))
+        return
+    if text != TABLE_ONLY:
+        save_style_text(path, style or TABLE_STYLE, text)
+
+
+def field_names(path: Path) -> list[str]:
+    """Fields of the only layer of a GeoPackage, without its geometry."""
+    with closing(sqlite3.connect(path)) as database:
+        (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+        column = database.execute("SELECT column_name FROM gpkg_geometry_columns").fetchone()
+        names = [row[1] for row in database.execute(f'PRAGMA table_info("{table}")')]
+    return [name for name in names if column is None or name != column[0]]
+
+
+def save_style_text(path: Path, name: str, text: str) -> None:
+    """Save QML into a GeoPackage as the default style of its only layer."""
+    with closing(sqlite3.connect(path)) as database, database:
+        (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+        column = database.execute("SELECT column_name FROM gpkg_geometry_columns").fetchone()
+        database.execute(_STYLES_TABLE)
+        database.execute("INSERT INTO gpkg_contents (table_name, data_type, identifier, last_change, srs_id) "
+                         "VALUES ('layer_styles', 'attributes', 'layer_styles', ?, 0)", (TIME,))
+        database.execute(
+            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, styleName, "
+            "styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', ?, ?, ?, ?, '', 1, ?, "
+            "'', ?)", (table, column[0] if column else "", name, text, tr("UrbanMap"), TIME))
+
+
+def saved_style(path: Path) -> tuple[str, str] | None:
+    """Name and QML of the style in a GeoPackage; None where it has none."""
+    with closing(sqlite3.connect(path)) as database:
+        if not database.execute("SELECT 1 FROM sqlite_master WHERE name = 'layer_styles'").fetchone():
+            return None
+        return database.execute("SELECT styleName, styleQML FROM layer_styles").fetchone()

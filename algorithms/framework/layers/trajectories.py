@@ -1,0 +1,196 @@
+"""Trajectories and calibrations as parameters: CSV, SBET or a point layer in, the same format out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from qgis.core import (
+    QgsCoordinateTransformContext,
+    QgsProcessingContext,
+    QgsProcessingFeatureSource,
+    QgsProcessingUtils,
+    QgsVectorFileWriter,
+    QgsWkbTypes,
+)
+
+from ....urbanmap_qgis.errors import InputError, OutputError
+from ..declaring.parameters import Declarations, tr
+from . import layers
+from .crs import crs_from
+
+ANGLES = ("degrees", "radians", "degrees_from_east", "radians_from_east")
+
+GEOID_FILTER = "Geoid model (*.tif *.tiff *.gtx *.asc *.isg);;All files (*)"
+
+TABLE_SUFFIXES = (".csv", ".txt", ".out", ".sbet")
+
+# QGIS refuses a value that does not fit the filter, also a layer's name.
+TRAJECTORY_FILTER = "Trajectory (*.csv *.txt *.out *.sbet *.gpkg *.shp *.geojson);;All files (*)"
+
+
+class TrajectoryParameters(Declarations):
+    """Methods with which an algorithm declares, reads and writes trajectories."""
+
+    def trajectory_names(self) -> set[str]:
+        """Names of the parameters that take a trajectory."""
+        if not hasattr(self, "_trajectory_names"):
+            self._trajectory_names: set[str] = set()
+        return self._trajectory_names
+
+    def add_trajectory(self, name: str = "TRAJECTORY", label: str = "Trajectory", help: str = "",
+                       optional: bool = False):
+        """A trajectory; read with `read_trajectory`."""
+        text = help or ("Where the vehicle was: CSV time,x,y,z,roll,pitch,heading (GPS seconds, metres, degrees), "
+                        "Applanix SBET, or a point layer with these fields.")
+        self.trajectory_names().add(name)
+        return self.add_file(name, label, text, TRAJECTORY_FILTER, optional=optional)
+
+    def add_trajectory_output(self, name: str = "OUTPUT", label: str = "Corrected trajectory", help: str = "",
+                              optional: bool = False, by_default: bool = False):
+        """A trajectory to write in the format of the one that was given; see `write_trajectory`."""
+        text = help or "The same epochs in the format of the trajectory given."
+        return self.add_file_output(name, label, text, TRAJECTORY_FILTER, optional, by_default)
+
+    def add_calibration(self, name: str = "CALIBRATION", optional: bool = False):
+        """A calibration file; read it with the core's `read_calibration(self.input_path(...))`."""
+        return self.add_file(name, "Calibration", "JSON file of the scanners' (and cameras') lever arms and angles on "
+                             "the vehicle.", "Calibration (*.json)", optional=optional)
+
+    def add_trajectory_reading(self) -> None:
+        """Declare ANGLES, GEOID and GEOID_HEIGHT, which hold for all trajectories of the algorithm."""
+        self.add_choice("ANGLES", "Angles of the trajectory", "How roll, pitch and heading of tables and layers are "
+                        "counted: degrees or radians, headings clockwise from grid north or counter-clockwise from "
+                        "east. SBET says it itself.", ANGLES, "degrees", advanced=True)
+        self.add_file("GEOID", "Geoid model", "GeoTIFF, GTX or text grid of GSI (.asc, .isg) of the geoid's heights "
+                      "above the ellipsoid: with it the ellipsoidal heights of SBET become heights above sea level, as "
+                      "those of the points must be.", GEOID_FILTER, optional=True, advanced=True)
+        self.add_number("GEOID_HEIGHT", "Height of the geoid", "One height above the ellipsoid for all places, instead "
+                        "of a model.", None, -120.0, 120.0, unit="m", optional=True, advanced=True)
+
+    def trajectory_reading(self, parameters: Mapping, context: QgsProcessingContext):
+        """The core's `TrajectoryReading` of ANGLES, GEOID and GEOID_HEIGHT; the usual one where none is declared."""
+        from ....urbanmap_qgis.io.conversion.geoid import Geoid, read_geoid
+        from ....urbanmap_qgis.mobile.trajectory_reading import USUAL, TrajectoryReading
+
+        if self.parameterDefinition("ANGLES") is None:
+            return USUAL
+        model, geoid = self.input_path(parameters, "GEOID", context), None
+        if parameters.get("GEOID_HEIGHT") is not None:
+            if model:
+                raise InputError(tr("{0} and {1} are both given: give one of them.").format(
+                    self.label_of("GEOID"), self.label_of("GEOID_HEIGHT")))
+            geoid = Geoid.constant(self.parameterAsDouble(parameters, "GEOID_HEIGHT", context))
+        elif model:
+            geoid = read_geoid(model)
+        return TrajectoryReading(self.parameterAsString(parameters, "ANGLES", context), geoid)
+
+    def read_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext,
+                        crs_wkt: str | None = None, progress=None):
+        """The core's `TrajectoryFile` of a parameter, None where an optional one was not given.
+
+        `crs_wkt` is the survey's CRS, into which SBET's latitudes and longitudes go. What was put right or looks wrong
+        in the trajectory is told as warnings, what was done to its heights as a message.
+        """
+        text = self.parameterAsFile(parameters, name, context)
+        if not text:
+            return None
+        read = trajectory_of(text, self.label_of(name), context, crs_wkt, self.trajectory_reading(parameters, context))
+        if progress is not None:
+            tell_of(read, progress)
+        return read
+
+    def write_trajectory(self, parameters: Mapping, name: str, context: QgsProcessingContext, like, trajectory,
+                         crs_wkt: str | None = None) -> str | None:
+        """Write a trajectory of the same epochs in the format of `like`; None where it is not wanted.
+
+        `crs_wkt` is needed where `like` came as a layer.
+        """
+        path = self.output_path(parameters, name, context)
+        return None if path is None else str(write_trajectory_file(path, like, trajectory, crs_wkt, context))
+
+
+def write_trajectory_file(path: Path, like, trajectory, crs_wkt: str | None, context: QgsProcessingContext) -> Path:
+    """Write a trajectory of the same epochs in the format of `like`; the path that it got."""
+    from ....urbanmap_qgis.mobile.trajectory_files import write_trajectory
+
+    if like.format != "layer":
+        write_trajectory(path, like, trajectory)
+        return path
+    path = path.with_suffix(".gpkg") if path.suffix.lower() in TABLE_SUFFIXES else path
+    _write_layer(path, like, trajectory, crs_wkt or like.crs_wkt or "", context)
+    return path
+
+
+def tell_of(read, progress) -> None:
+    """Tell what was put right, looks wrong or was done to the heights of a core's `TrajectoryFile`."""
+    for note in read.notes:
+        progress.warn(note)
+    if read.applied:
+        progress.message(read.applied)
+
+
+def trajectory_of(text: str, label: str, context: QgsProcessingContext, crs_wkt: str | None = None, reading=None):
+    """The core's `TrajectoryFile` of a file (CSV, SBET, vector file) or of a layer that QGIS knows.
+
+    `reading` is the core's `TrajectoryReading`, None for the usual one.
+    """
+    from dataclasses import replace
+
+    from ....urbanmap_qgis.mobile.trajectory_files import read_trajectory, trajectory_from_columns
+    from ....urbanmap_qgis.mobile.trajectory_reading import USUAL
+
+    reading = reading or USUAL
+    if Path(text).suffix.lower() in TABLE_SUFFIXES:
+        return read_trajectory(text, crs_wkt, reading)
+    table = _layer_table(text, label, context)
+    columns = dict(table.columns)
+    lower = {key.lower() for key in columns}
+    if not {"x", "y"} <= lower and table.geometries is not None:
+        import shapely
+
+        columns["x"], columns["y"] = shapely.get_x(table.geometries), shapely.get_y(table.geometries)
+    made = trajectory_from_columns(columns, label, reading)
+    return replace(made, header=tuple(table.columns), delimiter="", crs_wkt=table.crs_wkt or crs_wkt)
+
+
+def trajectory_exists(text: str, context: QgsProcessingContext) -> bool:
+    """Whether there is such a file or layer."""
+    return (Path(text.split("|")[0]).is_file()
+            or QgsProcessingUtils.mapLayerFromString(text, context, False) is not None)
+
+
+def _layer_table(text: str, label: str, context: QgsProcessingContext) -> layers.VectorTable:
+    layer = QgsProcessingUtils.mapLayerFromString(text, context)
+    if layer is None or not hasattr(layer, "fields"):
+        raise InputError(tr("{0}: {1} is neither a CSV, an SBET nor a point layer; check the file.").format(
+            label, text))
+    return layers.read_source(QgsProcessingFeatureSource(layer, context), label)
+
+
+def _write_layer(path: Path, like, trajectory, crs_wkt: str, context: QgsProcessingContext) -> None:
+    """A GeoPackage (or what the name says) of points with the trajectory's fields."""
+    import shapely
+
+    from ....urbanmap_qgis.io.files.atomic import written_beside
+    from ....urbanmap_qgis.mobile.trajectory_files import COLUMNS, columns_in_file
+
+    values = {**columns_in_file(like, trajectory), **like.columns}
+    text = [name for name in like.columns if any(isinstance(value, str) for value in like.columns[name])]
+    fields = layers.make_fields(*((name, "real") for name in COLUMNS),
+                                *((name, "text" if name in text else "real") for name in like.columns))
+    values = {name: values[name] if name in COLUMNS or name in text else
+              [None if value is None else float(value) for value in values[name]] for name in values}
+    points = shapely.points(trajectory.place)
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName = QgsVectorFileWriter.driverForExtension(path.suffix)
+    options.layerName = path.stem
+    with written_beside(path) as temporary:
+        writer = QgsVectorFileWriter.create(str(temporary), fields, QgsWkbTypes.Type.PointZ, crs_from(crs_wkt),
+                                            QgsCoordinateTransformContext(), options)
+        if writer.hasError():
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, writer.errorMessage()))
+        for batch in layers.features_of(fields, values, points):
+            writer.addFeatures(batch)
+        del writer
+        layers.without_times(temporary)

@@ -1,0 +1,1 @@
+"""The Python packages that algorithms need: found, refused by name, installed."""

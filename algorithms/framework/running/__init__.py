@@ -1,0 +1,1 @@
+"""How a run goes: workers, cluster, signals, libraries, what reports tell of it."""

@@ -1,0 +1,1 @@
+"""Runs over areas of any size, tile by tile."""

@@ -1,0 +1,71 @@
+"""Layers of tiles: GeoPackages of one table."""
+
+from __future__ import annotations
+
+import sqlite3
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+
+from qgis.core import (
+    QgsCoordinateTransformContext,
+    QgsFeatureSink,
+    QgsFields,
+    QgsVectorFileWriter,
+)
+
+from ....urbanmap_qgis.errors import OutputError
+from ..declaring.parameters import tr
+from ..layers.layers import own_fields
+
+LAYER_SUFFIX = ".gpkg"
+TILE_FIELD = "tile"
+
+
+@contextmanager
+def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Callable[[list], None]]:
+    """A new GeoPackage with one table; gives the function that adds features to it.
+
+    Raises
+    ------
+    OutputError : it cannot be written, or not all features are in it in the end: the last ones are written when it is
+        closed, and nobody tells when that fails.
+    """
+    options = QgsVectorFileWriter.SaveVectorOptions()
+    options.driverName, options.layerName = "GPKG", name or path.stem
+    kept = QgsFields()
+    for item in fields:
+        if item.name().lower() != "fid":
+            kept.append(item)
+    _, kept = own_fields(kept)
+    held = [QgsVectorFileWriter.create(str(path), kept, wkb_type, crs, QgsCoordinateTransformContext(), options)]
+    places = [fields.lookupField(item.name()) for item in kept]
+
+    added = [0]
+
+    def add(features: list) -> None:  # takes the features as its own
+        added[0] += len(features)
+        for feature in features:
+            feature.setAttributes([feature.attributes()[place] for place in places])
+        if not held[0].addFeatures(features, QgsFeatureSink.Flag.FastInsert):
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
+
+    try:
+        if held[0].hasError() != QgsVectorFileWriter.WriterError.NoError:
+            raise OutputError(tr("{0} cannot be written: {1}").format(path, held[0].errorMessage()))
+        yield add
+    finally:
+        held.clear()  # the file is whole when its writer is gone
+    if _count(path) != added[0]:
+        raise OutputError(tr("{0} cannot be written whole: make room on its disk, and run again.").format(path))
+
+
+def _count(path: Path) -> int:
+    """Number of features in the only layer of a GeoPackage; -1 where it is damaged."""
+    try:
+        with closing(sqlite3.connect(path)) as database:
+            (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+            (count,), = database.execute(f'SELECT count(*) FROM "{table}"')
+    except (sqlite3.Error, ValueError):
+        return -1
+    return count

@@ -1,0 +1,1 @@
+"""Road markings in orthophotos: candidates, confidence, polygons, report (J 3.2.2)."""

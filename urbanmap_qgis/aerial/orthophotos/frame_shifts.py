@@ -1,0 +1,260 @@
+"""How far overlapping frames disagree on the ground: shows a bad orientation before the mosaic is trusted.
+
+Patches with road markings (bright and narrow) that two frames see are compared by phase correlation. What stands on the
+ground is displaced along the base of the two frames by its height (parallax), and that says nothing of the orientation:
+only patches count where the surface shows bare ground. Where no surface tells, only what heights cannot explain counts.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from ...geometry.grid import Grid
+from ...progress import SILENT, Progress
+from ...wording import say
+from .mosaic import GroundView, ViewSource, reaching, tiles
+
+PATCH = 64
+"""Pixels, side of the patches compared."""
+
+_TILES = 8
+_NARROW = 11  # pixels: wider things are no markings
+_CONTRAST = 0.12  # of the brightest: what a marking stands out by at least
+_MIN_BRIGHT_SHARE = 0.01
+_CLEAR_PEAK = 0.3
+_MIN_PATCHES = 5
+_MIN_REACH = 1  # patches, east or north, that all of them span: a thing smaller than a patch is no evidence
+
+
+_LEVEL_SHARE = 0.95  # of a patch on which nothing stands
+_APART, _APART_UNKNOWN = 0.5, 1.0  # pixels: with a known base, and of orthophotos, in which heights lean anyhow
+_HEIGHTS = (-2.0, 300.0)  # m: what stands anywhere above the ground, or lies below it
+_GROUND_SIGMA = 0.1  # m, of the ground's height, the same under all patches
+_MAX_WARNINGS = 5
+_OVERLAP = 4  # patches overlap by half in both directions: so many of them speak of the same ground
+
+
+@dataclass(frozen=True)
+class FrameShift:
+    """The second frame's ground relative to the first's.
+
+    Attributes
+    ----------
+    first, second : names.
+    places : (n, 2) x and y of the middles of the patches that spoke, in the grid's system.
+    vectors : (n, 2) east and north shift of each, m.
+    parallax : (2,) east and north shift of what stands 1 m high, m; None where unknown.
+    on_ground : whether a surface shows bare ground in all the patches.
+    """
+
+    first: str
+    second: str
+    places: np.ndarray
+    vectors: np.ndarray
+    parallax: np.ndarray | None = None
+    on_ground: bool = False
+
+    @property
+    def patches(self) -> int:
+        """How many patches spoke."""
+        return len(self.vectors)
+
+    @property
+    def east(self) -> float:
+        """m, median over the patches."""
+        return float(np.median(self.vectors[:, 0]))
+
+    @property
+    def north(self) -> float:
+        """m, median over the patches."""
+        return float(np.median(self.vectors[:, 1]))
+
+    @property
+    def length(self) -> float:
+        """m, of the median shift."""
+        return float(np.hypot(self.east, self.north))
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of one patch in east and in north, m, from the median absolute deviation."""
+        return float(1.4826 * np.median(np.abs(self.vectors - np.median(self.vectors, axis=0))))
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation of the median shift in east and in north, m; of overlapping patches a fourth counts."""
+        return _sigma_of_median(self.spread, self.patches)
+
+    @property
+    def explained(self) -> bool:
+        """Whether part of the shift may be the height of what the patches show, which nothing tells."""
+        if self.parallax is None or self.on_ground:
+            return False
+        height = float(np.median(self.vectors @ self.parallax)) / float(self.parallax @ self.parallax)
+        return _HEIGHTS[0] <= height <= _HEIGHTS[1]
+
+    @property
+    def unexplained(self) -> tuple[float, float]:
+        """Length of the shift that no height explains, and its standard deviation, m: across the base of the frames
+        where heights are unknown, else the whole, of which the ground's own height makes the part along less sure."""
+        if not self.explained:
+            if self.parallax is None or not self.length:
+                return self.length, self.sigma
+            along = abs(self.parallax @ (self.east, self.north)) / self.length
+            return self.length, float(np.hypot(self.sigma, _GROUND_SIGMA * along))
+        east, north = self.parallax / np.hypot(*self.parallax)
+        across = self.vectors @ (-north, east)
+        middle = np.median(across)
+        spread = 1.4826 * float(np.median(np.abs(across - middle)))
+        return float(abs(middle)), _sigma_of_median(spread, self.patches)
+
+
+def _sigma_of_median(spread: float, patches: int) -> float:
+    return float(np.sqrt(np.pi / 2) * spread / np.sqrt(max(patches / _OVERLAP, 1)))
+
+
+def shift_columns(shifts: Sequence[FrameShift], pixel: float) -> dict[str, np.ndarray]:
+    """One row a patch for a layer, with the patch's own shift and that of its pair of frames.
+
+    Parameters
+    ----------
+    pixel : of the mosaic, m: see `status_of`.
+
+    Returns
+    -------
+    x, y; first, second; east, north, length, sigma : of the patch, m; pair_east, pair_north, pair_length, pair_sigma,
+    patches : of the pair; status : see `status_of`.
+    """
+    count = [shift.patches for shift in shifts]
+    columns = {"x": np.concatenate([shift.places[:, 0] for shift in shifts] or [np.zeros(0)]),
+               "y": np.concatenate([shift.places[:, 1] for shift in shifts] or [np.zeros(0)])}
+    for name in ("first", "second"):
+        columns[name] = np.repeat(np.array([getattr(shift, name) for shift in shifts], object), count)
+    vectors = np.concatenate([shift.vectors for shift in shifts] or [np.zeros((0, 2))])
+    columns.update(east=vectors[:, 0], north=vectors[:, 1], length=np.hypot(*vectors.T))
+    for name, value in (("sigma", "spread"), ("pair_east", "east"), ("pair_north", "north"),
+                        ("pair_length", "length"), ("pair_sigma", "sigma")):
+        columns[name] = np.repeat(np.array([getattr(shift, value) for shift in shifts], float), count)
+    columns["patches"] = np.repeat(np.array(count, np.int64), count)
+    columns["status"] = np.repeat(np.array([status_of(shift, pixel) for shift in shifts], object), count)
+    return columns
+
+
+def apart(shift: FrameShift, pixel: float) -> bool:
+    """Whether two frames lie more than half a pixel (orthophotos: a pixel) apart on the markings, surely so (three
+    sigma), and no height of what the patches show explains it."""
+    return _surely(*shift.unexplained, shift, pixel)
+
+
+def status_of(shift: FrameShift, pixel: float) -> str:
+    """"apart"; "height" where a shift as large may come from the height of what the patches show; or "agree"."""
+    if apart(shift, pixel):
+        return "apart"
+    return "height" if shift.explained and _surely(shift.length, shift.sigma, shift, pixel) else "agree"
+
+
+def _surely(length: float, sigma: float, shift: FrameShift, pixel: float) -> bool:
+    least = _APART_UNKNOWN if shift.parallax is None else _APART
+    return length > max(least * pixel, 3 * sigma)
+
+
+def warn_of_shifts(shifts: Sequence[FrameShift], pixel: float, progress: Progress) -> None:
+    """Warn of the pairs that are apart, the worst first; say where heights hide whether they are."""
+    bad = sorted((shift for shift in shifts if apart(shift, pixel)), key=lambda shift: -shift.unexplained[0])
+    for shift in bad[:_MAX_WARNINGS]:
+        progress.warn(say("{first} and {second} lie {unexplained:.2f} m apart on the road markings {value}(east "
+                          "{east:.2f}, north {north:.2f}, sigma {unexplained_2:.2f}; {patches} places): check their "
+                          "orientation and the ground.", first=shift.first, second=shift.second,
+                          unexplained=shift.unexplained[0], value=say("across their base ") if shift.explained else "",
+                          east=shift.east, north=shift.north, unexplained_2=shift.unexplained[1],
+                          patches=shift.patches))
+    if len(bad) > _MAX_WARNINGS:
+        progress.warn(say("{bad_count} more pairs of images lie apart.", bad_count=len(bad) - _MAX_WARNINGS))
+    hidden = sum(status_of(shift, pixel) == "height" for shift in shifts)
+    if hidden:
+        progress.message(say("In {hidden} pairs of images the shift may come from the height of what stands on the "
+                             "ground: a surface (DSM) would tell, here only shifts across their base were checked.",
+                             hidden=hidden))
+
+
+def frame_shifts(sources: Sequence[ViewSource], grid: Grid, progress: Progress = SILENT,
+                 metres: float = 1.0) -> list[FrameShift]:
+    """Shifts between all pairs of sources that share at least five patches with markings, not all at one place, in the
+    sources' order.
+
+    Looks at a few pieces of the grid, spread evenly. `metres` : in a unit of the grid.
+    """
+    pieces = list(tiles(grid))
+    pieces = [pieces[k] for k in np.unique(np.linspace(0, len(pieces) - 1, min(_TILES, len(pieces))).astype(int))]
+    found: dict[tuple[int, int], list[np.ndarray]] = defaultdict(list)
+    for done, (_, _, tile) in enumerate(pieces):
+        progress.step(done / len(pieces))
+        views = [(number, source.view(tile)) for number, source in reaching(sources, tile)]
+        marked = [(number, view, _markings(view)) for number, view in views if view is not None]
+        level = next((view.level for _, view, _ in marked if view.level is not None), None)
+        for k, (first, view, markings) in enumerate(marked):
+            for second, other, its_markings in marked[k + 1:]:
+                patches = _patch_shifts(markings, its_markings, view.seen & other.seen, level)
+                # From columns and rows of the tile to the ground.
+                found[first, second].append(
+                    patches * (tile.cell, -tile.cell, tile.cell * metres, -tile.cell * metres, 1.0)
+                    + (tile.x_min, tile.y_max, 0.0, 0.0, 0.0))
+    result = []
+    for (first, second), parts in sorted(found.items()):
+        patches = np.concatenate(parts)
+        if _enough(patches, grid):
+            result.append(_pair(sources[first], sources[second], patches, grid))
+    return result
+
+
+def _enough(patches: np.ndarray, grid: Grid) -> bool:
+    """Whether there are enough patches, and not all at one place."""
+    if len(patches) < _MIN_PATCHES:
+        return False
+    return float(np.ptp(patches[:, :2], axis=0).max()) >= _MIN_REACH * PATCH * grid.cell
+
+
+def _pair(first: ViewSource, second: ViewSource, patches: np.ndarray, grid: Grid) -> FrameShift:
+    """The shift of a pair from patches as `_patch_shifts` has them, in metres: of the level ones where they suffice."""
+    level = patches[:, 4] > 0
+    on_ground = _enough(patches[level], grid)
+    if on_ground:
+        patches = patches[level]
+    places = patches[:, :2]
+    leans = [source.lean(*places.T) for source in (first, second)]
+    parallax = None
+    if leans[0] is not None and leans[1] is not None:
+        parallax = np.nanmedian(leans[1] - leans[0], axis=0)
+        if not np.hypot(*parallax) > 0:  # taken from one place: heights do not matter
+            parallax = None
+    return FrameShift(first.name, second.name, places, patches[:, 2:4], parallax, on_ground)
+
+
+def _markings(view: GroundView) -> np.ndarray:
+    """What is brighter than its surroundings and narrow, as a share of the brightest, float32."""
+    grey = view.values.mean(axis=-1)
+    return cv2.morphologyEx(grey, cv2.MORPH_TOPHAT, np.ones((_NARROW, _NARROW), np.uint8)) / max(grey.max(), 1.0)
+
+
+def _patch_shifts(first: np.ndarray, second: np.ndarray, both: np.ndarray, level: np.ndarray | None) -> np.ndarray:
+    """Middle (column, row; corners at whole numbers) and shift (columns, rows) of all patches with markings that both
+    see, and 1 where they are known to be level, else 0, (n, 5)."""
+    window = cv2.createHanningWindow((PATCH, PATCH), cv2.CV_32F)
+    shifts = []
+    for top in range(0, first.shape[0] - PATCH + 1, PATCH // 2):
+        for left in range(0, first.shape[1] - PATCH + 1, PATCH // 2):
+            part = slice(top, top + PATCH), slice(left, left + PATCH)
+            if not both[part].all():
+                continue
+            a, b = first[part].copy(), second[part].copy()  # phaseCorrelate lays the window on what it is given
+            if min((a > _CONTRAST).mean(), (b > _CONTRAST).mean()) < _MIN_BRIGHT_SHARE:
+                continue
+            shift, peak = cv2.phaseCorrelate(a, b, window)
+            if peak > _CLEAR_PEAK:
+                flat = level is not None and level[part].mean() >= _LEVEL_SHARE
+                shifts.append((left + PATCH / 2, top + PATCH / 2, *shift, float(flat)))
+    return np.array(shifts, float).reshape(-1, 5)

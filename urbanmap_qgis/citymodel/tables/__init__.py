@@ -1,0 +1,1 @@
+"""A city model as tables of buildings, kept out of memory."""

@@ -1,0 +1,1 @@
+"""3D Tiles of a city model."""

@@ -1,0 +1,1 @@
+"""Points and edges of models over images (Z 4.1)."""

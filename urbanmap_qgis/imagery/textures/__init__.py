@@ -1,0 +1,1 @@
+"""Facade textures from line images and frames (Z 4.2)."""

@@ -1,0 +1,112 @@
+"""Textured models into files: glTF, OBJ with materials, CityJSON with appearance, and the image files."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from ...errors import InputError, OutputError
+from ...geometry.solid import FaceTexture
+from ...io.models.cityjson import CityBuilding, write_cityjson
+from ...io.models.gltf import write_glb
+from ...io.models.obj import write_obj
+from ...progress import SILENT, Progress
+from ...wording import say
+from .texture_stage import FacadeRecord, Textured
+
+ENDINGS = (".glb", ".obj", ".city.json", ".json")
+
+IN_FOLDER = ("model.glb", "model.obj", "model.city.json")
+"""Files of an output folder, beside the folder of the images."""
+
+
+def check_model_name(path: str | os.PathLike | None) -> None:
+    """Refuse a model file whose ending is not one of `ENDINGS`.
+
+    Raises
+    ------
+    InputError : with the endings that can be had.
+    """
+    if path is not None and not Path(path).name.lower().endswith(ENDINGS):
+        raise InputError(say("The textured model {path} must end in .glb, .obj or .city.json.", path=Path(path).name))
+
+
+def write_textured(made: Iterable[Textured], model: str | os.PathLike | None, folder: str | os.PathLike | None, *,
+                   epsg: int | None = None, crs: str = "", progress: Progress = SILENT) -> list[FacadeRecord]:
+    """Write textured buildings as they come, and return what became of their facades.
+
+    Parameters
+    ----------
+    model : one file, by its ending .glb (which holds its images), .obj or .city.json (images in `<name>_textures`
+        beside it); None for none.
+    folder : folder that gets all three kinds and the images; None for none. Files of these names are replaced.
+
+    Raises
+    ------
+    InputError : the model's ending is another. OutputError : a file cannot be written.
+    """
+    check_model_name(model)
+    records: list[FacadeRecord] = []
+    cities: list[CityBuilding] = []
+    images: dict[str, Path] = {}
+    with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
+        for number, textured in enumerate(made):
+            records += textured.records
+            cities.append(textured.city)
+            for name, data in textured.images.items():
+                images[name] = Path(scratch) / f"{number}-{len(images)}.jpg"
+                images[name].write_bytes(data)
+        if model is not None:
+            _write(Path(model), cities, images, f"{Path(model).name.split('.')[0]}_textures", epsg, crs, progress)
+        for name in IN_FOLDER if folder is not None else ():
+            _make_folder(Path(folder))
+            _write(Path(folder) / name, cities, images, "textures", epsg, crs, progress)
+    return records
+
+
+def _write(path: Path, cities: Sequence[CityBuilding], images: dict[str, Path], folder: str, epsg: int | None,
+           crs: str, progress: Progress) -> None:
+    """One model file; images are put into `folder` beside it unless the file holds them."""
+    if path.suffix.lower() == ".glb":
+        write_glb(path, cities, images, crs=crs, progress=progress)
+        return
+    names = {name: f"{folder}/{Path(name).name}" for name in images}
+    if images:
+        _make_folder(path.parent / folder)
+    for name, file in images.items():
+        _copy(file, path.parent / names[name])
+    renamed = (replace(city, textures=[[_renamed(texture, names) for texture in faces] for faces in city.textures])
+               for city in cities)
+    if path.suffix.lower() == ".obj":
+        write_obj(path, renamed, progress=progress)
+    else:
+        write_cityjson(path, renamed, epsg=epsg, title="UrbanMap textured buildings", progress=progress)
+
+
+def _renamed(texture: FaceTexture | None, names: dict[str, str]) -> FaceTexture | None:
+    return None if texture is None else FaceTexture(names[texture.image], texture.uv)
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(say("The folder {folder} cannot be made ({strerror}): choose another output.", folder=folder,
+                              strerror=error.strerror)) from error
+
+
+def _copy(source: Path, target: Path) -> None:
+    """Copy a file beside its place and move it there."""
+    beside = target.with_name(f".{target.name}.part")
+    try:
+        shutil.copyfile(source, beside)
+        os.replace(beside, target)
+    except OSError as error:
+        raise OutputError(say("{target} cannot be written ({strerror}): choose another output.", target=target,
+                              strerror=error.strerror)) from error
+    finally:
+        beside.unlink(missing_ok=True)

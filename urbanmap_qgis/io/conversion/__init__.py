@@ -1,0 +1,1 @@
+"""Coordinates, rasters and heights taken into another reference system."""

@@ -1,0 +1,1 @@
+"""Files written beside their place and moved there whole; readers that answer in one sentence."""

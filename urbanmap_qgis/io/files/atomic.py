@@ -1,0 +1,66 @@
+"""Results are written beside their place and moved there when they are whole."""
+
+from __future__ import annotations
+
+import os
+import uuid
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from ...errors import OutputError
+from ...wording import say
+from .staging import final_text
+
+STEM_LENGTH = 32
+"""Characters of a name that its temporary file shows, so that long names stay within what file systems take."""
+
+
+@contextmanager
+def written_beside(path: str | os.PathLike) -> Iterator[Path]:
+    """Give a temporary path in the folder of `path`; move it to `path` if the block succeeds.
+
+    On an error the temporary file is removed and what stood at `path` before stays as it was.
+    The temporary name keeps the suffixes, because many writers choose their format by them.
+
+    Raises
+    ------
+    OutputError : the folder does not exist or cannot be written, or the file is locked.
+    """
+    target = Path(path)
+    folder, shown = target.parent, final_text(str(target))
+    try:
+        if not folder.is_dir():
+            raise OutputError(say("The folder {final_text} does not exist: create it or choose another output.",
+                                  final_text=final_text(str(folder))))
+        if not os.access(folder, os.W_OK):
+            raise OutputError(say("The folder {final_text} cannot be written: choose another output.",
+                                  final_text=final_text(str(folder))))
+        if target.is_dir():
+            raise OutputError(say("{shown} is a folder: give the name of a file.", shown=shown))
+    except OSError as error:
+        raise OutputError(say("{shown} cannot be the name of a file ({strerror}): choose another output.", shown=shown,
+                              strerror=error.strerror)) from error
+    suffix = "".join(target.suffixes[-2:]) or target.suffix
+    suffix = suffix if len(suffix) <= STEM_LENGTH else target.suffix
+    temporary = folder / f".{target.stem.split('.')[0][:STEM_LENGTH]}-{uuid.uuid4().hex[:8]}{suffix}"
+    try:
+        yield temporary
+        try:
+            os.replace(temporary, target)
+        except OSError as error:
+            raise OutputError(
+                say("{shown} cannot be replaced ({strerror}): close the program that has it open.", shown=shown,
+                    strerror=error.strerror)
+            ) from error
+    except OSError as error:
+        raise OutputError(say("{shown} cannot be written ({strerror}).", shown=shown,
+                              strerror=error.strerror)) from error
+    except RuntimeError as error:
+        # What the compressor of LAZ makes of a file that cannot grow.
+        if type(error).__name__ != "LazrsError" or "call write" not in str(error):
+            raise
+        raise OutputError(say("{shown} cannot be written: make room on its disk, or choose another output.",
+                              shown=shown)) from error
+    finally:
+        temporary.unlink(missing_ok=True)

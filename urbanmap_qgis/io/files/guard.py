@@ -1,0 +1,131 @@
+"""One place that turns what a parser raises on a damaged file into the sentence of the file's reader."""
+
+from __future__ import annotations
+
+import csv
+import functools
+import inspect
+import json
+import os
+import struct
+import sys
+import zipfile
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+from xml.etree.ElementTree import ParseError
+
+import numpy as np
+
+from ...errors import InputError, UrbanMapError
+from ...wording import say
+
+Read = TypeVar("Read", bound=Callable)
+
+LONGEST_FIELD = 2**27
+"""Characters of a field of a table: as long as the longest file that is read whole."""
+
+PARSER_ERRORS = (ArithmeticError, AttributeError, EOFError, LookupError, MemoryError, NotImplementedError, OSError,
+                 ParseError, RuntimeError, TypeError, ValueError, csv.Error, np.linalg.LinAlgError, struct.error,
+                 zipfile.BadZipFile, zlib.error)
+"""What parsers raise on damaged files: LookupError is also an unknown encoding, RuntimeError also a recursion."""
+
+csv.field_size_limit(min(sys.maxsize, LONGEST_FIELD))
+
+
+def reads(what: str) -> Callable[[Read], Read]:
+    """Decorator of a function whose first argument is a file, or several: `what` it reads, for the sentence.
+
+    The core's own errors pass as they are. What else a parser raises becomes an `InputError` that names the file; the
+    cause stays attached to it.
+    """
+
+    def decorate(function: Read) -> Read:
+        if inspect.isgeneratorfunction(function):
+            @functools.wraps(function)
+            def guarded_pieces(path, *arguments, **named):
+                try:
+                    yield from function(path, *arguments, **named)
+                except UrbanMapError:
+                    raise
+                except PARSER_ERRORS as error:
+                    raise _refusal(path, what, error) from error
+
+            return guarded_pieces
+
+        @functools.wraps(function)
+        def guarded(path, *arguments, **named):
+            try:
+                # Numbers beyond all limits would be warned of; they are refused where they are checked.
+                with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+                    return function(path, *arguments, **named)
+            except UrbanMapError:
+                raise
+            except PARSER_ERRORS as error:
+                raise _refusal(path, what, error) from error
+
+        return guarded
+
+    return decorate
+
+
+def _refusal(path: object, what: str, error: BaseException) -> InputError:
+    return InputError(say("{name} cannot be read as {what}{reason}: it is damaged or of another kind; export or "
+                          "download it again.", name=_name(path), what=what, reason=_reason(error)))
+
+
+def _name(path: object) -> str:
+    paths = [path] if isinstance(path, (str, os.PathLike)) else path if isinstance(path, (list, tuple)) else []
+    return ", ".join(Path(item).name for item in paths if isinstance(item, (str, os.PathLike))) or "The file"
+
+
+def _reason(error: BaseException) -> str:
+    """The cause where it says something to a surveyor."""
+    if isinstance(error, OSError) and error.strerror:
+        return f" ({error.strerror})"
+    if isinstance(error, UnicodeError):
+        return say(" (it is no text in UTF-8)")
+    if isinstance(error, RecursionError):
+        return say(" (it is nested too deep)")
+    if isinstance(error, (MemoryError, OverflowError)):
+        return say(" (a number in it is too large)")
+    return ""
+
+
+def read_text(path: str | os.PathLike, what: str) -> str:
+    """A text file in UTF-8.
+
+    Raises
+    ------
+    InputError : it is no text, or cannot be read.
+    """
+    try:
+        return Path(path).read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeError) as error:
+        raise _refusal(path, what, error) from error
+
+
+def read_json(path: str | os.PathLike, what: str) -> object:
+    """A JSON file in UTF-8, in which NaN and Infinity, which JSON does not have, are refused.
+
+    Raises
+    ------
+    InputError : it is no JSON.
+    """
+    try:
+        return json.loads(read_text(path, what), parse_constant=_no_constant)
+    except (ValueError, RecursionError) as error:
+        raise InputError(say("{path} cannot be read as {what}{reason}: it is not JSON, or damaged; export it again.",
+                             path=Path(path).name, what=what, reason=_reason(error))) from error
+
+
+def _no_constant(name: str) -> float:
+    raise ValueError(f"{name} is no number in JSON")
+
+
+def first_not_finite(table: np.ndarray) -> int | None:
+    """First row of a table (n, ...) that holds NaN or infinity, counted from 0; None where there is none."""
+    table = np.asarray(table, float)
+    bad = np.flatnonzero(~np.isfinite(table.reshape(len(table), -1)).all(axis=1)) if len(table) else ()
+    return int(bad[0]) if len(bad) else None

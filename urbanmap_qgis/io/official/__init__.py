@@ -1,0 +1,1 @@
+"""Files of the Geospatial Information Authority of Japan (GSI): outlines and elevation models."""

@@ -1,0 +1,1 @@
+"""Point clouds: LAS, LAZ and COPC, checked before they are decoded, read in chunks and buckets."""

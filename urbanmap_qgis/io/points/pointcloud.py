@@ -1,0 +1,325 @@
+"""LAS, LAZ and COPC: read in chunks, written whole with every attribute kept."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+from pathlib import Path
+
+import laspy
+import numpy as np
+from lazrs import LazrsError
+from pyproj import CRS
+from pyproj.exceptions import CRSError
+
+from ...errors import InputError, InsufficientDataError
+from ...progress import SILENT, Progress
+from ...wording import say
+from ..files.atomic import written_beside
+from ..reference.crs_text import same_horizontal
+from ..reference.height_systems import refuse_other_heights
+from ..reference.renamed_crs import known_wkt
+from .decoded_points import decoded_points
+from .las_check import check_las, decoding
+
+CHUNK_POINTS = 1_000_000
+"""Points held in memory at a time while reading."""
+
+NOISE_CLASSES = (7, 18)
+"""LAS classes of low and high noise."""
+
+_SHAPE = (laspy.DecompressionSelection.base() | laspy.DecompressionSelection.Z
+          | laspy.DecompressionSelection.CLASSIFICATION | laspy.DecompressionSelection.FLAGS
+          | laspy.DecompressionSelection.ALL_EXTRA_BYTES)
+
+_READ_ERRORS = (laspy.errors.LaspyException, LazrsError, OSError, ValueError, EOFError, RuntimeError)
+
+
+_ASSUMED: ContextVar[str | None] = ContextVar("assumed_crs", default=None)
+
+
+@contextmanager
+def assumed_crs(crs_wkt: str | None) -> Iterator[None]:
+    """In the block, files that state no CRS are taken to be in this one (WKT); None leaves things as they are."""
+    token = _ASSUMED.set(crs_wkt or _ASSUMED.get())
+    try:
+        yield
+    finally:
+        _ASSUMED.reset(token)
+
+
+@dataclass(frozen=True)
+class PointCloud:
+    """One or several point cloud files taken as one cloud.
+
+    Attributes
+    ----------
+    paths : the files, in the order given.
+    headers : their LAS headers.
+    crs_wkt : WKT of the coordinate reference system, None where no file states one.
+    minimum, maximum : (3,) corners of the bounding box from the headers.
+    """
+
+    paths: tuple[Path, ...]
+    headers: tuple[laspy.LasHeader, ...]
+    crs_wkt: str | None
+    minimum: np.ndarray
+    maximum: np.ndarray
+
+    @property
+    def point_count(self) -> int:
+        """Number of points by the headers."""
+        return sum(header.point_count for header in self.headers)
+
+    def has_dimension(self, name: str) -> bool:
+        """Whether every file has the named dimension (standard or extra)."""
+        return all(name in header.point_format.dimension_names for header in self.headers)
+
+
+def open_cloud(paths: Sequence[str | os.PathLike], crs_wkt: str | None = None,
+               may_be_empty: bool = False) -> PointCloud:
+    """Open the headers of LAS, LAZ or COPC files and check that they form one cloud.
+
+    Parameters
+    ----------
+    paths : one or several files.
+    crs_wkt : the coordinate reference system to use where the files state none.
+    may_be_empty : accept files without any point, which an earlier step may have had to write.
+
+    Raises
+    ------
+    InputError : a file is missing, is no LAS/LAZ, or the files' CRS differ.
+    InsufficientDataError : there are no points in any file.
+    """
+    files = tuple(Path(path) for path in paths)
+    if not files:
+        raise InputError(say("No point cloud was given: choose one or several LAS or LAZ files."))
+    headers = tuple(_header(path) for path in files)
+    stated = [(path, crs) for path, header in zip(files, headers) if (crs := _stated_crs(path, header))]
+    for path, crs in stated[1:]:
+        if not same_plan_crs(crs, stated[0][1]):
+            raise InputError(say("{path} is in {crs}, but {stated} is in {stated_2}: give files of one coordinate "
+                                 "reference system.", path=path.name, crs=crs.name, stated=stated[0][0].name,
+                                 stated_2=stated[0][1].name))
+        refuse_other_heights(path.name, crs.to_wkt(), stated[0][0].name, stated[0][1].to_wkt())
+    full = [header for header in headers if header.point_count]
+    if not full and not may_be_empty:
+        raise InsufficientDataError(say("{files} holds no points: choose another point cloud.", files=files[0].name))
+    corners = np.array([[header.mins, header.maxs] for header in full or headers[:1]], dtype=float)
+    if not np.isfinite(corners).all():
+        raise InputError(say("{files} has coordinates that are not numbers: repair the file's header.",
+                             files=files[0].name))
+    return PointCloud(files, headers, stated[0][1].to_wkt() if stated else crs_wkt or _ASSUMED.get(),
+                      corners[:, 0].min(axis=0), corners[:, 1].max(axis=0))
+
+
+def _header(path: Path) -> laspy.LasHeader:
+    """Header of one file, or the sentence that tells the user why not."""
+    if not path.is_file():
+        raise InputError(say("The point cloud {path} does not exist.", path=path))
+    check_las(path)
+    try:
+        with decoding(path), laspy.open(path) as reader:
+            return reader.header
+    except _READ_ERRORS as error:
+        raise InputError(say("{path} cannot be read as LAS or LAZ ({error}): it may be truncated or of another kind.",
+                             path=path.name, error=error)) from error
+
+
+def _stated_crs(path: Path, header: laspy.LasHeader) -> CRS | None:
+    """The CRS that a header states, None where it states none."""
+    try:
+        crs = header.parse_crs()
+        stated = crs.to_wkt() if crs else ""
+        return crs if known_wkt(stated) == stated else CRS.from_wkt(known_wkt(stated))
+    except CRSError as error:
+        raise InputError(say("The coordinate reference system in {path} cannot be understood: set it right in the "
+                             "file.", path=path.name)) from error
+
+
+def plan_crs(crs: CRS) -> CRS:
+    """The horizontal part of a CRS: what outlines and rasters are compared with."""
+    if crs.is_compound:
+        return plan_crs(crs.sub_crs_list[0])
+    return plan_crs(crs.source_crs) if crs.is_bound else crs
+
+
+def same_plan_crs(first: CRS, second: CRS) -> bool:
+    """Whether two CRS have the same horizontal part (axis order aside)."""
+    first, second = plan_crs(first), plan_crs(second)
+    if first.equals(second, ignore_axis_order=True):
+        return True
+    if same_horizontal(first.to_wkt(), second.to_wkt()):
+        return True
+    code = first.to_epsg(min_confidence=70)
+    return code is not None and code == second.to_epsg(min_confidence=70)
+
+
+def iter_chunks(cloud: PointCloud, progress: Progress = SILENT, chunk_points: int = CHUNK_POINTS, *,
+                shape_only: bool = False) -> Iterator[laspy.ScaleAwarePointRecord]:
+    """Give the cloud's points in chunks, file after file, reporting the share read.
+
+    With `shape_only` times, intensities and colours may be 0: of LAZ of the point formats from 6 on these layers are
+    not decoded. Coordinates, returns, classes, flags and extra attributes are there.
+
+    Raises
+    ------
+    InputError : a file ends before the number of points that its header promises.
+    """
+    layers = _SHAPE if shape_only else laspy.DecompressionSelection.all()
+    done = 0
+    total = max(cloud.point_count, 1)
+    for path, header in zip(cloud.paths, cloud.headers):
+        read = 0
+        try:
+            for chunk in _chunks(path, header, chunk_points, layers):
+                read += len(chunk)
+                yield chunk
+                progress.step((done + read) / total)
+        except _READ_ERRORS as error:
+            raise InputError(say("{path} is damaged or truncated after {read:,} of {point_count:,} points: copy or "
+                                 "download it again.", path=path.name, read=read,
+                                 point_count=header.point_count)) from error
+        if read < header.point_count:
+            raise InputError(say("{path} is truncated: it holds {read:,} of {point_count:,} points; copy or download "
+                                 "it again.", path=path.name, read=read, point_count=header.point_count))
+        done += read
+
+
+def _chunks(path: Path, header: laspy.LasHeader, chunk_points: int,
+            layers: laspy.DecompressionSelection) -> Iterator[laspy.ScaleAwarePointRecord]:
+    """The points of one file, from where `decoded_points.decoded_once` holds them if it does."""
+    holder = decoded_points() if header.are_points_compressed else None
+    held = holder.chunks(path, header, chunk_points) if holder else None
+    if held is not None:
+        yield from held
+        return
+    with decoding(path), laspy.open(path, decompression_selection=layers) as reader:
+        chunks = reader.chunk_iterator(chunk_points)
+        whole = layers == laspy.DecompressionSelection.all()
+        yield from holder.kept(path, header, chunks) if holder and whole else chunks
+
+
+def valid_points(points: laspy.ScaleAwarePointRecord) -> np.ndarray:
+    """Mask (n,) of points that are neither noise (classes 7, 18) nor withheld, with heights in reason."""
+    z = np.asarray(points.z)
+    keep = np.isfinite(z) & (np.abs(z) < 1e5)
+    keep &= ~np.isin(np.asarray(points.classification), NOISE_CLASSES)
+    return keep & ~np.asarray(points.withheld).astype(bool)
+
+
+class PointLayout:
+    """The record layout that holds the points of all files of a cloud, plus new attributes.
+
+    Parameters
+    ----------
+    cloud : the cloud whose attributes are kept.
+    extra : names of unsigned 32 bit attributes to add (name, description).
+    """
+
+    def __init__(self, cloud: PointCloud, extra: Sequence[tuple[str, str]] = ()):
+        first = max(cloud.headers, key=lambda header: header.point_format.id)
+        header = laspy.LasHeader(point_format=first.point_format.id, version=first.version)
+        header.scales = np.min([h.scales for h in cloud.headers], axis=0)
+        header.offsets = _common_offsets(cloud)
+        header.global_encoding = cloud.headers[0].global_encoding
+        header.system_identifier = cloud.headers[0].system_identifier
+        header.generating_software = "UrbanMap"
+        header.creation_date = cloud.headers[0].creation_date
+        for source in cloud.headers:
+            known = set(header.point_format.dimension_names) | {name for name, _ in extra}
+            header.add_extra_dims([_extra_parameters(dimension) for dimension
+                                   in source.point_format.extra_dimensions if dimension.name not in known])
+        header.add_extra_dims([laspy.ExtraBytesParams(name, np.uint32, description[:31])
+                               for name, description in extra])
+        skipped = {"copc", "laszip encoded", "LASF_Spec"}
+        header.vlrs.extend(vlr for vlr in first.vlrs if vlr.user_id not in skipped)
+        if cloud.crs_wkt and not any(vlr.user_id == "LASF_Projection" for vlr in header.vlrs):
+            header.add_crs(CRS.from_wkt(cloud.crs_wkt))
+        self.header = header
+        self.dtype = header.point_format.dtype()
+
+    def adapt(self, points: laspy.ScaleAwarePointRecord, keep: np.ndarray) -> np.ndarray:
+        """Records (m,) of this layout for the points that `keep` (n,) marks; new attributes are 0."""
+        record = laspy.ScaleAwarePointRecord.zeros(int(np.count_nonzero(keep)), header=self.header)
+        rows = slice(None) if keep.all() else np.flatnonzero(keep)
+        same_place = (np.array_equal(points.scales, self.header.scales)
+                      and np.array_equal(points.offsets, self.header.offsets))
+        stored = set(points.array.dtype.names) & set(self.dtype.names)
+        if points.point_format.id != self.header.point_format.id:
+            stored = set(points.point_format.dimension_names) & set(self.header.point_format.dimension_names)
+        for name in sorted(stored - {"X", "Y", "Z"}):
+            record[name] = points[name][rows]
+        if same_place:
+            for name in ("X", "Y", "Z"):
+                record.array[name] = points.array[name][rows]
+        else:
+            record.x, record.y, record.z = (np.asarray(points[name])[rows] for name in "xyz")
+        return record.array
+
+    def view(self, records: np.ndarray) -> laspy.ScaleAwarePointRecord:
+        """Records of this layout with their attributes by name and scaled coordinates."""
+        return laspy.ScaleAwarePointRecord(records, self.header.point_format,
+                                           self.header.scales, self.header.offsets)
+
+
+def _common_offsets(cloud: PointCloud) -> np.ndarray:
+    """Offsets (3,) that suit all files: their own, or where they differ the cloud's corner in whole units.
+
+    With one file's offsets and another's finer scale, coordinates could be too large for 32 bits.
+    """
+    first = cloud.headers[0]
+    alike = all(np.array_equal(header.offsets, first.offsets) and np.array_equal(header.scales, first.scales)
+                for header in cloud.headers)
+    return first.offsets if alike else np.floor(cloud.minimum)
+
+
+def _extra_parameters(dimension: laspy.DimensionInfo) -> laspy.ExtraBytesParams:
+    """What laspy needs to declare an extra dimension again."""
+    return laspy.ExtraBytesParams(dimension.name, dimension.type_str(), dimension.description,
+                                  dimension.offsets, dimension.scales, dimension.no_data)
+
+
+@contextmanager
+def cloud_writer(path: str | os.PathLike, layout: PointLayout) -> Iterator[CloudWriter]:
+    """Open a LAZ (or LAS) file for records of a layout; it appears at `path` when the block succeeds.
+
+    Raises
+    ------
+    OutputError : the file cannot be written there.
+    """
+    if Path(path).suffix.lower() not in (".las", ".laz"):
+        raise InputError(say("{path} must end in .laz or .las.", path=Path(path).name))
+    compress = Path(path).suffix.lower() == ".laz"
+    with (written_beside(path) as temporary,
+          laspy.open(temporary, mode="w", header=layout.header, do_compress=compress) as writer):
+        yield CloudWriter(writer, layout)
+
+
+@dataclass(frozen=True)
+class CloudWriter:
+    """Takes records of a layout, in any number of pieces."""
+
+    writer: laspy.LasWriter
+    layout: PointLayout
+
+    def write(self, records: np.ndarray) -> None:
+        """Append records (n,) of the layout."""
+        if len(records):
+            self.writer.write_points(laspy.PackedPointRecord(records, self.layout.header.point_format))
+
+
+def read_all(cloud: PointCloud, names: Iterable[str], progress: Progress = SILENT) -> dict[str, np.ndarray]:
+    """Named attributes of all points, for clouds that are known to fit into memory.
+
+    `x`, `y` and `z` are the scaled coordinates (n,) in CRS units.
+    """
+    wanted = tuple(names)
+    pieces: dict[str, list[np.ndarray]] = {name: [] for name in wanted}
+    for chunk in iter_chunks(cloud, progress):
+        for name in wanted:
+            pieces[name].append(np.array(chunk[name]))
+    return {name: np.concatenate(values) for name, values in pieces.items()}

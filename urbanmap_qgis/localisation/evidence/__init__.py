@@ -1,0 +1,1 @@
+"""What walls, markings and satellites tell of a place."""

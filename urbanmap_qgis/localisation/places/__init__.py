@@ -1,0 +1,1 @@
+"""Places along roads: where they lie, what is checked of them, what each deserves to be called."""

@@ -1,0 +1,85 @@
+"""Drawings of the report on localisation accuracy as SVG: plans with ellipses to scale, predicted against observed."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..accuracy_map import AccuracyMap, LocalisationMap
+from ..places.place_status import GOOD, NONE, POOR, USABLE
+
+COLOUR_OF_CLASS = {GOOD: "#1a9850", USABLE: "#e0b03a", POOR: "#d73027", NONE: "#8c8c8c"}
+_MOST_SEGMENTS = 6000
+
+
+def accuracy_plan(city: LocalisationMap, made: AccuracyMap, rows: np.ndarray, enlarged: float, width: int = 900,
+                  around: float = 20.0) -> str:
+    """Plan of walls and markings with the places in `rows` and their error ellipses, `enlarged` times.
+
+    `around` : m drawn beyond the places.
+    """
+    xy = made.places.place[rows, :2]
+    low, high = xy.min(axis=0) - around, xy.max(axis=0) + around
+    scale = min(width / (high[0] - low[0]), 0.7 * width / (high[1] - low[1]))
+    size = (high - low) * scale
+
+    def at(points: np.ndarray) -> np.ndarray:
+        return np.column_stack([(points[:, 0] - low[0]) * scale, (high[1] - points[:, 1]) * scale])
+
+    parts = [_markings(city, at, low, high), _walls(city, at, low, high)]
+    for row, (x, y) in zip(rows, at(xy)):
+        colour = COLOUR_OF_CLASS[made.kind[row]]
+        major, minor = enlarged * made.ellipse.major[row] * scale, enlarged * made.ellipse.minor[row] * scale
+        if np.isfinite(major):
+            parts.append(f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{minor:.1f}" ry="{major:.1f}" fill="{colour}" '
+                         f'fill-opacity="0.3" stroke="{colour}" transform="rotate({made.ellipse.bearing[row]:.0f} '
+                         f'{x:.1f} {y:.1f})"/>')
+        parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="1.6" fill="{colour}"/>')
+    return _picture(size[0], size[1], "".join(parts))
+
+
+def agreement_plot(predicted: np.ndarray, observed: np.ndarray, size: int = 460) -> str:
+    """Observed against predicted root mean square errors, m, with the line on which they are equal."""
+    top = float(max(np.quantile(observed, 0.97), predicted.max(), 0.05)) * 1.1
+    left, foot = 52.0, size - 40.0
+    scale = (size - left - 12) / top
+    dots = "".join(f'<circle cx="{left + x * scale:.1f}" cy="{foot - min(y, top) * scale:.1f}" r="2.2" '
+                   f'fill="#2166ac" fill-opacity="0.7"/>' for x, y in zip(predicted, observed))
+    ticks = "".join(
+        f'<text x="{left + v * scale:.0f}" y="{foot + 16:.0f}" text-anchor="middle">{v:.2g}</text>'
+        f'<text x="{left - 6:.0f}" y="{foot - v * scale + 4:.0f}" text-anchor="end">{v:.2g}</text>'
+        for v in np.linspace(0.0, top, 6))
+    axes = (f'<path d="M{left:.0f} 12V{foot:.0f}H{size - 10}" stroke="#444" fill="none"/>'
+            f'<path d="M{left:.0f} {foot:.0f}L{left + top * scale:.0f} {foot - top * scale:.0f}" stroke="#999"/>')
+    words = (f'<text x="{size / 2:.0f}" y="{size - 6}" text-anchor="middle">predicted, m</text>'
+             f'<text x="12" y="{size / 2:.0f}" text-anchor="middle" transform="rotate(-90 12 {size / 2:.0f})">'
+             'observed, m</text>')
+    return _picture(size, size, axes + ticks + dots + words)
+
+
+def _walls(city: LocalisationMap, at, low: np.ndarray, high: np.ndarray) -> str:
+    if city.walls is None:
+        return ""
+    walls = city.walls.walls
+    near = ((np.maximum(walls.start, walls.end) > low) & (np.minimum(walls.start, walls.end) < high)).all(axis=1)
+    rows = np.flatnonzero(near)[:_MOST_SEGMENTS]
+    lines = "".join(f"M{a[0]:.1f} {a[1]:.1f}L{b[0]:.1f} {b[1]:.1f}"
+                    for a, b in zip(at(walls.start[rows]), at(walls.end[rows])))
+    return f'<path d="{lines}" stroke="#333" stroke-width="1.4" fill="none"/>'
+
+
+def _markings(city: LocalisationMap, at, low: np.ndarray, high: np.ndarray) -> str:
+    if city.markings is None:
+        return ""
+    xy = city.markings.xy
+    rows = np.flatnonzero(((xy > low) & (xy < high)).all(axis=1))
+    half = (0.25 * np.column_stack([-city.markings.normal[rows, 1], city.markings.normal[rows, 0]])
+            * np.minimum(city.markings.length[rows] / 0.5, 1.0)[:, None])
+    lines = "".join(f"M{a[0]:.1f} {a[1]:.1f}L{b[0]:.1f} {b[1]:.1f}"
+                    for a, b in zip(at(xy[rows] - half), at(xy[rows] + half)))
+    return f'<path d="{lines}" stroke="#b8b03a" stroke-width="1" fill="none"/>'
+
+
+def _picture(width: float, height: float, content: str) -> str:
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
+            f'viewBox="0 0 {width:.0f} {height:.0f}" role="img" font-family="sans-serif" font-size="11">'
+            f'<rect width="{width:.0f}" height="{height:.0f}" fill="#fafafa"/>{content}</svg>')

@@ -1,0 +1,135 @@
+"""The report on a map of localisation accuracy: road by class, the worst stretches, predicted against observed."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+
+import numpy as np
+
+from ...io.pages.report import BAD, GOOD, LOOK, Report
+from ...wording import say
+from ..accuracy_map import SOURCES, AccuracyMap, LocalisationMap
+from ..places.place_status import NONE
+from ..simulation.prediction_check import PredictionCheck
+from .accuracy_tables import lengths_by_class
+from .localisation_pictures import accuracy_plan, agreement_plot
+
+STRETCH = 50.0
+"""Length of road, m, that is ranked as one."""
+
+_WORST = 10
+_DRAWN = 3000
+
+
+def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, made: AccuracyMap,
+                              check: PredictionCheck | None) -> None:
+    """Report of a map of accuracy."""
+    report = Report("Map of localisation accuracy")
+    _verdict(report, made)
+    _worst(report, city, made)
+    _summary(report, made)
+    _statuses(report, made)
+    _plan(report, city, made)
+    if check is not None:
+        _check(report, made, check)
+    report.write(path)
+
+
+def stretches(made: AccuracyMap) -> list[np.ndarray]:
+    """Rows of the places of each stretch of road of about 50 m."""
+    piece = np.floor(made.places.way / STRETCH).astype(np.int64)
+    key = np.column_stack([made.places.street, piece])
+    number = np.unique(key, axis=0, return_inverse=True)[1].ravel()
+    order = np.argsort(number, kind="stable")
+    return np.split(order, np.flatnonzero(np.diff(number[order])) + 1)
+
+
+def _verdict(report: Report, made: AccuracyMap) -> None:
+    known = np.isfinite(made.ellipse.major)
+    if not known.any():
+        report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
+    else:
+        report.verdict(GOOD if known.all() else LOOK,
+                       say("On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of "
+                           "{median:.2f} m in the weakest direction; the worst stretches are below.", mean=known.mean(),
+                           median=_median(made.ellipse.major)))
+
+
+def _summary(report: Report, made: AccuracyMap) -> None:
+    total = made.places.step.sum()
+    report.section("Result")
+    report.facts({"Places": len(made.places), "Length of road, m": float(total),
+                  "Median sigma of the weakest direction, m": _median(made.ellipse.major),
+                  "Places that look like others": sum("repeats" in str(words) for words in made.status)})
+    report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
+                                                   for name, length in lengths_by_class(made).items()])
+    report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
+        [name, int(np.isfinite(made.sigma[name][:, 0]).sum()), *map(_median, made.sigma[name].T)] for name in SOURCES])
+    report.paragraph("Medians over the places of which the source tells something. A direction without evidence keeps "
+                     "the sigma from before matching.")
+    report.histogram(made.ellipse.major, "sigma of the weakest direction, m", "Places by the semi-major axis of their "
+                     "error ellipse.", upper=min(2.0, np.nanmax(made.ellipse.major, initial=0.01)))
+
+
+def _plan(report: Report, city: LocalisationMap, made: AccuracyMap) -> None:
+    rows = np.unique(np.linspace(0, len(made.places) - 1, min(len(made.places), _DRAWN)).astype(int))
+    report.section("Plan")
+    report.figure(accuracy_plan(city, made, rows, 10.0), "Error ellipses, ten times enlarged, by class: green good, "
+                  "yellow usable, red poor, grey nothing can be said.")
+
+
+def _statuses(report: Report, made: AccuracyMap) -> None:
+    report.section("Status")
+    report.table(["status", "places"], Counter(map(str, made.status)).most_common(30))
+
+
+def _worst(report: Report, city: LocalisationMap, made: AccuracyMap) -> None:
+    report.section("Worst stretches")
+    parts = [rows for rows in stretches(made) if np.isfinite(made.ellipse.major[rows]).any()]
+    score = np.array([np.sqrt(np.nanmean(made.ellipse.major[rows] ** 2)) for rows in parts])
+    worst = np.argsort(-score, kind="stable")[:_WORST]
+    report.table(["street", "from, m", "to, m", "sigma of the weakest direction, m", "bearing, degrees", "status"], [
+        [int(made.places.street[rows[0]]), float(made.places.way[rows].min()), float(made.places.way[rows].max()),
+         float(score[number]), _median(made.ellipse.bearing[rows]),
+         Counter(map(str, made.status[rows])).most_common(1)[0][0]]
+        for number, rows in ((number, parts[number]) for number in worst)])
+    for place, number in enumerate(worst, 1):
+        rows = parts[number]
+        report.figure(accuracy_plan(city, made, rows, 5.0, 420, 40.0),
+                      say("{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.", place=place,
+                          street=made.places.street[rows[0]], min=made.places.way[rows].min()))
+    without = [rows for rows in stretches(made) if (made.kind[rows] == NONE).all()]
+    if without:
+        report.paragraph(say("Of {without_count} stretches nothing can be said: see the statuses above and the layer.",
+                             without_count=len(without)))
+
+
+def _check(report: Report, made: AccuracyMap, check: PredictionCheck) -> None:
+    report.section("Predicted against observed")
+    report.paragraph("Scans were simulated at some of the places, with noise, vehicles and trees in the way, and "
+                     "registered to the map with the plugin's own NDT.")
+    report.facts({"Places": len(check.rows), "Scans a place": check.errors.shape[1],
+                  "Spearman's coefficient over all places": check.rank,
+                  "Median of it within a street": check.rank_in_street,
+                  "Share of the errors within the 95 % ellipse": check.inside,
+                  "Median observed error in plan, m": _median(check.observed),
+                  "Median predicted error in plan, m": _median(check.predicted),
+                  "Share of the rays to walls that were hidden": _median(check.hidden),
+                  "Scans that fit another place better": float(check.elsewhere.mean()) if len(check.rows) else None})
+    if not len(check.rows):
+        report.warning("No place could be simulated: walls tell nothing of any.")
+        return
+    report.figure(agreement_plot(check.predicted, check.observed), "Root mean square errors in plan of each place; "
+                  "those above the picture are drawn at its edge.")
+    report.table(["street", "way, m", "predicted along, across, m", "observed along, across, m", "within 95 %",
+                  "elsewhere", "status"],
+                 [[int(made.places.street[row]), float(made.places.way[row]),
+                   "{:.2f}, {:.2f}".format(*check.predicted_parts[k, :2]),
+                   "{:.2f}, {:.2f}".format(*check.observed_parts[k, :2]), f"{check.within[k]:.0%}",
+                   f"{check.elsewhere[k]:.0%}", made.status[row]] for k, row in enumerate(check.rows[:200])])
+
+
+def _median(values: np.ndarray) -> float | None:
+    finite = np.asarray(values, float)[np.isfinite(values)]
+    return float(np.median(finite)) if len(finite) else None

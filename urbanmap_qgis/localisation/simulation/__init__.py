@@ -1,0 +1,1 @@
+"""Scans simulated and matched, to check the prediction."""

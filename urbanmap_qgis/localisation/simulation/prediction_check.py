@@ -1,0 +1,126 @@
+"""Predicted against observed accuracy: scans simulated at every k-th place and registered to the map (J 6.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.stats import rankdata
+
+from ...gnss.rays.tracing import WallObstacles
+from ...gnss.rays.wall_faces import WallPieces
+from ...progress import SILENT, Progress
+from ..accuracy_map import APART, AccuracyMap, field_of_walls
+from ..ellipses import along_and_across
+from ..localisation_settings import LocalisationSettings
+from ..map_aliases import EVIDENCE_OF_CELL, STEP, alias_modes
+from ..walls.wall_map import WallMap
+from .simulated_matches import MatchingMap, match_error, plan_matching_map, space_matching_map
+from .simulated_scans import displaced, simulated_scans
+
+ELLIPSE_95 = 5.991
+"""95 % quantile of chi square with two degrees of freedom."""
+
+_AZIMUTHS_PLAN, _AZIMUTHS_SPACE = 360, 120
+
+
+@dataclass(frozen=True)
+class PredictionCheck:
+    """Observed errors at some places.
+
+    Attributes
+    ----------
+    rows : (k,) of the places in the map of accuracy.
+    errors : (k, draws, 3) east, north, m, and turn, rad, of each registration.
+    observed, predicted : (k,) m, root mean square error in plan, and the one expected.
+    observed_parts, predicted_parts : (k, 3) along, across (m), heading (degrees).
+    within : (k,) share of the errors within the 95 % ellipse.
+    hidden : (k,) share of the rays to walls that vehicles and trees stopped.
+    elsewhere : (k,) share of the scans that fit another place within the search better than their own.
+    rank : Spearman's coefficient of observed and predicted over all places; NaN with fewer than three.
+    rank_in_street : median over the streets with eight places or more; NaN without one.
+    inside : share of all errors within the 95 % ellipses.
+    """
+
+    rows: np.ndarray
+    errors: np.ndarray
+    observed: np.ndarray
+    predicted: np.ndarray
+    observed_parts: np.ndarray
+    predicted_parts: np.ndarray
+    within: np.ndarray
+    hidden: np.ndarray
+    elsewhere: np.ndarray
+    rank: float
+    rank_in_street: float
+    inside: float
+
+
+def check_prediction(walls: WallMap, made: AccuracyMap, settings: LocalisationSettings, every: int, draws: int,
+                     seed: int, truth: WallPieces | None = None, progress: Progress = SILENT) -> PredictionCheck:
+    """Register simulated scans and compare their errors with the prediction by walls.
+
+    Parameters
+    ----------
+    every : k, of the places of which walls tell something.  draws : scans a place.
+    truth : walls of the true city; without it each draw has its own, the map displaced by its sigmas.
+    """
+    rows = np.flatnonzero(np.isfinite(made.by_source["walls"][:, 0, 0]))[::every]
+    sensor = made.places.place[rows] + np.array([0.0, 0.0, settings.scanner.height])
+    heading = made.places.heading[rows]
+    maps = _maps(walls, made, rows, settings)
+    errors, hidden, elsewhere = (np.zeros((len(rows), draws, *more)) for more in ((3,), (), ()))
+    azimuths = _AZIMUTHS_PLAN if settings.scanner.kind == "2D" else _AZIMUTHS_SPACE
+    for draw in range(draws):
+        rng = np.random.default_rng([seed, draw])
+        city = truth if truth is not None else displaced(walls.walls, walls.sigma, rng, settings.common_sigma)
+        scans = simulated_scans(WallObstacles.of(city), sensor, heading, settings.scanner, azimuths, rng)
+        for number, scan in enumerate(scans):
+            progress.step((draw + number / len(scans)) / draws)
+            errors[number, draw] = match_error(scan.offset, sensor[number], maps[number], settings, rng)
+            hidden[number, draw] = scan.hidden
+            elsewhere[number, draw] = _fits_elsewhere(maps[number], scan.offset, sensor[number], settings)
+    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), made)
+
+
+def _fits_elsewhere(city: MatchingMap, scan: np.ndarray, sensor: np.ndarray, settings: LocalisationSettings) -> bool:
+    """Whether another place than its own has more of the probability of a scan."""
+    most = int(settings.search / STEP)
+    if most < 1:
+        return False
+    walls = scan[scan[:, 2] > -0.8 * settings.scanner.height, :2]
+    surface = city.field.shifted(sensor[:2] + walls, most)
+    return bool(alias_modes(EVIDENCE_OF_CELL * surface, APART).share.sum() > 0.5)
+
+
+def _maps(walls: WallMap, made: AccuracyMap, rows: np.ndarray, settings: LocalisationSettings) -> list[MatchingMap]:
+    field = field_of_walls(walls, made.places, settings)
+    if settings.scanner.kind == "2D":
+        return [plan_matching_map(walls, field, settings)] * len(rows)
+    return [space_matching_map(walls, field, settings, place[:2], place[2]) for place in made.places.place[rows]]
+
+
+def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere: np.ndarray, made: AccuracyMap
+             ) -> PredictionCheck:
+    """Observed errors (k, draws, 3) at rows of a map of accuracy against its prediction by walls."""
+    expected = made.by_source["walls"][rows]
+    heading = made.places.heading[rows]
+    square = np.einsum("kdi,kdj->kij", errors, errors) / errors.shape[1]
+    distance = np.einsum("kdi,kij,kdj->kd", errors[:, :, :2], np.linalg.inv(expected[:, :2, :2]), errors[:, :, :2])
+    within = (distance <= ELLIPSE_95).mean(axis=1)
+    observed, predicted = (np.sqrt(np.trace(each[:, :2, :2], axis1=1, axis2=2)) for each in (square, expected))
+    parts = [np.column_stack([*along_and_across(each, heading), np.degrees(np.sqrt(each[:, 2, 2]))])
+             for each in (square, expected)]
+    street = made.places.street[rows]
+    ranks = [rank_agreement(observed[street == each], predicted[street == each]) for each in np.unique(street)
+             if (street == each).sum() >= 8]
+    return PredictionCheck(rows, errors, observed, predicted, *parts, within, hidden, elsewhere,
+                           rank_agreement(observed, predicted), float(np.median(ranks)) if ranks else np.nan,
+                           float(within.mean()) if len(rows) else np.nan)
+
+
+def rank_agreement(one: np.ndarray, other: np.ndarray) -> float:
+    """Spearman's rank correlation; NaN for fewer than three values or where one side does not vary."""
+    if len(one) < 3 or np.ptp(one) == 0 or np.ptp(other) == 0:
+        return float("nan")
+    return float(np.corrcoef(rankdata(one), rankdata(other))[0, 1])

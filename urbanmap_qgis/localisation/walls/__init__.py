@@ -1,0 +1,1 @@
+"""Walls of the map as a scanner on the road meets them."""

@@ -1,0 +1,141 @@
+"""The survey's points beside the path, sorted into square tiles of the map."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ...errors import InsufficientDataError
+from ...io.points.point_buckets import PointBuckets
+from ...io.points.pointcloud import PointCloud, iter_chunks, valid_points
+from ...mobile.gps_time import time_shift
+from ...mobile.markings.survey_points import STOPPED, breaks, sampled_span
+from ...mobile.trajectory import Trajectory, gaps, interpolate, path_chainage
+from ...progress import SILENT, Progress
+from ...wording import say
+from .edge_records import POINT
+
+TILE = 20.0
+"""Side of a tile, m."""
+
+MARGIN = 2.5
+"""Points so far beyond a tile are read with it, m: no step or profile looks farther."""
+
+_ROW = 1 << 24
+_AHEAD = 8.0  # m by which a tilted fan reaches ahead of the vehicle
+_ABOVE, _BELOW = 2.5, 5.0  # m over and under the body, at the path
+_SLOPE = 0.15  # of the ground across
+_CREEP = 0.02
+
+
+@dataclass(frozen=True)
+class EdgeTile:
+    """Points of a tile and its margin (`POINT`), in coordinates relative to the survey's corner.
+
+    `low` (2,) is the tile's own corner; what lies in [low, low + TILE) belongs to it.
+    """
+
+    low: np.ndarray
+    points: np.ndarray
+
+    def owns(self, place: np.ndarray) -> np.ndarray:
+        """Mask (n,) of places (n, 2) that belong to this tile."""
+        return ((place >= self.low) & (place < self.low + TILE)).all(axis=1)
+
+
+class EdgePoints:
+    """Reads a survey into tiles near its path.
+
+    Coordinates are kept relative to `corner` (3,), whole metres, so that they stay exact.
+
+    Parameters
+    ----------
+    width : m from the path to either side within which edges are wanted.
+    """
+
+    def __init__(self, cloud: PointCloud, trajectory: Trajectory, width: float, buckets: PointBuckets):
+        self.cloud, self.trajectory, self.width, self.buckets = cloud, trajectory, width, buckets
+        self.corner = np.array([*np.floor(trajectory.place[:, :2].min(axis=0)) - 1000.0, 0.0])
+        self.shift = time_shift(cloud, trajectory, sampled_span(cloud))
+        self.chainage = path_chainage(trajectory)
+        self.gaps = gaps(trajectory)
+        self.breaks = breaks(trajectory, self.chainage)
+        self.keys: set[int] = set()
+        self.read_points = self.kept_points = 0
+        marks = np.arange(0.0, self.chainage[-1] + 0.5, 0.5)
+        self.path = np.column_stack([np.interp(marks, self.chainage, axis) for axis in trajectory.place[:, :2].T])
+        self.path -= self.corner[:2]
+        self.path_tree = cKDTree(self.path)
+
+    def read(self, progress: Progress = SILENT) -> None:
+        """Read all points.
+
+        Raises
+        ------
+        InsufficientDataError : no point lies beside the path at the height of its road.
+        """
+        for chunk in iter_chunks(self.cloud, progress):
+            self.read_points += len(chunk)
+            time = np.asarray(chunk["gps_time"]) + self.shift
+            rows = np.flatnonzero(valid_points(chunk) & self._moving(time))
+            if len(rows):
+                self._add(np.column_stack([np.asarray(chunk[name])[rows] for name in "xyz"]), time[rows])
+        if not self.kept_points:
+            raise InsufficientDataError(
+                say("No point of {paths} was measured beside the path at the height of its road: give points and "
+                    "trajectory of one drive, in one coordinate and height system.", paths=self.cloud.paths[0].name))
+
+    def _moving(self, time: np.ndarray) -> np.ndarray:
+        """Mask (n,) of times at which the vehicle's place is known and it does not stand."""
+        known = self.trajectory.within(time)
+        for start, end in self.gaps:
+            known &= (time <= start) | (time >= end)
+        now, before = (np.interp(at, self.trajectory.time, self.chainage) for at in (time, time - STOPPED))
+        return known & ~((now - before < _CREEP) & (time - STOPPED > self.trajectory.time[0]))
+
+    def _add(self, place: np.ndarray, time: np.ndarray) -> None:
+        body = interpolate(self.trajectory, time, "hold").place
+        away = np.hypot(*(place - body)[:, :2].T)
+        height = (place - body)[:, 2]
+        near = ((away <= self.width + _AHEAD) & (height <= _ABOVE + _SLOPE * away)
+                & (height >= -_BELOW - _SLOPE * away))
+        place, time = place[near] - self.corner, time[near]
+        record = np.empty(len(place), POINT)
+        record["x"], record["y"], record["z"] = place.T
+        record["drive"] = np.searchsorted(self.breaks, time).astype(np.uint16)
+        column, row = (np.floor(axis / TILE).astype(np.int64) for axis in place[:, :2].T)
+        keys = column * _ROW + row
+        self.keys.update(np.unique(keys).tolist())
+        self.kept_points += len(record)
+        self.buckets.add(keys, record)
+
+    def within(self, place: np.ndarray) -> np.ndarray:
+        """Mask (n,) of places (n, 2), relative to the corner, that lie within `width` of the path."""
+        return np.isfinite(self.path_tree.query(place, distance_upper_bound=self.width)[0])
+
+    def tiles(self, progress: Progress = SILENT) -> Iterator[EdgeTile]:
+        """All tiles that have points, with their margins, column by column."""
+        keys = sorted(self.keys)
+        held: dict[int, np.ndarray] = {}
+        for number, key in enumerate(keys):
+            around = [key + i * _ROW + j for i in (-1, 0, 1) for j in (-1, 0, 1)]
+            held = {name: held[name] if name in held else self.buckets.read(name)
+                    for name in around if name in self.keys}
+            low = np.array([key // _ROW, key % _ROW], float) * TILE
+            if not self._reached(low):
+                continue
+            yield EdgeTile(low, np.concatenate([_within(held[name], low) for name in around if name in held]))
+            progress.step((number + 1) / len(keys))
+
+    def _reached(self, low: np.ndarray) -> bool:
+        """Whether some place of a tile may lie within the width of the path."""
+        return bool(self.path_tree.query(low + TILE / 2)[0] <= self.width + TILE * 0.71)
+
+
+def _within(points: np.ndarray, low: np.ndarray) -> np.ndarray:
+    """Points of a tile and its margin."""
+    x, y = points["x"] - low[0], points["y"] - low[1]
+    return points[(x >= -MARGIN) & (x < TILE + MARGIN) & (y >= -MARGIN) & (y < TILE + MARGIN)]

@@ -1,0 +1,216 @@
+"""Rails and walls at the road: upright faces that run along as lines, told by their height and what is behind them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ...wording import say
+from .courses import STATION
+from .edge_points import EdgeTile
+from .edge_records import (
+    DOUBTFUL,
+    MEASURED,
+    RAIL,
+    WALL,
+    Course,
+    EdgeCandidates,
+    EdgeSettings,
+    RoadEdge,
+    joined_candidates,
+)
+
+CELL = 0.1
+"""m."""
+
+LOWEST, BAND = 0.2, 1.3
+"""m above the ground between which rails and walls show."""
+
+RAIL_HEIGHTS = (0.35, 1.4)
+"""m; what is higher is a wall."""
+
+_RISE, _FEWEST = 0.2, 3  # m that a cell's points cover in height, and their number
+_AROUND, _THIN = 0.6, 0.12  # m round a cell whose neighbours tell its direction, and their spread across, of that along
+_HALF_LENGTH, _ACROSS, _SKIN = 0.4, 0.35, 0.12  # m about a station; m within which a face's points lie
+_ROUGH = 0.05  # m; vegetation scatters more
+_GROUND_BAND = (0.04, 0.2)  # m; walls reach the ground, the sides of vehicles do not
+_FOOTED, _LONG = (0.1, 0.5), 12.0  # shares of a rail's stations that reach the ground; m, longer than vehicles
+_UNEVEN, _BACKED = 0.15, 0.25  # m between the quartiles of a rail's height; share of stations
+_BEHIND = 1.2  # m; what is taller right behind a rail may be a vehicle's cabin
+_BROKEN = 0.6  # m; a gap in height above which what follows is something else
+_NOISE = 0.006  # m
+_BRIDGED = 2  # stations
+_SHORTEST = 5  # stations
+
+
+@dataclass
+class Uprights:
+    """What was measured at the stations of upright faces, NaN where nothing was; as `Stations`, in arrays (n,).
+
+    `across` m from the station, `ground` and `height` m, `sigma`, `sigma_z` m, `points`, `passes`; `footed` whether
+    it reaches the ground, `backed` whether something taller is right behind it.
+    """
+
+    course: np.ndarray
+    place: np.ndarray
+    normal: np.ndarray
+    across: np.ndarray
+    ground: np.ndarray
+    height: np.ndarray
+    sigma: np.ndarray
+    sigma_z: np.ndarray
+    points: np.ndarray
+    passes: np.ndarray
+    footed: np.ndarray
+    backed: np.ndarray
+
+    @classmethod
+    def of(cls, courses: list[Course]) -> Uprights:
+        """Stations of the courses, nothing measured."""
+        number = sum(len(course.seen) for course in courses)
+        return cls(np.repeat(np.arange(len(courses)), [len(course.seen) for course in courses]),
+                   np.concatenate([np.zeros((0, 2)), *(course.place for course in courses)]),
+                   np.concatenate([np.zeros((0, 2)), *(course.normal for course in courses)]),
+                   *[np.full(number, np.nan) for _ in range(5)], np.zeros(number, np.int64),
+                   np.zeros(number, np.int64), np.zeros(number, bool), np.zeros(number, bool))
+
+
+def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> EdgeCandidates:
+    """Cells of a tile in which points stand above each other, with normals that look away from the path.
+
+    Parameters
+    ----------
+    height : (n,) of the tile's points above the ground, m. path : places of the vehicle.
+    """
+    band = (height > LOWEST) & (height < BAND)
+    points, up = tile.points[band], height[band]
+    if len(points) < _FEWEST:
+        return joined_candidates([])
+    column, row = (np.floor(points[name] / CELL).astype(np.int64) for name in "xy")
+    flat = (column - column.min()) * (int(np.ptp(row)) + 1) + row - row.min()
+    order = np.argsort(flat, kind="stable")
+    starts = np.flatnonzero(np.diff(flat[order], prepend=-1))
+    count = np.diff(np.append(starts, len(order)))
+    rise = np.maximum.reduceat(up[order], starts) - np.minimum.reduceat(up[order], starts)
+    tall = (rise >= _RISE) & (count >= _FEWEST)
+    if np.count_nonzero(tall) < _FEWEST:
+        return joined_candidates([])
+    place = np.column_stack([np.add.reduceat(points[name][order], starts)[tall] / count[tall] for name in "xy"])
+    normal, thin = _directions(place)
+    mine = thin & tile.owns(place)
+    if not mine.any():
+        return joined_candidates([])
+    place, normal, rise = place[mine], normal[mine], rise[tall][mine]
+    away = place - path.data[path.query(place)[1]]
+    return EdgeCandidates(place, normal * np.where((normal * away).sum(axis=1) < 0, -1.0, 1.0)[:, None], rise, rise)
+
+
+def _directions(place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Normals (n, 2) of lines through the places round each one, and whether these are thin lines (n,)."""
+    pairs = cKDTree(place).query_pairs(_AROUND, output_type="ndarray")
+    first, second = np.concatenate([pairs, pairs[:, ::-1]]).T
+    offset = place[second] - place[first]
+    number = np.bincount(first, minlength=len(place)) + 1.0
+    sums = [np.bincount(first, weights=value, minlength=len(place)) / number
+            for value in (offset[:, 0], offset[:, 1], offset[:, 0]**2, offset[:, 1]**2, offset[:, 0] * offset[:, 1])]
+    xx, yy, xy = sums[2] - sums[0]**2, sums[3] - sums[1]**2, sums[4] - sums[0] * sums[1]
+    angle = 0.5 * np.arctan2(2 * xy, xx - yy)
+    half, mean = np.hypot(0.5 * (xx - yy), xy), 0.5 * (xx + yy)
+    thin = (number >= 4) & (mean - half < _THIN**2 * (mean + half)) & (mean + half > 0.2**2)
+    return np.column_stack([-np.sin(angle), np.cos(angle)]), thin
+
+
+def measure_uprights(stations: Uprights, tile: EdgeTile, height: np.ndarray) -> None:
+    """Measure the stations that belong to a tile."""
+    mine = np.flatnonzero(tile.owns(stations.place))
+    rows = np.flatnonzero(height > 0.02)
+    if not len(mine) or not len(rows):
+        return
+    place = np.column_stack([tile.points[name][rows] for name in "xy"])
+    around = cKDTree(place).query_ball_point(stations.place[mine], np.hypot(_HALF_LENGTH, _BEHIND + _ACROSS))
+    for station, near in zip(mine.tolist(), around):
+        near = np.array(near, int)
+        offset, normal = place[near] - stations.place[station], stations.normal[station]
+        close = np.abs(offset @ np.array([-normal[1], normal[0]])) <= _HALF_LENGTH
+        some = rows[near[close]]
+        _measure(stations, station, (offset @ normal)[close], height[some], tile.points[some])
+
+
+def _measure(stations: Uprights, station: int, across: np.ndarray, up: np.ndarray, points: np.ndarray) -> None:
+    """Put one station's face into `stations`, unless it is no face."""
+    band = (np.abs(across) < _ACROSS) & (up > LOWEST) & (up < BAND)
+    if np.count_nonzero(band) < 2 * _FEWEST:
+        return
+    middle = float(np.median(across[band]))
+    skin = np.abs(across - middle) < _SKIN
+    face = band & skin
+    scatter = float(np.std(across[face])) if np.count_nonzero(face) >= 2 * _FEWEST else np.inf
+    if np.count_nonzero(face) < 0.6 * np.count_nonzero(band) or scatter > _ROUGH:
+        return
+    column = np.sort(up[skin & (up > LOWEST)])
+    broken = np.flatnonzero(np.diff(column) > _BROKEN)
+    top = float(column[broken[0]] if len(broken) else column[-1])
+    number = int(np.count_nonzero(face))
+    noise = max(scatter, _NOISE)
+    stations.across[station] = float(np.mean(across[face]))
+    stations.ground[station] = float(np.median((points["z"] - up)[face]))
+    stations.height[station] = top
+    stations.sigma[station] = noise / np.sqrt(number)
+    stations.sigma_z[station] = max((top - LOWEST) / max(np.count_nonzero(skin), 1) * 2.0, _NOISE)
+    stations.points[station] = number
+    stations.passes[station] = len(np.unique(points["drive"][face]))
+    low = skin & (up > _GROUND_BAND[0]) & (up < _GROUND_BAND[1])
+    stations.footed[station] = np.count_nonzero(low) >= _FEWEST
+    taller = (across > middle + _SKIN) & (across < middle + _BEHIND) & (up > top + 0.1) & (up < 2.2)
+    stations.backed[station] = np.count_nonzero(taller) >= _FEWEST
+
+
+def upright_lines(stations: Uprights, settings: EdgeSettings, corner: np.ndarray, first_chain: int) -> list[RoadEdge]:
+    """Rails and walls of all courses; coordinates are moved by `corner` (3,)."""
+    edges = []
+    for course in np.unique(stations.course).tolist():
+        rows = np.flatnonzero(stations.course == course)
+        for kind, part in _runs(stations, rows):
+            edge = _edge(stations, kind, part, corner, first_chain + course)
+            if edge is not None and edge.length >= settings.min_length:
+                edges.append(edge)
+    return edges
+
+
+def _runs(stations: Uprights, rows: np.ndarray) -> list[tuple[str, np.ndarray]]:
+    """Measured rows of each stretch of one kind; short gaps do not part stretches."""
+    measured = rows[np.isfinite(stations.across[rows])]
+    height = stations.height[measured]
+    smooth = np.array([np.median(height[max(i - 2, 0):i + 3]) for i in range(len(height))])
+    usable = smooth >= RAIL_HEIGHTS[0]
+    measured, smooth = measured[usable], smooth[usable]
+    if not len(measured):
+        return []
+    wall = smooth > RAIL_HEIGHTS[1]
+    cuts = np.flatnonzero((np.diff(measured) > _BRIDGED + 1) | (np.diff(wall.astype(int)) != 0)) + 1
+    return [(WALL if wall[part[0]] else RAIL, measured[part])
+            for part in np.split(np.arange(len(measured)), cuts) if len(part) >= _SHORTEST]
+
+
+def _edge(stations: Uprights, kind: str, part: np.ndarray, corner: np.ndarray, chain: int) -> RoadEdge | None:
+    """The line of a stretch; None where it is the side of a vehicle."""
+    footed, backed = float(stations.footed[part].mean()), float(stations.backed[part].mean())
+    if kind == WALL and footed < 0.5:
+        return None
+    plan = stations.place[part] + stations.across[part][:, None] * stations.normal[part]
+    foot = np.column_stack([plan, stations.ground[part]])
+    top = foot + np.column_stack([np.zeros_like(plan), stations.height[part]])
+    status, reason = MEASURED, ""
+    if kind == RAIL:
+        if np.subtract(*np.percentile(stations.height[part], [75, 25])) > _UNEVEN or footed < _FOOTED[0]:
+            return None
+        if backed > _BACKED:
+            status, reason = DOUBTFUL, say("something taller stands right behind it: it may be a row of vehicles")
+        elif footed < _FOOTED[1] and STATION * len(part) < _LONG:
+            status, reason = DOUBTFUL, say("it does not reach the ground: it may be the side of a vehicle")
+    sigma, sigma_z = (float(np.sqrt(np.mean(values[part]**2))) for values in (stations.sigma, stations.sigma_z))
+    return RoadEdge(kind, foot + corner, top + corner, float(np.median(stations.height[part])), sigma, sigma_z,
+                    int(stations.points[part].sum()), int(stations.passes[part].max()),
+                    len(part) / (int(part[-1] - part[0]) + 1), chain, 0.0, status, reason)

@@ -1,0 +1,194 @@
+"""Lanes as roads and junctions in the sense of ASAM OpenDRIVE: lanes side by side about one reference line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from ..map_records import MapLane, VectorMap
+
+
+@dataclass
+class LaneRoad:
+    """Lanes side by side between two cross-sections, or one virtual lane of a junction.
+
+    Attributes
+    ----------
+    lanes : numbers of the map's lanes, from right to left. bounds : numbers (n + 1,) of theirs in that order.
+    axis : place in `bounds` of the one that is the reference line.
+    ahead : (n,) whether each lane leads along the road. junction : number of the junction it belongs to, or -1.
+    before, behind : ("road", number) or ("junction", number) at the begin and at the end, or None.
+    """
+
+    lanes: list[int]
+    bounds: list[int]
+    axis: int
+    ahead: list[bool]
+    junction: int = -1
+    before: tuple[str, int] | None = None
+    behind: tuple[str, int] | None = None
+
+    def lane_id(self, place: int) -> int:
+        """OpenDRIVE's id of a lane: positive to the left of the reference line, negative to its right."""
+        return place - self.axis + 1 if place >= self.axis else place - self.axis
+
+
+@dataclass
+class RoadLayout:
+    """A lane map as roads and junctions.
+
+    Attributes
+    ----------
+    roads : see there. of_lane : road and place in it of each lane. junctions : numbers of each one's connecting roads.
+    untold : pairs of lanes whose connection cannot be told beside those of the lanes beside them.
+    """
+
+    roads: list[LaneRoad]
+    of_lane: dict[int, tuple[int, int]]
+    junctions: list[list[int]] = field(default_factory=list)
+    untold: list[tuple[int, int]] = field(default_factory=list)
+
+
+def road_layout(built: VectorMap) -> RoadLayout:
+    """Roads of the map's lanes, each about the bound between its two directions, and junctions of its virtual lanes."""
+    left_hand = built.left_hand is not False
+    groups = [part for group in _side_by_side(built) for part in _about_one_axis(built, group, left_hand)]
+    groups = _of_one_connection(built, groups)
+    roads = [_road(built, group, left_hand) for group in groups]
+    virtual = [number for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
+    roads += [_road(built, [number], left_hand) for number in virtual]
+    of_lane = {lane: (road, place) for road, one in enumerate(roads) for place, lane in enumerate(one.lanes)}
+    layout = RoadLayout(roads, of_lane)
+    _join_junctions(built, layout)
+    _join_roads(built, layout)
+    return layout
+
+
+def _ahead(lane: MapLane) -> bool:
+    """Whether a lane leads in the direction of its bounds' nodes."""
+    return lane.left_forward
+
+
+def _sides(lane: MapLane) -> tuple[int, int]:
+    """The bounds to the right and to the left in the direction of the bounds' nodes."""
+    return (lane.right, lane.left) if _ahead(lane) else (lane.left, lane.right)
+
+
+def _side_by_side(built: VectorMap) -> list[list[int]]:
+    """Lanes that share bounds, from right to left."""
+    plain = [number for number, lane in enumerate(built.lanes) if lane.kind == "lane"]
+    by_right = {_sides(built.lanes[number])[0]: number for number in plain}
+    lefts = {_sides(built.lanes[number])[1] for number in plain}
+    groups = []
+    for number in plain:
+        if _sides(built.lanes[number])[0] in lefts:
+            continue
+        group = [number]
+        while (onward := by_right.get(_sides(built.lanes[group[-1]])[1])) is not None:
+            group.append(onward)
+        groups.append(group)
+    return groups
+
+
+def _about_one_axis(built: VectorMap, group: Sequence[int], left_hand: bool) -> list[list[int]]:
+    """The group cut where its directions are not those of one road: with traffic on the left, those ahead lie left."""
+    parts: list[list[int]] = [[group[0]]]
+    for before, lane in zip(group[:-1], group[1:]):
+        turned = _ahead(built.lanes[before]) != _ahead(built.lanes[lane])
+        if turned and _ahead(built.lanes[lane]) != left_hand:
+            parts.append([])
+        parts[-1].append(lane)
+    return parts
+
+
+def _ends(built: VectorMap, owner: dict[int, int], lane: int) -> list[set[int]]:
+    """What is connected at the begin and at the end of a lane's road: -1 for a junction, else numbers of groups."""
+    forward = built.lanes[lane].successors
+    back = [number for number, one in enumerate(built.lanes) if lane in one.successors]
+    met = [{owner.get(one, -1) for one in linked} for linked in (back, forward)]
+    return met if _ahead(built.lanes[lane]) else met[::-1]
+
+
+def _of_one_connection(built: VectorMap, groups: list[list[int]]) -> list[list[int]]:
+    """Groups cut until every one leads to one road or junction at each of its ends, as far as its lanes do."""
+    while True:
+        owner = {lane: number for number, group in enumerate(groups) for lane in group}
+        made: list[list[int]] = []
+        for group in groups:
+            held: list[set[int]] = [set(), set()]
+            part: list[int] = []
+            for lane in group:
+                met = [one | other for one, other in zip(held, _ends(built, owner, lane))]
+                if part and max(map(len, met)) > 1:
+                    made.append(part)
+                    part, met = [], _ends(built, owner, lane)
+                part.append(lane)
+                held = met
+            made.append(part)
+        if len(made) == len(groups):
+            return groups
+        groups = made
+
+
+def _road(built: VectorMap, group: list[int], left_hand: bool) -> LaneRoad:
+    ahead = [_ahead(built.lanes[lane]) for lane in group]
+    sides = [_sides(built.lanes[lane]) for lane in group]
+    # Lanes to the right of the reference line: those that lead back where traffic keeps to the left.
+    right = sum(one != left_hand for one in ahead)
+    return LaneRoad(list(group), [sides[0][0], *(left for _, left in sides)], right, ahead)
+
+
+def _join_junctions(built: VectorMap, layout: RoadLayout) -> None:
+    """Number the junctions: connecting roads that begin or end at one road's end are of one."""
+    parent: dict[tuple[int, bool], tuple[int, bool]] = {}
+
+    def root(end):
+        while parent.setdefault(end, end) != end:
+            end = parent[end]
+        return end
+
+    links = []
+    for road, one in enumerate(layout.roads):
+        lane = one.lanes[0]
+        if built.lanes[lane].kind == "virtual":
+            before = [number for number, other in enumerate(built.lanes) if lane in other.successors]
+            ends = [_end_of(layout, number, False) for number in before]
+            ends += [_end_of(layout, number, True) for number in built.lanes[lane].successors]
+            links.append((road, ends))
+            for end in ends[1:]:
+                parent[root(ends[0])] = root(end)
+    numbers: dict[tuple[int, bool], int] = {}
+    for road, ends in links:
+        number = numbers.setdefault(root(ends[0]), len(numbers))
+        if number == len(layout.junctions):
+            layout.junctions.append([])
+        layout.junctions[number].append(road)
+        layout.roads[road].junction = number
+        for at, behind in ends:
+            setattr(layout.roads[at], "behind" if behind else "before", ("junction", number))
+        lane = built.lanes[layout.roads[road].lanes[0]]
+        layout.roads[road].behind = ("road", layout.of_lane[lane.successors[0]][0])
+        layout.roads[road].before = ("road", ends[0][0])
+
+
+def _end_of(layout: RoadLayout, lane: int, begin: bool) -> tuple[int, bool]:
+    """The end of the road (number, whether it is the far one) at which a lane begins or ends."""
+    road, place = layout.of_lane[lane]
+    return road, layout.roads[road].ahead[place] != begin
+
+
+def _join_roads(built: VectorMap, layout: RoadLayout) -> None:
+    """Link roads that continue each other without a junction; what a junction leaves no room for is untold."""
+    for number, lane in enumerate(built.lanes):
+        for follower in lane.successors if lane.kind == "lane" else ():
+            if built.lanes[follower].kind == "virtual":
+                continue
+            ends = _end_of(layout, number, False), _end_of(layout, follower, True)
+            names = ["behind" if behind else "before" for _, behind in ends]
+            wanted = [("road", ends[1][0]), ("road", ends[0][0])]
+            held = [getattr(layout.roads[road], name) for (road, _), name in zip(ends, names)]
+            if any(have not in (None, want) for have, want in zip(held, wanted)):
+                layout.untold.append((number, follower))
+                continue
+            for (road, _), name, want in zip(ends, names, wanted):
+                setattr(layout.roads[road], name, want)

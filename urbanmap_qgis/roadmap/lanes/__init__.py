@@ -1,0 +1,1 @@
+"""Lanes from lines and drives: sections, strips, assembly, junctions."""

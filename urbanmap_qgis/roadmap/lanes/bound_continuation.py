@@ -1,0 +1,110 @@
+"""Bounds that go on beside their parallel neighbour where their own paint is worn or hidden."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import shapely
+
+from ..map_records import MapSettings
+from .road_sections import Axis, BoundTrack
+
+LEAST_SEEN = 8.0
+"""A bound is continued where it is seen over so many metres, and beside its neighbour over so many."""
+
+PARALLEL = 0.10
+"""Its distance to the neighbour varies by no more there (standard deviation), m."""
+
+FARTHEST = 4.0
+"""It is continued by no more than so many times the length over which it is seen."""
+
+OUTERMOST = 0.5
+"""The same for a bound with none beyond it, which may be no road's: kerbs and paving are yellow lines too."""
+
+SAME_BOUND = 0.5
+"""What lies so near to where a bound would go on is the same bound, m."""
+
+STEP = 1.0
+"""Distance of the points that are made, m."""
+
+
+def continued(tracks: Sequence[BoundTrack], axis: Axis, barriers: Sequence[shapely.Geometry],
+              settings: MapSettings) -> list[BoundTrack]:
+    """Tracks drawn on at a constant distance to the nearest parallel one that reaches farther.
+
+    What is added is unseen, as a gap is. It ends at crosswalks, at other bounds, and where a lane beside it would be
+    too narrow. Short marks and what is not parallel are left as they are.
+    """
+    made = list(tracks)
+    tree = shapely.STRtree(list(barriers)) if len(barriers) else None
+    for number in sorted(range(len(made)), key=lambda k: made[k].start - made[k].end):
+        for ahead in (False, True):
+            others = [track for k, track in enumerate(made) if k != number]
+            added = _beyond(made[number], others, axis, ahead, tree, settings)
+            if added is not None:
+                made[number] = _longer(made[number], *added, ahead)
+    return made
+
+
+def _beyond(track: BoundTrack, others: Sequence[BoundTrack], axis: Axis, ahead: bool, tree: shapely.STRtree | None,
+            settings: MapSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+    """Points (n, 3), chainages and offsets (n,) by which a track goes on at one of its ends; None where it does not."""
+    end, seen = track.end if ahead else track.start, track.seen
+    best = None
+    for other in others:
+        reach = (other.end - end) if ahead else (end - other.start)
+        at = np.arange(max(track.start, other.start), min(track.end, other.end), STEP / 2.0)
+        if reach < STEP or len(at) * STEP / 2.0 < LEAST_SEEN or seen < LEAST_SEEN:
+            continue
+        apart = track.at(at) - other.at(at)
+        wide = abs(float(np.median(apart)))
+        if apart.std() > PARALLEL or not settings.min_width <= wide <= 2.0 * settings.max_width:
+            continue
+        if best is None or wide < best[0]:
+            best = (wide, float(np.median(apart)), other, reach)
+    if best is None:
+        return None
+    _, apart, other, reach = best
+    beside = [other.at(np.array([end]))[0] - (track.offset[-1] if ahead else track.offset[0]) for other in others]
+    inner = np.nanmin([*beside, 0.0]) < 0.0 < np.nanmax([*beside, 0.0])
+    sign = 1.0 if ahead else -1.0
+    onward = end + sign * np.arange(STEP, reach, STEP)
+    if any((np.abs(track.at(onward) - other.at(onward) - apart) < SAME_BOUND).any() for track in others):
+        return None  # the bound itself goes on there: that gap was too long to be drawn through
+    length = min(reach, settings.bridge, (FARTHEST if inner else OUTERMOST) * seen)
+    if length < STEP:
+        return None
+    chainage = end + sign * np.append(np.arange(STEP, length, STEP), length)
+    offset = other.at(chainage) + apart
+    foot, along = axis.frame(chainage)
+    plan = foot + offset[:, None] * np.column_stack([-along[:, 1], along[:, 0]])
+    free = _free(chainage, offset, plan, others, tree, settings)
+    if free < 2:
+        return None
+    height = np.interp(chainage, other.chainage, other.points[:, 2])
+    height += track.points[-1 if ahead else 0, 2] - np.interp(end, other.chainage, other.points[:, 2])
+    return np.column_stack([plan, height])[:free], chainage[:free], offset[:free]
+
+
+def _free(chainage: np.ndarray, offset: np.ndarray, plan: np.ndarray, others: Sequence[BoundTrack],
+          tree: shapely.STRtree | None, settings: MapSettings) -> int:
+    """How many of the points lie clear of crosswalks and leave room for a lane to all other bounds."""
+    blocked = np.zeros(len(chainage), bool)
+    for other in others:
+        blocked |= np.abs(other.at(chainage) - offset) < settings.min_width  # NaN beyond its ends is no block
+    if tree is not None:
+        blocked[np.unique(tree.query(shapely.points(plan), predicate="intersects")[0])] = True
+    return int(np.argmax(blocked)) if blocked.any() else len(blocked)
+
+
+def _longer(track: BoundTrack, points: np.ndarray, chainage: np.ndarray, offset: np.ndarray,
+            ahead: bool) -> BoundTrack:
+    """The track with points added behind its end or before its begin, as an unseen piece."""
+    if ahead:
+        piece = (track.end, float(chainage[-1]), None)
+        return BoundTrack(np.vstack([track.points, points]), np.append(track.chainage, chainage),
+                          np.append(track.offset, offset), [*track.pieces, piece], track.double)
+    piece = (float(chainage[-1]), track.start, None)
+    return BoundTrack(np.vstack([points[::-1], track.points]), np.append(chainage[::-1], track.chainage),
+                      np.append(offset[::-1], track.offset), [piece, *track.pieces], track.double)

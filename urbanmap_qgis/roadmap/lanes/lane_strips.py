@@ -1,0 +1,440 @@
+"""Strips of lane width between the bounds of a road section, and in which direction they are driven."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...wording import say
+from ..map_records import DrivenPath, Finding, MapArea, MapSettings
+from .road_sections import STEP, BoundTrack, RoadSection
+
+SNAP = 9.0
+"""Ends of lanes so near to each other along the road are one cross-section of it, m."""
+
+COVER = 0.6
+"""Share of a cell that both bounds of a lane must cover."""
+
+ONE_LANE = 4.0
+"""Between two lines no farther apart there is one lane at the most, m."""
+
+STOP_REACH = 6.0
+"""A stop line belongs to a lane that ends so near, m."""
+
+CLEAR_DRIVE = 15.0
+"""Drives in one direction over so many metres are believed more than paint."""
+
+ONE_ROW = 1.5
+"""Pieces of a stop line lie so near to each other along and across the road, m."""
+
+AT_LINE = 0.6
+"""A stop line ends at a line that lies so near to its end, m."""
+
+AWAY = 6.0
+"""What a stop line on the other side of the road weighs, m driven: less than any evidence in the lane itself."""
+
+MOSTLY_SEEN = 0.5
+"""The outermost bound of a lane that only a dashed line tells of is seen along such a share of that line."""
+
+BESIDE, ACROSS = "beside a dashed line", "across the centre line"
+ALONG_AXIS = "road axis"
+INFERRED = (BESIDE, ACROSS, ALONG_AXIS)
+DRIVEN, PAINTED = "drive", "arrow or stop line"
+
+DRIVE_ANGLE = np.radians(25.0)
+LEAST_UNDRIVEN = 25.0
+"""Where no drive shows it, arrows and stop lines tell a direction only between bounds so long, m: not in car parks."""
+
+LEAST_DRIVE = 5.0
+"""A drive shows a strip's direction where it runs in it for so long, m (or half of a shorter strip)."""
+
+
+@dataclass
+class Strip:
+    """A part of the section between two cross-sections and two neighbouring tracks.
+
+    Attributes
+    ----------
+    right, left : numbers of the tracks (left of the axis' direction is `left`).
+    start, end : chainages, m. width, narrowest : m.
+    forward, backward : evidence for the direction, in metres driven (an arrow or a stop line counts as 10 m).
+    driven : length of the drives in it along and against the axis, m.
+    sign : 1 along the axis, -1 against it, 0 where unknown. source : what the direction comes from.
+    contradicted : its own evidence contradicts itself; no neighbour settles that.
+    arrows : kinds of the arrows in it.
+    """
+
+    right: int
+    left: int
+    start: float
+    end: float
+    width: float
+    narrowest: float
+    forward: float = 0.0
+    backward: float = 0.0
+    driven: tuple[float, float] = (0.0, 0.0)
+    sign: int = 0
+    source: str = ""
+    contradicted: bool = False
+    arrows: list[str] = field(default_factory=list)
+
+
+def lane_strips(section: RoadSection, stops: Sequence[np.ndarray], settings: MapSettings) -> list[Strip]:
+    """Strips of lane width of a section, cut at common cross-sections, from right to left and along the axis.
+
+    Parameters
+    ----------
+    stops : stop lines (n, 3); where one lies near, lanes end at it.
+    """
+    tracks = section.tracks
+    if len(tracks) < 2:
+        return []
+    start, end = min(track.start for track in tracks), max(track.end for track in tracks)
+    at = np.arange(np.floor(start / STEP), np.ceil(end / STEP) + 1) * STEP
+    offset = np.array([track.at(at) for track in tracks])
+    pairs = _adjacent(offset, tracks, settings)
+    runs = [(pair, at[span[0]], at[span[1] - 1]) for pair, mask in pairs.items() for span in _spans(mask)
+            if (span[1] - span[0]) * STEP >= settings.min_length]
+    if not runs:
+        return []
+    cuts = _cuts(runs, section, stops, settings)
+    strips = []
+    for first, last in zip(cuts[:-1], cuts[1:]):
+        for pair in sorted({pair for pair, *_ in runs}, key=lambda one: np.nanmean(offset[list(one)])):
+            within = (at >= first) & (at <= last)
+            covered = sum(max(0.0, min(last, b) - max(first, a)) for one, a, b in runs if one == pair)
+            if covered < COVER * (last - first):
+                continue
+            wide = (offset[pair[1]] - offset[pair[0]])[within]
+            wide = wide[np.isfinite(wide)]
+            strips.append(Strip(pair[0], pair[1], float(first), float(last), float(wide.mean()), float(wide.min())))
+    return strips
+
+
+def _adjacent(offset: np.ndarray, tracks: Sequence[BoundTrack],
+              settings: MapSettings) -> dict[tuple[int, int], np.ndarray]:
+    """For each pair (right, left) of neighbouring tracks at lane width, the mask of stations (n,) where they are so.
+
+    A short track between two others that leaves no lane on either side (an arrow, a scar) is passed over, and so is
+    one that leaves a lane on one side only within what is no more than one lane.
+    """
+    length = np.array([track.end - track.start for track in tracks])
+    found: dict[tuple[int, int], np.ndarray] = {}
+    for station in range(offset.shape[1]):
+        here = [int(k) for k in np.argsort(offset[:, station]) if np.isfinite(offset[k, station])]
+        place = offset[:, station]
+        while True:
+            drop = [here[n] for n in range(1, len(here) - 1)
+                    if _too_narrow(place[here[n - 1]], place[here[n]], place[here[n + 1]], settings)
+                    and settings.min_width <= place[here[n + 1]] - place[here[n - 1]] <= settings.max_width
+                    and length[here[n]] < 0.7 * min(length[here[n - 1]], length[here[n + 1]])]
+            if not drop:
+                break
+            here.remove(min(drop, key=lambda k: length[k]))
+        for right, left in zip(here[:-1], here[1:]):
+            if settings.min_width <= place[left] - place[right] <= settings.max_width:
+                found.setdefault((right, left), np.zeros(offset.shape[1], bool))[station] = True
+    return found
+
+
+def _too_narrow(right: float, middle: float, left: float, settings: MapSettings) -> bool:
+    """Whether a bound between two others leaves no lane on either side, or none on one within one lane's width."""
+    narrow = (middle - right < settings.min_width, left - middle < settings.min_width)
+    return all(narrow) or (any(narrow) and left - right <= ONE_LANE)
+
+
+def _spans(mask: np.ndarray) -> np.ndarray:
+    """Begins and ends (n, 2) of the runs of a mask; holes of a metre are closed."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(np.int8), [0]]))).reshape(-1, 2)
+    if not len(edges):
+        return edges
+    apart = np.flatnonzero(edges[1:, 0] - edges[:-1, 1] > 1.0 / STEP)
+    return np.column_stack([edges[np.append(0, apart + 1), 0], edges[np.append(apart, len(edges) - 1), 1]])
+
+
+def _cuts(runs, section: RoadSection, stops: Sequence[np.ndarray], settings: MapSettings) -> np.ndarray:
+    """Chainages of the section's cross-sections: ends of lanes, stop lines, changes between solid and dashed."""
+    ends = np.array(sorted(edge for _, *span in runs for edge in span))
+    used = {k for pair, *_ in runs for k in pair}
+    changes = [piece[0] for k in used for piece in _changes(section.tracks[k], settings)]
+    low, high = ends[0], ends[-1]
+    groups = np.split(ends, np.flatnonzero(np.diff(ends) > SNAP) + 1)
+    cuts = [float(np.median(group)) for group in groups]
+    cuts[0], cuts[-1] = _outer(runs, groups[0], 1), _outer(runs, groups[-1], 2)
+    at_stops = [float(section.axis.chainage(stop[:, :2]).mean()) for stop in stops]
+    for stop in at_stops:
+        near = int(np.argmin(np.abs(np.array(cuts) - stop)))
+        if abs(cuts[near] - stop) <= SNAP:
+            cuts[near] = stop
+        elif low < stop < high:
+            cuts.append(stop)
+    for change in sorted(changes):
+        if all(abs(change - cut) > settings.min_length for cut in cuts) and low < change < high:
+            cuts.append(change)
+    cuts = np.unique(cuts)
+    keep = np.concatenate([[True], np.diff(cuts) >= settings.min_length])
+    return cuts[keep]
+
+
+def _outer(runs, group: np.ndarray, side: int) -> float:
+    """The section's own end: the median of the ends of the longer half of the lanes that end there."""
+    there = [run for run in runs if group[0] <= run[side] <= group[-1]]
+    long = sorted(there, key=lambda run: run[1] - run[2])[:max(1, (len(there) + 1) // 2)]
+    return float(np.median([run[side] for run in long]))
+
+
+def _changes(track: BoundTrack, settings: MapSettings):
+    """Pieces of a track before which its kind changes, both long enough to be lanes' lengths."""
+    seen = [piece for piece in track.pieces if piece[2] is not None]
+    for before, after in zip(seen[:-1], seen[1:]):
+        if before[2].kind != after[2].kind and min(before[1] - before[0], after[1] - after[0]) > settings.min_length:
+            yield after
+
+
+def add_drives(strips: Sequence[Strip], section: RoadSection, drives: Sequence[DrivenPath],
+               settings: MapSettings) -> None:
+    """Count for each strip how far it is driven along and against the axis."""
+    for drive in drives:
+        xy = drive.places[:, :2]
+        chainage, offset = section.axis.local(xy)
+        _, along = section.axis.frame(chainage)
+        step = np.gradient(xy, axis=0)
+        length = np.linalg.norm(step, axis=1)
+        cosine = np.where(length > 0, (step * along).sum(axis=1) / np.maximum(length, 1e-9), 0.0)
+        for strip in strips:
+            inside = (chainage >= strip.start) & (chainage <= strip.end) & (np.abs(cosine) > np.cos(DRIVE_ANGLE))
+            right, left = section.tracks[strip.right], section.tracks[strip.left]
+            inside &= (offset > right.at(chainage)) & (offset < left.at(chainage))
+            inside &= ~(np.abs(drive.places[:, 2] - _height(right, chainage)) > settings.height_gap + 2.0)
+            ways = [float(length[inside & (sign * cosine > 0)].sum()) for sign in (1, -1)]
+            strip.forward, strip.backward = strip.forward + ways[0], strip.backward + ways[1]
+            strip.driven = (strip.driven[0] + ways[0], strip.driven[1] + ways[1])
+
+
+def _height(track: BoundTrack, chainage: np.ndarray) -> np.ndarray:
+    return np.interp(chainage, track.chainage, track.points[:, 2])
+
+
+def add_arrows(strips: Sequence[Strip], section: RoadSection, areas: Sequence[MapArea]) -> None:
+    """Count the arrows in each strip for their direction."""
+    for area in areas:
+        middle = np.array(area.polygon.centroid.coords[0])[None, :2]
+        chainage, offset = section.axis.local(middle)
+        _, along = section.axis.frame(chainage)
+        for strip in strips:
+            right, left = section.tracks[strip.right].at(chainage)[0], section.tracks[strip.left].at(chainage)[0]
+            if strip.start <= chainage[0] <= strip.end and right < offset[0] < left:
+                strip.arrows.append(area.kind)
+                strip.forward += 10.0 * float(area.heading @ along[0] > 0.7)
+                strip.backward += 10.0 * float(area.heading @ along[0] < -0.7)
+
+
+def add_stops(strips: Sequence[Strip], section: RoadSection, stops: Sequence[np.ndarray],
+              left_hand: bool | None) -> None:
+    """Count stop lines at the strips' ends that do not go across the whole road: traffic comes towards them.
+
+    Where the side of the traffic is known, it leads away in the strip across the solid line at which a stop line ends.
+    """
+    for level, low, high in _whole_stops(section, stops):
+        there = [strip for strip in strips if min(abs(strip.start - level), abs(strip.end - level)) < STOP_REACH]
+        middles = {id(strip): _middle(section, strip, level) for strip in there}
+        covered = [strip for strip in there if low < middles[id(strip)] < high]
+        others = [strip for strip in there if not low - 0.5 < middles[id(strip)] < high + 0.5]
+        if not covered or not others:
+            continue
+        for strip in covered:
+            at_end = abs(strip.end - level) < abs(strip.start - level)
+            strip.forward += 10.0 * at_end
+            strip.backward += 10.0 * (not at_end)
+            away = _across_solid(section, strip, others, (low, high), at_end == left_hand)
+            if left_hand is not None and away is not None:
+                away.forward += AWAY * (not at_end)
+                away.backward += AWAY * at_end
+
+
+def _whole_stops(section: RoadSection, stops: Sequence[np.ndarray]) -> list[tuple[float, float, float]]:
+    """Chainage and both ends' offsets of stop lines; pieces in one row, one for each lane, are one stop line."""
+    local = [section.axis.local(stop[:, :2]) for stop in stops]
+    pieces = sorted((float(offset.min()), float(offset.max()), float(chainage.mean())) for chainage, offset in local)
+    whole: list[tuple[float, float, float]] = []
+    for low, high, level in pieces:
+        for number, (at, right, left) in enumerate(whole):
+            if abs(at - level) < ONE_ROW and low - left < ONE_ROW:
+                whole[number] = (at, right, max(left, high))
+                break
+        else:
+            whole.append((level, low, high))
+    return whole
+
+
+def _across_solid(section: RoadSection, strip: Strip, others: Sequence[Strip], reach: tuple[float, float],
+                  to_right: bool) -> Strip | None:
+    """The strip to the right or left of one, across a solid line at which a stop line (two offsets) ends."""
+    track = section.tracks[strip.right if to_right else strip.left]
+    beside = [one for one in others if one.start == strip.start
+              and (one.left == strip.right if to_right else one.right == strip.left)]
+    kinds = _kinds(track, strip.start, strip.end)
+    at = np.interp((strip.start + strip.end) / 2.0, track.chainage, track.offset)
+    ends = abs(reach[0 if to_right else 1] - at) < AT_LINE
+    return beside[0] if beside and ends and set(kinds) == {"solid"} else None
+
+
+def _middle(section: RoadSection, strip: Strip, chainage: float) -> float:
+    """Offset of a strip's middle at a chainage, held beyond its ends."""
+    at = np.clip(chainage, strip.start, strip.end)
+    return float(np.mean([np.interp(at, section.tracks[k].chainage, section.tracks[k].offset)
+                          for k in (strip.right, strip.left)]))
+
+
+def settle_directions(strips: Sequence[Strip], section: RoadSection) -> list[Finding]:
+    """Give each strip the direction that its own evidence shows, along its whole bounds; others stay at 0."""
+    findings = []
+    for pair in {(strip.right, strip.left): None for strip in strips}:
+        members = [strip for strip in strips if (strip.right, strip.left) == pair]
+        sign, source, contradicts = _own_direction(members)
+        if contradicts:
+            findings.append(_finding(section, members[0], "direction contradicts", contradicts))
+        for one in members:
+            one.sign, one.source, one.contradicted = sign, source, bool(contradicts) and not sign
+    return findings
+
+
+def spread_directions(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
+    """Give strips without a direction one from their neighbours.
+
+    Across a dashed line goes the same direction. Across a yellow or double line lies the other direction, where the
+    rule of the road allows it. What breaks that rule is taken back and told.
+    """
+    changed = True
+    while changed:
+        changed = False
+        for strip in strips:
+            if strip.sign == 0 and not strip.contradicted:
+                sign, source = _from_neighbours(strip, strips, section, left_hand)
+                if sign:
+                    strip.sign, strip.source, changed = sign, source, True
+    return _against_the_rule(strips, section, left_hand)
+
+
+def _against_the_rule(strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> list[Finding]:
+    """Take directions back where lanes side by side would keep to the wrong side; findings tell where.
+
+    Those inferred from neighbours go first; where both have evidence of their own, only drives are believed.
+
+    With traffic on the left, what leads along the axis lies to the left of what leads against it.
+    """
+    findings = []
+    for right in strips:
+        for left in strips:
+            if left.start != right.start or left.right != right.left or right.sign * left.sign != -1:
+                continue
+            if (left.sign > 0) == left_hand:
+                continue
+            inferred = [one for one in (right, left) if one.source in INFERRED]
+            doubted = inferred or [one for one in (right, left) if one.source != DRIVEN]
+            findings.append(_finding(section, (doubted or [right])[0], "direction contradicts",
+                                     "Lanes beside each other would keep to the wrong side of the road here" + (
+                                         "; those that were not driven were not made." if doubted else ".")))
+            for one in doubted:
+                one.sign, one.source, one.contradicted = 0, "", True
+    return findings
+
+
+def _own_direction(members: Sequence[Strip]) -> tuple[int, str, str]:
+    """Direction of the strips between two bounds by what is in them, its source, and what contradicts it."""
+    ways = [sum(one.driven[way] for one in members) for way in (0, 1)]
+    forward, backward = sum(one.forward for one in members), sum(one.backward for one in members)
+    length = sum(one.end - one.start for one in members)
+    contradicts = min(forward, backward) > 0.3 * max(forward, backward)
+    if max(ways) >= CLEAR_DRIVE and min(ways) <= 0.1 * max(ways):
+        return 1 if ways[0] > ways[1] else -1, DRIVEN, (
+            say("Arrows or stop lines contradict the drives about the direction here; that of the drives was taken.")
+            if contradicts else "")
+    if contradicts:
+        return 0, "", say("Drives, arrows or stop lines contradict each other about the direction here.")
+    if max(forward, backward) >= min(LEAST_DRIVE, length / 2.0) and (max(ways) > 0 or length > LEAST_UNDRIVEN):
+        return 1 if forward > backward else -1, DRIVEN if max(ways) > 0 else PAINTED, ""
+    return 0, "", ""
+
+
+def _from_neighbours(strip: Strip, strips: Sequence[Strip], section: RoadSection, left_hand: bool) -> tuple[int, str]:
+    """Direction of a strip from one beside it in the same cell, or before and behind it between the same bounds."""
+    for other in strips:
+        if other.sign == 0 or other is strip:
+            continue
+        if (other.right, other.left) == (strip.right, strip.left):
+            return other.sign, other.source
+        if other.start != strip.start:
+            continue
+        shared = strip.left if other.right == strip.left else strip.right if other.left == strip.right else None
+        if shared is None:
+            continue
+        line = section.tracks[shared]
+        kinds = _kinds(line, strip.start, strip.end)
+        if (max(kinds, key=kinds.get) == "dashed" and _colour(line) != "yellow" and not line.double
+                and _is_bounded(strip, shared, section)):
+            return other.sign, BESIDE
+        # With traffic on the left, what lies to the right of a lane is the other direction.
+        to_right = (shared == strip.left) == (other.sign > 0)
+        if (_colour(line) == "yellow" or line.double) and to_right == left_hand:
+            return -other.sign, ACROSS
+    return 0, ""
+
+
+def _is_bounded(strip: Strip, shared: int, section: RoadSection) -> bool:
+    """Whether the far bound of a strip has another beyond it, or is seen well: no lane is made of scraps beside one."""
+    far = section.tracks[strip.left if shared == strip.right else strip.right]
+    at = np.array([(strip.start + strip.end) / 2.0])
+    beyond = [track.at(at)[0] for track in section.tracks if track is not far]
+    place, near = far.at(at)[0], section.tracks[shared].at(at)[0]
+    if any((one > place) == (place > near) for one in beyond if np.isfinite(one)):
+        return True
+    return far.seen >= MOSTLY_SEEN * section.tracks[shared].seen
+
+
+def _kinds(track: BoundTrack, start: float, end: float) -> dict[str, float]:
+    """Length of each kind of line along a stretch of a track, m; of the nearest line where none is seen there."""
+    found: dict[str, float] = {}
+    for first, last, line in track.pieces:
+        overlap = min(end, last) - max(start, first)
+        if overlap > 0 and line is not None:
+            found[line.kind] = found.get(line.kind, 0.0) + overlap
+    return found or {track.nearest_line((start + end) / 2.0).kind: 0.0}
+
+
+def _colour(track: BoundTrack) -> str:
+    """The colour of most of a track."""
+    found: dict[str, float] = {}
+    for first, last, line in track.pieces:
+        if line is not None:
+            found[line.colour] = found.get(line.colour, 0.0) + last - first
+    return max(found, key=found.get) if found else ""
+
+
+def left_hand_traffic(sections: Sequence[tuple[RoadSection, list[Strip]]]) -> bool | None:
+    """Whether traffic keeps to the left, as strips driven in both directions of a section show; None where none do."""
+    votes = 0.0
+    for section, strips in sections:
+        for one in strips:
+            for other in strips:
+                if one.start != other.start or one.forward <= one.backward or other.backward <= other.forward:
+                    continue
+                apart = _middle(section, one, one.start) - _middle(section, other, one.start)
+                votes += np.sign(apart) * min(one.forward, other.backward)
+    return None if votes == 0 else bool(votes > 0)
+
+
+def _finding(section: RoadSection, strip: Strip, kind: str, text: str) -> Finding:
+    x, y = strip_middle(section, strip)
+    return Finding(kind, text, x, y)
+
+
+def strip_middle(section: RoadSection, strip: Strip) -> tuple[float, float]:
+    """Plan place of the middle of a strip."""
+    at = (strip.start + strip.end) / 2.0
+    place = (section.tracks[strip.right].place(at) + section.tracks[strip.left].place(at)) / 2.0
+    return float(place[0]), float(place[1])
+
+

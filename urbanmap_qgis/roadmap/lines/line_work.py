@@ -1,0 +1,349 @@
+"""Line work of a road's paint: lines with their kind, stop lines, crosswalks, symbols (J 6.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import shapely
+
+from ...progress import SILENT, Progress
+from .crosswalks import Crosswalk, find_crosswalks
+from .dash_pattern import Section, line_sections, painted_intervals, with_worn_ends
+from .line_chains import StrokeChain, link_strokes
+from .line_fit import STATION, FittedLine, fit_centre_line, polyline
+from .stop_lines import CROSSES, joined_bars, stop_line_confidence
+from .strokes import Stroke, all_strokes
+from .symbols import find_symbols
+
+DOUBLE = (0.22, 0.65)
+"""Distance of the two lines of a double line, m."""
+
+
+@dataclass(frozen=True)
+class LineSettings:
+    """What counts as a line.
+
+    Attributes
+    ----------
+    max_width : strokes wider than this are no line, m. stop_width : narrower bars are no stop line, m.
+    min_painted, min_length : paint of a line and its length with gaps, at least, m.
+    source_sigma : standard deviation of the places of the markings as they were given, m.
+    guide_width : yellow lines so wide are guiding strips for the blind, m.
+    """
+
+    max_width: float = 0.5
+    stop_width: float = 0.28
+    min_painted: float = 4.0
+    min_length: float = 6.0
+    source_sigma: float = 0.02
+    guide_width: float = 0.33
+
+
+@dataclass(frozen=True)
+class RoadLine:
+    """One line of one kind.
+
+    Attributes
+    ----------
+    points : (n, 3) centre line, m; heights NaN where unknown.
+    kind : "solid", "dashed", "stop line" or "guiding strip".
+    width : of the paint, m. colour : "white", "yellow" or "".
+    sigma : of its place across it, m (mean along the line).
+    dashes : begins and ends (n, 2) of the painted stretches, m along it.
+    period, dash : lengths of dash and gap together and of the dash, m; NaN unless dashed.
+    bridged : length without paint that wear or vehicles left in a solid line, or where dashes are missing, m.
+    chain : number of the continuous line that this is a section of.
+    partner : number of the chain that makes it a double line, -1 where it is single.
+    confidence : 0 to 1: of a line the share of the paint that should be there and is seen; of a stop line that share,
+        less where only lines' ends or only a crosswalk show that it is one.
+    placed : ends among `dashes` that are worn and lie where the whole dashes beside them ask for them, m along it.
+    """
+
+    points: np.ndarray
+    kind: str
+    width: float
+    colour: str
+    sigma: float
+    dashes: np.ndarray
+    period: float
+    dash: float
+    bridged: float
+    chain: int
+    partner: int = -1
+    confidence: float = 1.0
+    placed: tuple[float, ...] = ()
+
+    @property
+    def plan(self) -> shapely.LineString:
+        return shapely.LineString(self.points[:, :2])
+
+
+@dataclass(frozen=True)
+class RoadArea:
+    """A crosswalk, a symbol or paint that is none of what is known.
+
+    Attributes
+    ----------
+    polygon : its outline. kind : "crosswalk", a symbol's kind, or "unknown".
+    heading : direction (2,) in which it is read or crossed by traffic, NaN where unknown.
+    score : how well paint and pattern agree, 0 to 1; NaN where not judged. colour : as the polygons'.
+    """
+
+    polygon: shapely.Geometry
+    kind: str
+    heading: np.ndarray
+    score: float
+    colour: str
+
+
+    @property
+    def multipolygon(self) -> shapely.MultiPolygon:
+        """The outline as a multipolygon, with heights where it has them."""
+        return shapely.multipolygons([part for part in shapely.get_parts(self.polygon) if part.geom_type == "Polygon"])
+
+
+def grid_heading(direction: np.ndarray) -> float:
+    """Degrees clockwise from grid north of a direction (2,) in the plane; NaN stays."""
+    return float(np.degrees(np.arctan2(direction[0], direction[1])) % 360.0)
+
+
+@dataclass(frozen=True)
+class LineWork:
+    """All that was made of the markings."""
+
+    lines: tuple[RoadLine, ...]
+    areas: tuple[RoadArea, ...]
+    polygons: int = 0
+    notes: tuple[str, ...] = field(default=())
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A chain that was fitted, with its sections."""
+
+    chain: StrokeChain
+    fit: FittedLine
+    sections: list[Section]
+
+
+def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], settings: LineSettings | None = None,
+              progress: Progress = SILENT) -> LineWork:
+    """Lines, crosswalks and symbols of marking polygons.
+
+    Parameters
+    ----------
+    polygons : outlines of the markings, in metres. colours : "white", "yellow" or "" for each.
+
+    Returns
+    -------
+    Line work with heights NaN. Paint that is no line, crosswalk or symbol stays as area of kind "unknown".
+    """
+    settings = settings or LineSettings()
+    strokes = all_strokes(polygons)
+    progress.step(0.4)
+    crosswalks = find_crosswalks(strokes, polygons)
+    in_rows = _in_crosswalks(strokes, crosswalks)
+    bare = {stroke.polygon for stroke in strokes if stroke.whole and len(stroke.axis) == 2 and stroke.length >= 2.0}
+    symbols = find_symbols(polygons, strokes, bare | {strokes[n].polygon for n in in_rows})
+    of_symbols = {number for symbol in symbols for number in symbol.polygons}
+    numbers = [n for n, stroke in enumerate(strokes) if n not in in_rows and stroke.polygon not in of_symbols and
+               stroke.width <= settings.max_width and stroke.length >= 0.25]
+    chains = link_strokes(strokes, numbers, [row.area for row in crosswalks])
+    progress.step(0.6)
+    paint = shapely.STRtree(polygons)
+    bars = joined_bars([chain for chain in chains if chain.width >= settings.stop_width and
+                        0.6 <= chain.length <= 16.0])
+    long = [chain for chain in chains if _is_line(chain, strokes, settings) and not
+            (chain.width >= settings.stop_width and chain.length <= 8.0)]
+    lines = [line for line in (_fitted(chain, paint) for chain in long) if line is not None]
+    progress.step(0.8)
+    stops, sure = _stop_lines(bars, lines, crosswalks, paint)
+    of_stops = {n for line in stops for n in line.chain.strokes}
+    lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
+    made = _sections_of(lines, strokes, colours, settings)
+    made += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
+             for k, line in enumerate(stops)]
+    made = _with_partners(made)
+    left = [n for n in _left_over(polygons, strokes, in_rows, [*lines, *stops]) if n not in of_symbols]
+    areas = [RoadArea(row.area, "crosswalk", row.direction, row.fill, "white") for row in crosswalks]
+    areas += [RoadArea(symbol.area, symbol.kind, symbol.heading, symbol.score, colours[symbol.polygons[0]])
+              for symbol in symbols]
+    areas += [RoadArea(polygons[n], "unknown", np.full(2, np.nan), np.nan, colours[n]) for n in left]
+    progress.step(1.0)
+    return LineWork(tuple(made), tuple(areas), len(polygons))
+
+
+def with_ground_heights(work: LineWork, heights_at) -> LineWork:
+    """The line work with the heights that `heights_at(x, y)` gives (NaN where it has none)."""
+    lines = []
+    for line in work.lines:
+        points = np.column_stack([line.points[:, :2], heights_at(line.points[:, 0], line.points[:, 1])])
+        lines.append(replace(line, points=points))
+    areas = []
+    for area in work.areas:
+        flat = shapely.force_2d(area.polygon)
+        areas.append(replace(area, polygon=shapely.transform(
+            shapely.force_3d(flat), lambda xyz: np.column_stack([xyz[:, :2], heights_at(xyz[:, 0], xyz[:, 1])]),
+            include_z=True)))
+    return replace(work, lines=tuple(lines), areas=tuple(areas))
+
+
+def _in_crosswalks(strokes: Sequence[Stroke], crosswalks: Sequence[Crosswalk]) -> set[int]:
+    """Numbers of the strokes that belong to crosswalks or lie in them."""
+    used = {n for row in crosswalks for n in row.strokes}
+    if not crosswalks:
+        return used
+    middles = shapely.points([stroke.axis[[0, -1]].mean(axis=0) for stroke in strokes])
+    _, inside = shapely.STRtree(middles).query([row.area.buffer(0.3) for row in crosswalks], predicate="intersects")
+    return used | {int(n) for n in inside if strokes[n].length < 6.0}
+
+
+def _is_line(chain: StrokeChain, strokes: Sequence[Stroke], settings: LineSettings) -> bool:
+    """Whether a chain has the length and the paint of a line, and is no row of flakes."""
+    if chain.length < settings.min_length or chain.painted < settings.min_painted:
+        return False
+    pieces = [strokes[n].length for n in chain.strokes]
+    if chain.painted < 0.6 * chain.length and sum(length >= 1.0 for length in pieces) < 3:
+        return False  # two arrows' shafts in a row are no line
+    return chain.painted >= 0.25 * chain.length or max(pieces) >= 2.5
+
+
+def _fitted(chain: StrokeChain, paint: shapely.STRtree) -> _Line | None:
+    fit = fit_centre_line(chain.axis, chain.width, paint)
+    if fit is None:
+        return None
+    sections = line_sections(fit.covered, STATION)
+    return _Line(chain, fit, sections) if sections else None
+
+
+def _stop_lines(bars: Sequence[StrokeChain], lines: Sequence[_Line], crosswalks: Sequence[Crosswalk],
+                paint: shapely.STRtree) -> tuple[list[_Line], list[float]]:
+    """Stop lines among the bars, and how sure they are."""
+    known = [(line.chain, line.fit) for line in lines]
+    stops, sure = [], []
+    for chain in bars:
+        confidence = stop_line_confidence(chain, known, crosswalks)
+        fit = fit_centre_line(chain.axis, chain.width, paint) if confidence > 0.0 else None
+        if fit is not None:
+            stops.append(_Line(chain, fit, [_bar(fit)]))
+            sure.append(confidence)
+    return stops, sure
+
+
+def _without_crossing(lines: Sequence[_Line]) -> list[_Line]:
+    """The lines without those that cross a longer one in its course: borders of shadows, joints, other bright bands."""
+    axes = [shapely.LineString(line.fit.axis).simplify(0.05) for line in lines]
+    tree = shapely.STRtree(axes)
+    crossing = set()
+    for k, axis in enumerate(axes):
+        for other in tree.query(axis, predicate="crosses"):
+            if axes[other].length <= axis.length:
+                continue
+            at = axis.intersection(axes[other]).centroid
+            places = [(one.project(at), one.length) for one in (axis, axes[other])]
+            if all(min(place, length - place) > CROSSES for place, length in places):
+                crossing.add(k)
+    return [line for k, line in enumerate(lines) if k not in crossing]
+
+
+def _sections_of(lines: Sequence[_Line], strokes, colours, settings: LineSettings) -> list[RoadLine]:
+    """The lines cut into sections of one kind; a section of dashes reaches to the solid ones beside it."""
+    made = []
+    for number, line in enumerate(lines):
+        colour = _colour(line.chain, strokes, colours)
+        guiding = colour == "yellow" and line.fit.width >= settings.guide_width
+        sections = line.sections
+        for k, section in enumerate(sections):
+            start = sections[k - 1].end if k and section.kind == "dashed" else section.start
+            end = sections[k + 1].start if k + 1 < len(sections) and section.kind == "dashed" else section.end
+            if k and section.kind == sections[k - 1].kind:
+                start = sections[k - 1].end
+            made.append(_piece(line, section, start, end, "guiding strip" if guiding else section.kind, colour, number,
+                               settings))
+    return [line for line in made if line is not None]
+
+
+def _whole(line: _Line, strokes, colours, settings: LineSettings, number: int) -> RoadLine:
+    """A stop line."""
+    (section,) = line.sections
+    colour = _colour(line.chain, strokes, colours)
+    return _piece(line, section, section.start, section.end, "stop line", colour, number, settings)
+
+
+def _bar(fit: FittedLine) -> Section:
+    """The one section of a stop line."""
+    runs = painted_intervals(fit.covered, STATION)
+    return Section(runs[0, 0], runs[-1, 1], "solid", runs, np.nan, np.nan, np.nan)
+
+
+def _piece(line: _Line, section: Section, start: float, end: float, kind: str, colour: str, number: int,
+           settings: LineSettings) -> RoadLine | None:
+    """A stretch of a fitted line between two chainages."""
+    axis, at = line.fit.axis, np.arange(len(line.fit.axis)) * STATION
+    start, end = max(start, 0.0), min(end, at[-1])
+    if end - start < 0.5:
+        return None
+    inner = (at > start) & (at < end)
+    ends = [np.array([np.interp(edge, at, axis[:, k]) for k in (0, 1)]) for edge in (start, end)]
+    course = np.vstack([ends[0], axis[inner], ends[1]])
+    plan = polyline(course)
+    # The fit shortens a ragged chain: what was counted by stations is told in metres along the line.
+    along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(course, axis=0), axis=1))])
+    along *= shapely.LineString(plan).length / max(along[-1], 1e-9)
+    within = np.interp(np.clip(section.dashes, start, end), np.concatenate([[start], at[inner], [end]]), along)
+    painted = float((within[:, 1] - within[:, 0]).sum())
+    missing, placed = along[-1] - painted, ()
+    if section.kind == "dashed":
+        whole = round((along[-1] + section.period - section.dash) / section.period)  # it begins and ends with a dash
+        missing = max(0.0, whole * section.dash - painted)
+        within, worn = with_worn_ends(within, section.period, section.dash)
+        within = np.clip(within, 0.0, along[-1])
+        placed = tuple(within[worn].tolist())
+    sigma = float(np.hypot(line.fit.sigma[inner].mean() if inner.any() else line.fit.residual, settings.source_sigma))
+    points = np.column_stack([plan, np.full(len(plan), np.nan)])
+    return RoadLine(points, kind, line.fit.width, colour, sigma, within, section.period, section.dash, missing, number,
+                    confidence=painted / max(painted + missing, 1e-9), placed=placed)
+
+
+def _colour(chain: StrokeChain, strokes: Sequence[Stroke], colours: Sequence[str]) -> str:
+    """The colour of most of a chain's length."""
+    length: dict[str, float] = {}
+    for n in chain.strokes:
+        name = colours[strokes[n].polygon]
+        length[name] = length.get(name, 0.0) + strokes[n].length
+    return max(length, key=length.get)
+
+
+def _with_partners(lines: Sequence[RoadLine]) -> list[RoadLine]:
+    """The lines, those that run beside another one in the distance of a double line marked with it."""
+    plans = [line.plan for line in lines]
+    tree = shapely.STRtree(plans)
+    made = []
+    for k, line in enumerate(lines):
+        partner = -1
+        places = shapely.line_interpolate_point(plans[k], np.linspace(0.1, 0.9, 9), normalized=True)
+        for other in tree.query(plans[k], predicate="dwithin", distance=DOUBLE[1]):
+            if lines[other].chain == line.chain or "stop line" in (line.kind, lines[other].kind):
+                continue
+            apart = shapely.distance(places, plans[other])
+            if ((apart >= DOUBLE[0]) & (apart <= DOUBLE[1])).mean() >= 0.6:
+                partner = lines[other].chain
+        made.append(replace(line, partner=partner))
+    return made
+
+
+def _left_over(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke], in_rows: set[int],
+               lines: Sequence[_Line]) -> list[int]:
+    """Polygons of which neither a line nor a crosswalk has taken at least half."""
+    taken = np.zeros(len(polygons))
+    total = np.zeros(len(polygons))
+    used = in_rows | {n for line in lines for n in line.chain.strokes}
+    for n, stroke in enumerate(strokes):
+        total[stroke.polygon] += stroke.length
+        taken[stroke.polygon] += stroke.length if n in used else 0.0
+    beside = shapely.union_all([shapely.LineString(line.fit.axis).buffer(0.25) for line in lines])
+    shapely.prepare(beside)
+    covered = shapely.covers(beside, np.asarray(polygons, object)) if lines else np.zeros(len(polygons), bool)
+    return [n for n in range(len(polygons)) if taken[n] < 0.5 * total[n] + (total[n] == 0) and not covered[n]]
