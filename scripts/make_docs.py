@@ -39,7 +39,7 @@ def pages() -> dict[str, str]:
 def pages_of(algorithms: list) -> dict[str, str]:
     """Text of each page by its file name, with an index by group."""
     package = algorithms[0].__class__.__module__.rpartition(".algorithms.")[0]
-    page_markdown = importlib.import_module(f"{package}.algorithms.framework.help_page").page_markdown
+    page_markdown = importlib.import_module(f"{package}.algorithms.framework.language.help_page").page_markdown
     groups = importlib.import_module(f"{package}.algorithms.framework.base").GROUPS
     made = {f"{item.name()}.md": page_markdown(item) for item in algorithms}
     lines = ["# Algorithms", "", "Made from the algorithms' own help.", ""]

@@ -183,7 +183,7 @@ def main() -> None:
     sys.path.insert(0, str(conftest.ROOT))
     city, folder, workers = Path(sys.argv[1]), Path(sys.argv[2]), int(sys.argv[3])
     application, plugin = conftest.start_qgis(folder.with_name(f"{folder.name}-profile"))
-    module = importlib.import_module(f"{conftest.PLUGIN}.algorithms.framework.workers")
+    module = importlib.import_module(f"{conftest.PLUGIN}.algorithms.framework.running.workers")
     module._processes = module._in_window  # a spawned process does not find the plugin under its name here
     for name, seconds in run_all(city, folder, workers).items():
         print(f"{seconds:7.2f} s  {name}", flush=True)
