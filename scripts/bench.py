@@ -27,6 +27,7 @@ from scripts.bench_faults import fault_tables  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
+from scripts.bench_table import print_table  # noqa: E402
 from scripts.scoring import Score, points_inside, score_building, summary  # noqa: E402
 from urbanmap_qgis.buildings.model_stage import BuildingModel, RoofInput, build_models  # noqa: E402
 from urbanmap_qgis.buildings.model_surfaces import roof_cells, wall_rectangles  # noqa: E402
@@ -106,15 +107,6 @@ def score(run: Run, truth: np.ndarray, points: np.ndarray) -> list[Score]:
     """Scores of all buildings against true outlines and class 6 points (n, 3)."""
     return [score_building(model.building_id, outline, inside, roof_cells(model.solids), wall_rectangles(model.solids))
             for model, outline, inside in zip(run.models, truth, points_inside(points, truth))]
-
-
-def print_table(title: str, header: tuple[str, ...], rows: list[tuple]) -> None:
-    """A table in Markdown, so that it can go into the documentation as it is."""
-    print(f"\n{title}\n")
-    print("| " + " | ".join(header) + " |")
-    print("|" + "---|" * len(header))
-    for row in rows:
-        print("| " + " | ".join(f"{value:.3f}" if isinstance(value, float) else str(value) for value in row) + " |")
 
 
 def reference_seconds() -> float:
@@ -228,18 +220,18 @@ def main() -> int:
     """Print all tables that the data here allow."""
     reference = reference_seconds()
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
-    stage_tables(print_table)
+    stage_tables()
     ground_table(reference)
     if DELFT.is_dir():
         delft = Delft.read()
         delft_table(delft)
-        sloped_table(delft, chain, score, outlines_of, DELFT, print_table)
+        sloped_table(delft, chain, score, outlines_of, DELFT)
         steps_table(delft)
         cells_table(reference)
     else:
         print("\nThe real data are not beside the checkout: models are not scored.")
-    street_tables(DATA.parent / "city", reference, print_table)
-    fault_tables(print_table)
+    street_tables(DATA.parent / "city", reference)
+    fault_tables()
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     print(f"\nPeak memory of this process: {peak:.0f} MB")
     return 0

@@ -12,15 +12,16 @@ from __future__ import annotations
 import argparse
 import sys
 import tempfile
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
+from scripts.bench_table import print_table
 from scripts.demo.checks import read_layer
-from scripts.evaluate_faults import WRONG, DrivenSurvey, Outcome, constant_fault, percent, run, table
+from scripts.evaluate_faults import WRONG, DrivenSurvey, Outcome, constant_fault, percent, run
 from urbanmap_qgis.errors import UrbanMapError
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.io.raster import read_raster, write_raster
@@ -99,7 +100,7 @@ def registration_figures(made: Outcome | str) -> tuple:
             percent(ratio[kept, 2] < 2))
 
 
-def fault_tables(print_table: Callable, size: float = 120.0, seed: int = 31,
+def fault_tables(size: float = 120.0, seed: int = 31,
                  faults: Iterable[str] = ("none", *FAULTS)) -> None:
     """Print the table of the faults."""
     rows = []
@@ -116,8 +117,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=31)
     parser.add_argument("--faults", default=",".join(("none", *FAULTS)))
     given = parser.parse_args()
-    fault_tables(lambda title, header, rows: print(title, "", *table(header, rows), sep="\n"), given.size, given.seed,
-                 given.faults.split(","))
+    fault_tables(given.size, given.seed, given.faults.split(","))
     return 0
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from scripts.bench_table import print_table
 from scripts.scoring import points_inside, summary
 from urbanmap_qgis.buildings.model_stage import BuildingModel
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
@@ -63,8 +64,7 @@ def valid(models: Sequence[BuildingModel], judge: Path) -> str:
     return f"{sum(feature['validity'] for feature in features)}/{len(made)}"
 
 
-def sloped_table(delft, chain: Callable, score: Callable, outlines_of: Callable, folder: Path,
-                 print_table: Callable) -> None:
+def sloped_table(delft, chain: Callable, score: Callable, outlines_of: Callable, folder: Path) -> None:
     """Sloped models of Delft with damaged inputs, one set of defaults, and roofer's figures."""
     judge = folder.parents[2] / "tools" / "val3dity"
     rows: list[tuple] = []

@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -28,6 +28,7 @@ sys.path.insert(0, str(ROOT))
 
 from scripts import scale_trial  # noqa: E402
 from scripts.bench_street import city  # noqa: E402
+from scripts.bench_table import print_table  # noqa: E402
 
 DATA = ROOT.parent / "shared" / "data"
 URBANMAP = ROOT / "scripts" / "urbanmap"
@@ -169,7 +170,7 @@ def linear_rows(sizes: Iterable[int], folder: Path) -> list[tuple]:
     return rows
 
 
-def stage_tables(print_table: Callable, only: str = "", sizes: Iterable[int] = (1, 4, 16)) -> None:
+def stage_tables(only: str = "", sizes: Iterable[int] = (1, 4, 16)) -> None:
     """Print the costs of the runs whose names hold `only`, and of more and more tiles."""
     rows = []
     with city(DATA / "city") as data, tempfile.TemporaryDirectory() as folder:
@@ -195,13 +196,11 @@ def stage_tables(print_table: Callable, only: str = "", sizes: Iterable[int] = (
 
 def main() -> int:
     """Print these tables alone."""
-    from scripts.bench import print_table
-
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", default="", help="words in the names of the runs to make")
     parser.add_argument("--sizes", type=int, nargs="*", default=[1, 4, 16], help="numbers of tiles")
     given = parser.parse_args()
-    stage_tables(print_table, given.only, given.sizes)
+    stage_tables(given.only, given.sizes)
     return 0
 
 

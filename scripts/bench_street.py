@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from scripts.bench_table import print_table
 from scripts.demo.checks import read_layer
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
@@ -180,7 +181,7 @@ def errors(off: np.ndarray) -> tuple[float, float]:
     return float(np.nanmedian(distance)), float(np.nanpercentile(distance, 90))
 
 
-def street_tables(data: Path, reference: float, print_table: Callable) -> None:
+def street_tables(data: Path, reference: float) -> None:
     """Print both tables."""
     with city(data) as folder:
         survey = read_survey(folder)

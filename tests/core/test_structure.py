@@ -87,6 +87,12 @@ def test_folders_have_no_circles():
     assert not {folder: circle for folder, circle in circles.items() if circle}
 
 
+def test_scripts_have_no_circles():
+    imports = {name: source_tree.own_imports(path) for name, path in source_tree.modules("scripts").items()}
+    assert len(imports) > 20
+    assert not source_tree.first_cycle(imports)
+
+
 def test_core_knows_no_qgis_and_imports_its_own_relatively():
     barred = {"qgis", "PyQt5", "PyQt6", "processing", CORE, source_tree.FACE}
     assert not {(name, word) for name, path in source_tree.modules().items()
