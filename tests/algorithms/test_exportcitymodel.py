@@ -127,7 +127,7 @@ def test_textures_go_along(models, tmp_path):
     from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
     (tmp_path / "tex").mkdir()
-    (tmp_path / "tex" / "a.jpg").write_bytes(b"\xff\xd8 an image")
+    (tmp_path / "tex" / "a.jpg").write_bytes(b"\xff\xd8\xff\xe0 an image")
     house = gable_house()
     write_cityjson(tmp_path / "textured.city.json",
                    [CityBuilding("x", {}, [house], [wall_texture(house, 2, "tex/a.jpg")])])

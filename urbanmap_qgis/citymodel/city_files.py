@@ -16,7 +16,7 @@ from ..wording import say
 from .city_sources import placed_model
 from .citygml_writer import write_citygml
 from .cityjson_writer import write_model_cityjson, write_model_cityjsonseq
-from .images import images_beside
+from .images import images_beside, with_images_there
 from .model import CityModel, CityObject
 from .plateau import with_plateau_attributes
 from .reference import PLATEAU_SYSTEMS, city_reference
@@ -28,7 +28,8 @@ _Place = Union[str, os.PathLike, None]
 def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Place = None, citygml: _Place = None,
                      tiles: _Place = None, geoid: Geoid | None = None, city_code: str = "",
                      progress: Progress = SILENT) -> None:
-    """Write a model, whose buildings are a sequence, to each place that is not None; warn of heights that are not said.
+    """Write a model, whose buildings are a sequence, to each place that is not None; warn of heights that are not said
+    and of images that are not there.
 
     Parameters
     ----------
@@ -36,6 +37,7 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
     geoid : added to heights in 3D Tiles, unless they are ellipsoidal.
     city_code : five digits of the municipality, for PLATEAU's ids; empty for none.
     """
+    model = with_images_there(model, progress)
     _warn_of_heights(model, citygml is not None, tiles is not None and geoid is None, progress)
     for number, (path, write) in enumerate(((cityjson, write_model_cityjson), (cityjsonseq, write_model_cityjsonseq))):
         if path is not None:

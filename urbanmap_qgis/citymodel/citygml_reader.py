@@ -6,8 +6,10 @@ Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city 
 from __future__ import annotations
 
 import re
+import shutil
+import tempfile
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -17,7 +19,8 @@ import numpy as np
 
 from ..errors import InputError
 from ..io.files.guard import reads
-from ..io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources
+from ..io.files.named_files import CODE_LIST, IMAGE
+from ..io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources, opened
 from ..io.official.xml_stream import root_children
 from ..progress import SILENT, Progress
 from ..wording import say
@@ -67,7 +70,8 @@ class ReadingNotes:
                             "they are ({missing_lists}).", missing_lists_count=len(self.missing_lists),
                             missing_lists=", ".join(sorted(self.missing_lists)[:3])))
         if self.missing_images:
-            made.append(say("{missing_images_count} images of textures are not there ({missing_images}).",
+            made.append(say("{missing_images_count} images of textures are not there, not in the model's folder, or "
+                            "no PNG, JPEG or TIFF ({missing_images}); their faces have none.",
                             missing_images_count=len(self.missing_images),
                             missing_images=", ".join(sorted(self.missing_images)[:3])))
         if self.repeated:
@@ -89,7 +93,7 @@ class _File:
     def meaning(self, space: str, code: str) -> str:
         """What a list of codes beside the file says of a code."""
         if space not in self.lists:
-            found = self.source.beside(space) if space.lower().endswith(".xml") else None
+            found = self.source.beside(space, CODE_LIST) if space.lower().endswith(".xml") else None
             if found is None:
                 self.notes.missing_lists.add(space)
             try:
@@ -120,6 +124,7 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
     sources = listing.sources
     reference = _reference_of(sources[0], given)
     images: dict[str, Path] = {}
+    unpacked = _unpacking(stack)
 
     @reads("CityGML")
     def buildings(_path) -> Iterator[CityObject]:
@@ -132,12 +137,28 @@ def open_citygml(path: PathLike | Sequence[PathLike], stack: ExitStack, notes: R
                 raise InputError(say("{source} is in another reference system than {sources}: load them in separate "
                                      "runs.", source=source.name, sources=sources[0].name))
             part = progress.part(done / total, (done + source.size) / total)
-            for building in _buildings_of(source, own, notes, images, part):
+            for building in _buildings_of(source, own, notes, images, unpacked, part):
                 yield _once(building, seen, notes)
             done += source.size
             notes.files.append(source.name)
 
     return CityModel(reference.reference, buildings(path), images, title=Path(sources[0].name).stem)
+
+
+def _unpacking(stack: ExitStack) -> Callable[[XmlSource], Path]:
+    """What gives a file of a zip a place on the disk, under a name of our own, until `stack` is closed."""
+    places: list[Path] = []
+
+    def unpacked(source: XmlSource) -> Path:
+        if not places:
+            places.append(Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="urbanmap-"))))
+        place = places[0] / f"{len(places)}{Path(source.short_name).suffix.lower()}"
+        places.append(place)
+        with opened(source) as packed, place.open("wb") as file:
+            shutil.copyfileobj(packed, file)
+        return place
+
+    return unpacked
 
 
 def _once(building: CityObject, seen: Counter, notes: ReadingNotes) -> CityObject:
@@ -173,14 +194,14 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
 
 
 def _buildings_of(source: XmlSource, reference: NamedReference, notes: ReadingNotes, images: dict[str, Path],
-                  progress: Progress) -> Iterator[CityObject]:
+                  unpacked: Callable[[XmlSource], Path], progress: Progress) -> Iterator[CityObject]:
     file = _File(source, reference, notes, _textures(source))
     for image in set(file.textures.images.values()):
-        found = source.beside(image)
+        found = source.beside(image, IMAGE)
         if found is None:
             notes.missing_images.add(image)
-        elif Path(found.name).is_file():
-            images[image] = Path(found.name)
+        elif image not in images:
+            images[image] = found.path or unpacked(found)
     for _, member in root_children(source, MAKER, LARGEST_BUILDING, progress):
         if split_tag(member.tag)[1] not in ("cityObjectMember", "featureMember", "featureMembers"):
             continue

@@ -17,6 +17,7 @@ import numpy as np
 from ..errors import InputError
 from ..geometry.solid import FaceTexture
 from ..io.files.guard import first_not_finite, read_json, reads
+from ..io.files.named_files import IMAGE, named_file
 from ..io.reference.height_systems import JAPANESE
 from ..progress import SILENT, Progress
 from ..wording import say
@@ -156,8 +157,8 @@ class _Piece:
         self.images = [str(item.get("image") or "") for item in appearance.get("textures") or ()]
         self.places = np.asarray(appearance.get("vertices-texture") or [], dtype=float).reshape(-1, 2)
         for image in self.images:
-            found = path.parent / image
-            if ":" not in image and not image.startswith("/") and found.is_file():
+            found = named_file(path, image, IMAGE)
+            if found is not None:
                 images[image] = found
             else:
                 notes.missing_images.add(image)

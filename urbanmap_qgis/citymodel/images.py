@@ -14,6 +14,8 @@ from scipy.spatial import cKDTree
 from ..errors import InputError, OutputError
 from ..geometry.solid import FaceTexture, Solid
 from ..io.files.guard import read_json, reads
+from ..io.files.named_files import IMAGE, is_kind, named_file, relative_name
+from ..progress import SILENT, Progress
 from ..wording import say
 from .model import CityModel, CityObject
 
@@ -71,8 +73,10 @@ def read_textured_faces(path: str | os.PathLike) -> TexturedFaces:
     names = [str(texture["image"]) for texture in appearance.get("textures", ())]
     if not names:
         raise InputError(say("{path} has no textures: give the CityJSON file that “Facade textures” wrote.", path=path))
-    files = {name: _inside(Path(path), name) for name in names}
-    missing = tuple(name for name, file in files.items() if not file.is_file())
+    for name in names:
+        _inside(Path(path), name)
+    files = {name: named_file(path, name, IMAGE) for name in names}
+    missing = tuple(name for name, file in files.items() if file is None)
     transform = content["transform"]
     vertices = np.asarray(content["vertices"], float) * transform["scale"] + transform["translate"]
     places = np.asarray(appearance["vertices-texture"], float)
@@ -87,13 +91,12 @@ def read_textured_faces(path: str | os.PathLike) -> TexturedFaces:
                          {name: file for name, file in files.items() if name not in missing}, missing)
 
 
-def _inside(path: Path, name: str) -> Path:
-    """File of an image beside a model."""
-    pure = PurePosixPath(name.replace("\\", "/"))
-    if pure.is_absolute() or ".." in pure.parts or ":" in pure.parts[0]:
+def _inside(path: Path, name: str) -> None:
+    """Refuse an image that is not beside the model."""
+    pure = relative_name(name)
+    if pure is None or ".." in pure.parts:
         raise InputError(say("{path} names the image {name}, which is not in its own folder: move it there.",
                              path=path.name, name=name))
-    return path.parent / pure
 
 
 def _textured_rings(content: Mapping) -> Iterator[tuple[list, list]]:
@@ -116,6 +119,27 @@ def _faces(nested: list, depth: int) -> list:
     return nested
 
 
+def with_images_there(model: CityModel, progress: Progress = SILENT) -> CityModel:
+    """A model, whose buildings are a sequence, without the textures whose image cannot be read, which is warned of."""
+    there = {name: file for name, file in model.images.items() if _is_image(file)}
+    lost = {surface.texture.image for item in model.buildings for part in item.objects() for shape in part.shapes
+            for surface in shape.surfaces if surface.texture is not None} - set(there)
+    if not lost:
+        return replace(model, images=there)
+    progress.warn(say("{lost_count} images of textures are not there ({lost}): their faces are written without.",
+                      lost_count=len(lost), lost=", ".join(sorted(lost)[:3])))
+    return replace(model, buildings=tuple(_retextured(item, {name: name for name in there})
+                                          for item in model.buildings), images=there)
+
+
+def _is_image(file: Path) -> bool:
+    try:
+        with file.open("rb") as stream:
+            return is_kind(stream.read(16), IMAGE)
+    except OSError:  # it has gone since the model was opened, or may not be read
+        return False
+
+
 def images_beside(model: CityModel, path: str | os.PathLike) -> CityModel:
     """The model with its images in the folder `<name>_textures` beside a file, which then names them there.
 
@@ -136,13 +160,16 @@ def images_beside(model: CityModel, path: str | os.PathLike) -> CityModel:
         except OSError as error:
             raise OutputError(say("The image {parent} cannot be written ({strerror}).",
                                   parent=path.parent / names[name], strerror=error.strerror)) from error
-    return replace(model, buildings=(_renamed(item, names) for item in model.buildings),
+    return replace(model, buildings=(_retextured(item, names) for item in model.buildings),
                    images={names[name]: file for name, file in model.images.items()})
 
 
-def _renamed(item: CityObject, names: Mapping[str, str]) -> CityObject:
+def _retextured(item: CityObject, names: Mapping[str, str]) -> CityObject:
+    """A building whose textures name their images anew; those of images without a new name are left out."""
+    def new(texture: FaceTexture | None) -> FaceTexture | None:
+        return FaceTexture(names[texture.image], texture.uv) if texture and texture.image in names else None
+
     shapes = tuple(replace(shape, shells=tuple(tuple(
-        surface if surface.texture is None else replace(
-            surface, texture=FaceTexture(names[surface.texture.image], surface.texture.uv))
+        surface if surface.texture is None else replace(surface, texture=new(surface.texture))
         for surface in shell) for shell in shape.shells)) for shape in item.shapes)
-    return replace(item, shapes=shapes, parts=tuple(_renamed(part, names) for part in item.parts))
+    return replace(item, shapes=shapes, parts=tuple(_retextured(part, names) for part in item.parts))

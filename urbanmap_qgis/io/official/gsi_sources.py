@@ -16,6 +16,7 @@ from typing import IO, Union
 
 from ...errors import InputError
 from ...wording import say
+from ..files.named_files import is_kind, named_file, relative_name
 
 PathLike = Union[str, os.PathLike]
 
@@ -27,20 +28,23 @@ _LARGEST_ZIP = 2**31
 _LARGE = 2**30
 _MOST_PACKED = 300  # bytes from one: XML of maps packs to about a thirtieth
 _SPOOL_BYTES = 32 * 2**20
+_ZIP_ERRORS = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, RuntimeError, OSError)
 
 
 @dataclass(frozen=True)
 class XmlSource:
     """One XML file, on disk or in a zip: its name for messages, its size in bytes and how to open it.
 
-    `beside` gives the source that a relative path in the file names, None where there is none; a path that is absolute
-    or an address, or that leaves the zip, names none.
+    `beside` gives the source of a kind that a relative path in the file names, None where there is none; a path that is
+    absolute or an address, or that leaves the zip or the model's folder, names none (see `named_file`).
+    `path` is the file on disk, None in a zip.
     """
 
     name: str
     size: int
     open: Callable[[], IO[bytes]]
-    beside: Callable[[str], XmlSource | None] = lambda _relative: None
+    beside: Callable[[str, str], XmlSource | None] = lambda _relative, _kind: None
+    path: Path | None = None
 
     @property
     def short_name(self) -> str:
@@ -105,7 +109,7 @@ def list_sources(paths: PathLike | Sequence[PathLike], stack: ExitStack, wanted:
                 if zipfile.is_zipfile(file) or file.suffix.lower() == ".zip":
                     _list_zip(stack.enter_context(zipfile.ZipFile(file)), str(file), listing, stack, wanted, 1)
                 else:
-                    chosen = _on_disk(file)
+                    chosen = _on_disk(file, Path(path) if Path(path).is_dir() else None)
                     _add(chosen, listing, wanted, by_name=Path(path).is_dir())
         if len(listing.sources) + len(listing.others) == found:
             raise InputError(say("{path} holds no {suffixes} file: give {what} as they were downloaded.", path=path,
@@ -164,28 +168,26 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
         _list_zip(inner, label, listing, stack, wanted, depth + 1)
 
 
-def _on_disk(file: Path) -> XmlSource:
-    def beside(relative: str) -> XmlSource | None:
-        # No address, no absolute path, no drive: only files in folders beside, as CityGML names lists and images.
-        if ":" in relative or relative.startswith(("/", "\\")):
-            return None
-        found = file.parent / relative.replace("\\", "/")
-        return _on_disk(found) if found.is_file() else None
+def _on_disk(file: Path, root: Path | None = None) -> XmlSource:
+    def beside(relative: str, kind: str) -> XmlSource | None:
+        found = named_file(file, relative, kind, root)
+        return _on_disk(found) if found is not None else None
 
-    return XmlSource(str(file), file.stat().st_size, lambda: file.open("rb"), beside)
+    return XmlSource(str(file), file.stat().st_size, lambda: file.open("rb"), beside, file)
 
 
 def _in_zip(archive: zipfile.ZipFile, info: zipfile.ZipInfo, label: str) -> XmlSource:
-    def beside(relative: str) -> XmlSource | None:
-        folder = posixpath.dirname(info.filename)
-        place = posixpath.normpath(posixpath.join(folder, relative.replace("\\", "/")))
-        if ":" in relative or place.startswith(("/", "..")):
+    def beside(relative: str, kind: str) -> XmlSource | None:
+        if relative_name(relative) is None:
             return None
+        place = posixpath.normpath(posixpath.join(posixpath.dirname(info.filename), relative.replace("\\", "/")))
         try:
             found = archive.getinfo(place)
-        except KeyError:
+            with archive.open(found) as file:
+                fits = is_kind(file.read(16), kind)
+        except (KeyError, *_ZIP_ERRORS):
             return None
-        return _in_zip(archive, found, f"{label}: {place}")
+        return _in_zip(archive, found, f"{label}: {place}") if fits else None
 
     return XmlSource(label, info.file_size, lambda: archive.open(info), beside)
 
