@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 from qgis.core import QgsApplication
 
 from .framework.declaring.parameters import tr
@@ -75,3 +77,11 @@ class UrbanMapPlugin:
         if self.translator is not None:
             stop_speaking(self.translator)
             self.translator = None
+        _forget_modules()
+
+
+def _forget_modules() -> None:
+    """Let Python load everything anew next time: QGIS only forgets what statements import, not what functions do."""
+    package = __name__.rsplit(".", 2)[0]
+    for name in [name for name in sys.modules if name.startswith(f"{package}.")]:
+        del sys.modules[name]

@@ -29,6 +29,7 @@ from .packages.dependencies import refusal
 from .running.cluster import scheduler
 from .running.interrupt import signals_cancel
 from .running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
+from .running.python_thread import in_python_thread
 from .running.same_sums import same_sums
 
 ICONS = Path(__file__).resolve().parents[2] / "resources" / "icons"
@@ -147,6 +148,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return message
 
     def checkParameterValues(self, parameters, context):
+        return in_python_thread(lambda: self._checked(parameters, context), context)
+
+    def _checked(self, parameters: Mapping, context: QgsProcessingContext) -> tuple[bool, str]:
         try:
             parameters = with_words(parameters, self.parameterDefinitions())
         except InputError as error:
@@ -164,6 +168,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         return True, ""
 
     def processAlgorithm(self, parameters, context, feedback):
+        return in_python_thread(lambda: self._process(parameters, context, feedback), context)
+
+    def _process(self, parameters: Mapping, context: QgsProcessingContext, feedback: QgsProcessingFeedback) -> dict:
         for sentence in check_names(parameters, self.known_names(parameters)):
             feedback.pushWarning(sentence)
         message = self._packages_missing()

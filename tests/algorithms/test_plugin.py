@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 
 import pytest
@@ -51,7 +52,7 @@ def wait_until(application, condition):
     assert condition()
 
 
-def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin):
+def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin, monkeypatch):
     from qgis.core import QgsApplication
     from qgis.PyQt.QtWidgets import QWidget
 
@@ -63,6 +64,7 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin):
     assert [action.text() for action in interface.menus["UrbanMap"]] == [
         "Sample city…", "Documentation", "Install Python packages…"]
     desktop.provider = None
+    monkeypatch.setattr(sys, "modules", dict(sys.modules))  # other tests go on with those that are loaded
     desktop.unload()
     assert interface.menus == {"UrbanMap": []}
     assert QgsApplication.processingRegistry().providerById("urbanmap") is not None

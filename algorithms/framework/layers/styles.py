@@ -8,8 +8,10 @@ from collections.abc import Mapping, Sequence
 from contextlib import closing
 from html import escape, unescape
 from pathlib import Path
+from threading import Lock
 
 from qgis.core import QgsMapLayerType, QgsProcessingContext, QgsProcessingLayerPostProcessorInterface
+from qgis.PyQt import sip
 from qgis.PyQt.QtXml import QDomDocument
 
 from ....urbanmap_qgis.io.files.staging import final_text
@@ -122,12 +124,18 @@ class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
         layer.triggerRepaint()
 
 
-# QGIS does not keep post-processors alive, and drops those that Python has collected without a word.
-_POST_PROCESSORS: dict[tuple[str, tuple[str, ...], Earlier], StylePostProcessor] = {}
+_KEPT: list[StylePostProcessor] = []
+"""Those that QGIS has not deleted yet: one that Python collects before is dropped by QGIS without a word."""
+_LOCK = Lock()
 
 
 def _post_processor(style: str, own: tuple[str, ...], earlier: Earlier) -> StylePostProcessor:
-    return _POST_PROCESSORS.setdefault((style, own, earlier), StylePostProcessor(style, own, earlier))
+    """One for one layer of one run: QGIS deletes it with the run's context."""
+    processor = StylePostProcessor(style, own, earlier)
+    with _LOCK:
+        _KEPT[:] = [kept for kept in _KEPT if not sip.isdeleted(kept)]
+        _KEPT.append(processor)
+    return processor
 
 
 def save_style(path: Path, style: str, own: Sequence[str], progress: Progress, earlier: Earlier = ()) -> None:
