@@ -55,8 +55,8 @@ def write_map_files(stage, parameters, context, built, crs_wkt, speed_limit, pro
     if not built.lanes or not any(places.values()):
         return {}
     if places["OUTPUT_LANELET2"] or places["OUTPUT_PROJECTOR"]:
-        elements, coordinates = lanelet_elements(built, crs_wkt,
-                                                 stage.parameterAsString(parameters, "PROJECTOR", context), speed_limit)
+        projector, dialect = (stage.parameterAsString(parameters, name, context) for name in ("PROJECTOR", "DIALECT"))
+        elements, coordinates = lanelet_elements(built, crs_wkt, projector, speed_limit, dialect)
         if places["OUTPUT_LANELET2"]:
             write_osm(places["OUTPUT_LANELET2"], elements, META)
         if places["OUTPUT_PROJECTOR"]:

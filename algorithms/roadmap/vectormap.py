@@ -15,6 +15,7 @@ from .map_report import write_map_report
 
 TRAFFIC = ("auto", "left", "right")
 PROJECTORS = ("TransverseMercator", "MGRS")
+DIALECTS = ("lanelet2", "autoware")
 OSM_FILTER = "Lanelet2 (*.osm)"
 XODR_FILTER = "OpenDRIVE (*.xodr)"
 
@@ -65,6 +66,10 @@ class VectorMap(UrbanMapAlgorithm):
                           "length, which are told.", 30.0, 0.0, 500.0, advanced=True)
         self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
                         "none.", None, 1.0, 200.0, unit="km/h", optional=True)
+        self.add_choice("DIALECT", "Dialect of Lanelet2", "Of stop lines and crosswalks in the Lanelet2 file. lanelet2: "
+                        "elements that every reader takes (traffic_sign, right_of_way); autoware: road_marking and "
+                        "crosswalk, as Autoware asks, which other programs refuse without Autoware's extension.",
+                        DIALECTS, "lanelet2", advanced=True)
         self.add_choice("PROJECTOR", "Projector", "Of the local coordinates in the Lanelet2 file, for Autoware.",
                         PROJECTORS, "TransverseMercator", advanced=True)
         self.add_choice("VERTICAL_DATUM", "Vertical datum", "Of the lines' heights, for Autoware's projector file.",
@@ -78,8 +83,8 @@ class VectorMap(UrbanMapAlgorithm):
         self.add_layer_output("OUTPUT_BOUNDS", "Bounds of lanes", "Lines: bound_id, class, colour, width, sigma (m), "
                               "double, unseen (m without a line), lanes (number of lanes that have it).",
                               source_type=line)
-        self.add_file_output("OUTPUT_LANELET2", "Lanelet2 file", "Lanes, stop lines and crosswalks with Autoware's "
-                             "tags.", OSM_FILTER, optional=True)
+        self.add_file_output("OUTPUT_LANELET2", "Lanelet2 file", "Lanes, intersections, stop lines and crosswalks with "
+                             "the tags of Lanelet2 and Autoware.", OSM_FILTER, optional=True)
         self.add_file_output("OUTPUT_PROJECTOR", "Projector file", "Autoware's map_projector_info.yaml of the Lanelet2 "
                              "file.", "YAML (*.yaml)", optional=True)
         self.add_file_output("OUTPUT_OPENDRIVE", "OpenDRIVE file", "Roads, junctions, road marks, stop lines and "

@@ -18,7 +18,7 @@ from .files.guard import reads
 
 @dataclass(frozen=True)
 class OsmNode:
-    """A place: latitude and longitude in degrees; heights are a tag."""
+    """A place: latitude and longitude in degrees, NaN where the file has only local coordinates; heights are a tag."""
 
     identifier: int
     latitude: float
@@ -85,16 +85,27 @@ _NUMBERS = ("local_x", "local_y", "ele")
 def _element(element: ElementTree.Element, identifier: int) -> OsmNode | OsmWay | OsmRelation:
     tags = {tag.attrib["k"]: tag.attrib["v"] for tag in element.iter("tag")}
     if element.tag == "node":
-        latitude, longitude = float(element.attrib["lat"]), float(element.attrib["lon"])
-        others = [float(tags[name]) for name in _NUMBERS if name in tags]
-        if not all(map(math.isfinite, (latitude, longitude, *others))):
-            raise ValueError(f"node {identifier} has a coordinate that is not finite")
-        return OsmNode(identifier, latitude, longitude, tags)
+        return OsmNode(identifier, *_degrees(element, identifier, tags), tags)
     if element.tag == "way":
         return OsmWay(identifier, tuple(int(part.attrib["ref"]) for part in element.iter("nd")), tags)
     members = tuple((part.attrib["type"], int(part.attrib["ref"]), part.get("role", ""))
                     for part in element.iter("member"))
     return OsmRelation(identifier, members, tags)
+
+
+def _degrees(element: ElementTree.Element, identifier: int, tags: Mapping[str, str]) -> tuple[float, float]:
+    """Latitude and longitude; NaN where the attributes are empty, as Vector Map Builder leaves them, and local
+    coordinates stand in the tags."""
+    others = [float(tags[name]) for name in _NUMBERS if name in tags]
+    texts = element.attrib["lat"].strip(), element.attrib["lon"].strip()
+    if texts == ("", "") and {"local_x", "local_y"} <= tags.keys():
+        degrees = (math.nan, math.nan)
+    else:
+        degrees = tuple(map(float, texts))
+        others += degrees
+    if not all(map(math.isfinite, others)):
+        raise ValueError(f"node {identifier} has a coordinate that is not finite")
+    return degrees
 
 
 def write_osm(path: str | os.PathLike, content: OsmFile, meta: Mapping[str, str] | None = None) -> None:
@@ -108,7 +119,8 @@ def write_osm(path: str | os.PathLike, content: OsmFile, meta: Mapping[str, str]
     if meta:
         lines.append(f"  <MetaInfo {' '.join(f'{name}={quoteattr(value)}' for name, value in meta.items())}/>")
     for node in content.nodes.values():
-        place = f'lat="{node.latitude:.11f}" lon="{node.longitude:.11f}"'
+        known = math.isfinite(node.latitude)
+        place = f'lat="{node.latitude:.11f}" lon="{node.longitude:.11f}"' if known else 'lat="" lon=""'
         lines += _with_tags(f'  <node id="{node.identifier}" visible="true" version="1" {place}', [], node.tags, "node")
     for way in content.ways.values():
         inner = [f'    <nd ref="{number}"/>' for number in way.nodes]

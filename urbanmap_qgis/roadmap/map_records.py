@@ -110,6 +110,21 @@ class MapLane:
     speed_limit: float = np.nan
 
 
+@dataclass(frozen=True)
+class Intersection:
+    """Ways through a junction.
+
+    Attributes
+    ----------
+    ring : numbers of the nodes about it, in their order. lanes : numbers of the virtual lanes within.
+    yields : lanes that wait, by the lane that has the right of way.
+    """
+
+    ring: list[int]
+    lanes: list[int]
+    yields: dict[int, list[int]]
+
+
 @dataclass
 class VectorMap:
     """A lane map.
@@ -119,6 +134,9 @@ class VectorMap:
     nodes : list of (x, y, z). bounds, lanes : see there.
     stop_lines : (n, 3) arrays. crosswalks : polygons with the direction of the traffic that crosses them.
     findings : what to look at. left_hand : traffic keeps to the left; None where nothing tells.
+    height_sigmas : sigma (m) of each node whose height was taken from along the road, by its number.
+    intersections : ways through junctions that lie together, with their area.
+    crosswalk_rings : outlines (n, 3) of the crosswalks with heights; empty where the crosswalks hold them.
     """
 
     nodes: list[np.ndarray] = field(default_factory=list)
@@ -128,6 +146,15 @@ class VectorMap:
     crosswalks: list[MapArea] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     left_hand: bool | None = None
+    height_sigmas: dict[int, float] = field(default_factory=dict)
+    intersections: list[Intersection] = field(default_factory=list)
+    crosswalk_rings: list[np.ndarray] = field(default_factory=list)
+
+    def crosswalk_ring(self, number: int) -> np.ndarray:
+        """Outline (n, 3) of a crosswalk, closed; heights NaN where unknown."""
+        if self.crosswalk_rings:
+            return self.crosswalk_rings[number]
+        return shapely.get_coordinates(self.crosswalks[number].polygon.exterior, include_z=True)
 
     def coordinates(self, lane: int, side: str) -> np.ndarray:
         """Points (n, 3) of a lane's "left" or "right" bound in its direction."""

@@ -10,6 +10,7 @@ import shapely
 from ..progress import SILENT, Progress
 from ..wording import say
 from .lanes.bound_continuation import continued
+from .lanes.intersections import add_intersections
 from .lanes.junctions import connect_by_drives
 from .lanes.lane_assembly import add_section
 from .lanes.lane_strips import (
@@ -24,7 +25,9 @@ from .lanes.lane_strips import (
 from .lanes.narrow_places import narrow_places
 from .lanes.road_axes import RoadAxis, add_axes, add_speed_limits
 from .lanes.road_sections import road_sections
+from .map_cleaning import clean_map
 from .map_records import DrivenPath, Finding, MapArea, MapLine, MapSettings, VectorMap
+from .node_heights import fill_heights
 
 STOP_REACH = 5.0
 """A lane ends at a stop line so near, m."""
@@ -71,10 +74,12 @@ def build_vector_map(lines: Sequence[MapLine], areas: Sequence[MapArea] = (), dr
     if not drives:
         built.findings.append(_without_drives(lines))
     connect_by_drives(built, drives)
+    clean_map(built)
+    add_intersections(built)
     add_speed_limits(built, axes)
     _refer(built, stops, crosswalks)
     _tell_open_ends(built)
-    _tell_heights(built)
+    _tell_heights(built, fill_heights(built))
     progress.step(1.0)
     return built
 
@@ -130,14 +135,18 @@ def _refer(built: VectorMap, stops: Sequence[np.ndarray], crosswalks: Sequence[M
         built.crosswalks.append(area)
 
 
-def _tell_heights(built: VectorMap) -> None:
-    """One finding where nodes have no height."""
-    unknown = [place for place in built.nodes if not np.isfinite(place[2])]
-    if unknown:
-        x, y = unknown[0][:2]
-        built.findings.append(Finding("no height", say("{unknown_count} of {nodes_count} nodes have no height; give "
-                                                       "the marking lines a ground.", unknown_count=len(unknown),
-                                                       nodes_count=len(built.nodes)), float(x), float(y)))
+def _tell_heights(built: VectorMap, filled: int) -> None:
+    """One finding where nodes have no height of their own."""
+    if filled:
+        far, number = max((sigma, number) for number, sigma in built.height_sigmas.items())
+        x, y = built.nodes[number][:2]
+        built.findings.append(Finding("height filled", say(
+            "{filled} of {nodes_count} nodes have no measured height: theirs is taken from along the road (sigma up to "
+            "{far:.2f} m).", filled=filled, nodes_count=len(built.nodes), far=far), float(x), float(y)))
+    elif built.nodes and not built.has_heights():
+        x, y = built.nodes[0][:2]
+        built.findings.append(Finding("no height", say("No node has a height; give the marking lines a ground."),
+                                      float(x), float(y)))
 
 
 def _tell_open_ends(built: VectorMap) -> None:

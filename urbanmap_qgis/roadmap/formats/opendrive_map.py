@@ -27,6 +27,9 @@ REACH = 60.0
 BOLD = 0.22
 """Wider lines are bold road marks, m."""
 
+ROAD_TYPE = "town"
+"""Of all roads, as the lanelets' location is urban: nothing in paint and drives tells another."""
+
 STOP_SIGN = ("DE", "294")
 """Country and type that readers of OpenDRIVE know a stop line by: sign 294 of the German catalogue."""
 
@@ -167,6 +170,7 @@ def _add_road(root: ET.Element, built: VectorMap, layout: RoadLayout, number: in
             at = None if end[0] == "junction" else _contact(built, layout, number, end[1], name == "predecessor")
             _add(link, name, elementType=end[0], elementId=_junction_id(end[1]) if at is None else end[1] + 1,
                  contactPoint=at)
+    _add_type(element, [built.lanes[lane].speed_limit for lane in road.lanes], speed_limit)
     plan = _add(element, "planView")
     for one in shape.plan:
         geometry = _add(plan, "geometry", s=one.s, x=one.x, y=one.y, hdg=one.heading, length=one.length)
@@ -181,6 +185,14 @@ def _add_road(root: ET.Element, built: VectorMap, layout: RoadLayout, number: in
             _add_cubic(profile, "elevation", "s", piece)
     _add_lanes(element, built, layout, number, shape, speed_limit)
     return element
+
+
+def _add_type(element: ET.Element, limits: list[float], speed_limit: float | None) -> None:
+    """The road's type with the highest limit of its lanes, where one is known."""
+    kind = _add(element, "type", s=0.0, type=ROAD_TYPE)
+    known = [limit for limit in limits if np.isfinite(limit)] or ([speed_limit] if speed_limit is not None else [])
+    if known:
+        _add(kind, "speed", max=max(known), unit="km/h")
 
 
 def _junction_id(number: int) -> int:

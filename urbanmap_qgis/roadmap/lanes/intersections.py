@@ -1,0 +1,138 @@
+"""Intersections: virtual lanes that meet, the area that covers them, and who yields by the rule of the road."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+import shapely
+
+from ..map_records import Intersection, VectorMap
+
+AROUND = 25.0
+"""Ends of lanes so near belong to an intersection too, m."""
+
+DRAWN = 0.6
+"""Inner points of virtual bounds may be drawn inwards so far to lie within the area, m: no paint tells their place."""
+
+ON_EDGE = 0.02
+"""Ends of lanes so near to the area's edge are corners of it, m."""
+
+OPPOSITE = -0.7
+"""Cosine between directions that are opposite."""
+
+
+def add_intersections(built: VectorMap) -> None:
+    """Group the virtual lanes that overlap or begin or end together, with an area from the ends of lanes about them.
+
+    The corners are ends of lanes only. A way that bulges beyond such an area by more than `DRAWN` stays out of it.
+    """
+    virtual = [number for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
+    for group in _groups(built, virtual):
+        ring, covered = _area(built, group)
+        if covered:
+            built.intersections.append(Intersection(ring, covered, _yields(built, covered)))
+
+
+def _groups(built: VectorMap, virtual: list[int]) -> list[list[int]]:
+    areas = [built.area(number) for number in virtual]
+    owner = list(range(len(virtual)))
+
+    def root(k: int) -> int:
+        while owner[k] != k:
+            k = owner[k]
+        return k
+
+    for one, other in shapely.STRtree(areas).query(areas, predicate="intersects").T.tolist() if areas else ():
+        owner[root(one)] = root(other)
+    groups: dict[int, list[int]] = {}
+    for k, number in enumerate(virtual):
+        groups.setdefault(root(k), []).append(number)
+    return list(groups.values())
+
+
+def _end_nodes(built: VectorMap, lanes: Iterable[int]) -> set[int]:
+    """Nodes at the begins and ends of lanes."""
+    return {built.bounds[side].nodes[tip] for number in lanes
+            for side in (built.lanes[number].left, built.lanes[number].right) for tip in (0, -1)}
+
+
+def _area(built: VectorMap, group: list[int]) -> tuple[list[int], list[int]]:
+    """Ring of node numbers about a group, and the lanes of it that lie within."""
+    ends = _end_nodes(built, group)
+    ring = _ring(built, ends)
+    if _within(built, ring, group, DRAWN) != group:
+        plain = [number for number, lane in enumerate(built.lanes) if lane.kind == "lane"]
+        places = np.array(built.nodes)
+        hull = shapely.Polygon(places[ring][:, :2]).buffer(AROUND)
+        near = {node for node in _end_nodes(built, plain) if shapely.contains_xy(hull, *places[node, :2])}
+        wide = _ring(built, ends | near)
+        if len(_within(built, wide, group, DRAWN)) > len(_within(built, ring, group, DRAWN)) and not _within(
+                built, wide, plain, 0.0):
+            ring = wide
+    covered = _within(built, ring, group, DRAWN)
+    _draw_inwards(built, ring, covered)
+    return ring, [number for number in covered if _within(built, ring, [number], ON_EDGE)]
+
+
+def _ring(built: VectorMap, nodes: set[int]) -> list[int]:
+    """Nodes on the convex hull, with those at its edge, in their order."""
+    numbers = np.array(sorted(nodes))
+    places = np.array(built.nodes)[numbers, :2]
+    edge = shapely.MultiPoint(places).convex_hull
+    if edge.geom_type != "Polygon":
+        return numbers.tolist()
+    edge = edge.exterior
+    points = shapely.points(places)
+    on = shapely.distance(points, edge) <= ON_EDGE
+    return numbers[on][np.argsort(shapely.line_locate_point(edge, points[on]))].tolist()
+
+
+def _within(built: VectorMap, ring: list[int], lanes: list[int], reach: float) -> list[int]:
+    """Lanes that lie in the area of a ring, or leave it by no more than `reach`."""
+    if len(ring) < 3:
+        return []
+    area = shapely.Polygon(np.array(built.nodes)[ring][:, :2])
+    if not area.is_valid:
+        return []
+    wide = area.buffer(reach + 1e-6, join_style="mitre")
+    return [number for number in lanes if wide.covers(built.area(number))]
+
+
+def _draw_inwards(built: VectorMap, ring: list[int], lanes: list[int]) -> None:
+    """Move inner points of the lanes' bounds that lie outside the area to its inside."""
+    if not lanes:
+        return
+    area = shapely.Polygon(np.array(built.nodes)[ring][:, :2])
+    inside = area.buffer(-ON_EDGE)
+    held = _end_nodes(built, range(len(built.lanes)))
+    for number in lanes:
+        for side in (built.lanes[number].left, built.lanes[number].right):
+            for node in built.bounds[side].nodes:
+                place = shapely.Point(built.nodes[node][:2])
+                if node not in held and not inside.covers(place) and not inside.is_empty:
+                    near = shapely.get_coordinates(shapely.shortest_line(place, inside))[1]
+                    built.nodes[node] = np.array([*near, built.nodes[node][2]])
+
+
+def _yields(built: VectorMap, lanes: list[int]) -> dict[int, list[int]]:
+    """Lanes that let others pass, by the lane that has the way: who turns across the oncoming traffic waits for it."""
+    left_hand = built.left_hand is not False
+    across = "right" if left_hand else "left"
+    found: dict[int, list[int]] = {}
+    courses = {number: _heading(built.lanes[number].centre) for number in lanes}
+    areas = {number: built.area(number) for number in lanes}
+    for one in lanes:
+        if built.lanes[one].turn == across:
+            continue
+        for other in lanes:
+            oncoming = courses[one] @ courses[other] < OPPOSITE
+            if built.lanes[other].turn == across and oncoming and areas[one].intersection(areas[other]).area > 0.5:
+                found.setdefault(one, []).append(other)
+    return found
+
+
+def _heading(centre: np.ndarray) -> np.ndarray:
+    """Unit direction (2,) in which a lane begins."""
+    step = centre[1, :2] - centre[0, :2]
+    return step / max(np.linalg.norm(step), 1e-9)
