@@ -1,6 +1,7 @@
 # make demo    the main job on an example, with a result to look at
 # make test    all tests (make test-core, -algorithms, -cli, -gui and -real run a part)
 # make lint    check the style of the code
+# make judges  programs of others that judge lane maps, into build/judges
 # make package the zip for QGIS's plugin repository
 # make docs    the documentation as a website, build/site
 # make translations  bring the translations up to date and compile them
@@ -14,10 +15,15 @@ PARTS := core algorithms cli gui real
 export PATH := /usr/bin:/bin:$(PATH)
 export QGIS_NO_OVERRIDE_IMPORT := 1
 
-.PHONY: setup demo test lint package docs translations bench clean $(PARTS:%=test-%)
+.PHONY: setup judges demo test lint package docs translations bench clean $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
+
+# What the tests of lane maps call in, where it can be installed; without it they are left out.
+judges: setup
+	$(PYTHON) -c 'import sys, subprocess; subprocess.check_call([sys._base_executable, "-m", "venv", "build/judges"])'
+	build/judges/bin/pip install -q -r requirements-judges.txt
 
 demo: setup
 	scripts/demo/demo.sh

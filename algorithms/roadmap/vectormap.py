@@ -66,8 +66,8 @@ class VectorMap(UrbanMapAlgorithm):
                           "length, which are told.", 30.0, 0.0, 500.0, advanced=True)
         self.add_number("SPEED_LIMIT", "Speed limit", "Of lanes for which road axes tell none; left empty, they have "
                         "none.", None, 1.0, 200.0, unit="km/h", optional=True)
-        self.add_choice("DIALECT", "Dialect of Lanelet2", "Of stop lines and crosswalks in the Lanelet2 file. lanelet2: "
-                        "elements that every reader takes (traffic_sign, right_of_way); autoware: road_marking and "
+        self.add_choice("DIALECT", "Dialect of Lanelet2", "Of stop lines and crosswalks in the Lanelet2 file. lanelet2:"
+                        " elements that every reader takes (traffic_sign, right_of_way); autoware: road_marking and "
                         "crosswalk, as Autoware asks, which other programs refuse without Autoware's extension.",
                         DIALECTS, "lanelet2", advanced=True)
         self.add_choice("PROJECTOR", "Projector", "Of the local coordinates in the Lanelet2 file, for Autoware.",
