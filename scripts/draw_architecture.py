@@ -25,13 +25,13 @@ sys.path.insert(0, str(ROOT))
 from scripts.source_tree import CORE, FACE, modules, own_imports, reachable  # noqa: E402
 
 PICTURE = ROOT / "docs" / "images" / "architecture.svg"
-LANES = ("aerial", "mobile", "lines", "buildings", "gnss", "roadmap")
+LANES = ("aerial", "mobile", "lines", "buildings", "gnss", "roadmap", "delivery")
 """Groups that have a lane, from above. Workflows only join the stages; the sample city makes files of every kind."""
 
 DATA_TYPES = {"multilayer", "source", "vector", "raster", "file", "layer", "sink", "fileDestination",
               "rasterDestination", "folderDestination"}
 COLOURS = {"aerial": "#2f7f9e", "mobile": "#b5533c", "lines": "#8a6bb0", "buildings": "#8d7a3f", "gnss": "#3f8f63",
-           "roadmap": "#4a5560"}
+           "roadmap": "#4a5560", "delivery": "#7a5c2e"}
 INK, FAINT, PAPER, LANE = "#222222", "#666666", "#ffffff", "#f4f4f2"
 
 LEFT, GAP, BOX, PAD, LINE = 162, 36, 200, 7, 13  # widths and heights in pixels

@@ -42,6 +42,7 @@ GROUPS = {
     "buildings": "Buildings",
     "gnss": "GNSS",
     "roadmap": "Road map",
+    "delivery": "Delivery",
     "workflows": "Workflows",
 }
 

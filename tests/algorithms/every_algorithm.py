@@ -69,6 +69,7 @@ RECIPES: dict[str, dict] = {
                        "CRS": "EPSG:6677"},
     "checkaccuracy": {"TRAJECTORY": DRIVE["TRAJECTORY"], "CORRECTED": "registermms:OUTPUT", "CRS": "EPSG:6677",
                       "CONTROL": "city:truth/control_survey_01.csv"},
+    "acceptance": {"INPUT": "checkaccuracy:OUTPUT", "PATCHES": "registermms:OUTPUT_PATCHES", "JOB": "1"},
     "adjustsurveys": {"POINTS": ["roadmarkingsfrommms:OUTPUT", "city:mms/survey_02.laz"], **BOTH},
     "applytrajectory 2": {"POINTS": ["city:mms/survey_02.laz"], "TRAJECTORY": "city:mms/survey_02_trajectory.csv",
                           "CORRECTED": TRUTH["TRAJECTORY"][1], "IMAGES": "city:mms/survey_02_images.csv"},

@@ -22,7 +22,7 @@ CONTRACT = ("samplecity", "surfacefromals", "occlusionmap", "orthorectifyframes"
             "buildingmodels", "wallsfrommms", "mergebuildingmodels", "mesh25d", "exportcitymodel",
             "buildingsfromals", "tiledrun",
             "satellitevisibility", "gnssreflections", "adjustwalls", "markinglines", "vectormap", "checkvectormap",
-            "lanemap", "roadedges", "localisationaccuracy")
+            "lanemap", "roadedges", "localisationaccuracy", "acceptance")
 
 LIST_WITHOUT_PACKAGES = """
 import sys

@@ -17,7 +17,7 @@ CORE = source_tree.CORE
 BASE = {"errors", "progress", "execution", "dependencies", "sources", "wording"}
 
 # From the ground up: a room imports from the floors below its own, never from its own floor's neighbours.
-FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel", "tiling"}, {"aerial", "mobile"},
+FLOORS = (BASE, {"geometry"}, {"io"}, {"terrain", "citymodel", "tiling", "acceptance"}, {"aerial", "mobile"},
           {"buildings", "roadmap"}, {"facades", "imagery", "gnss"}, {"localisation"}, {"samplecity"})
 
 IMPORTS = {name: source_tree.own_imports(path) for name, path in source_tree.modules().items()}

@@ -17,7 +17,8 @@ SITES = (ROOT / "site", ROOT / "build" / "site")
 """Where the documentation is as a website: in an installed plugin, and in a checkout after `make docs`."""
 
 GUIDES = {"start": "sample_city.md", "aerial": "aerial.md", "mobile": "mobile.md", "lines": "lines.md",
-          "buildings": "buildings.md", "gnss": "gnss.md", "roadmap": "roadmap.md", "workflows": "architecture.md"}
+          "buildings": "buildings.md", "gnss": "gnss.md", "roadmap": "roadmap.md", "workflows": "architecture.md",
+          "delivery": "acceptance.md"}
 """Page on the methods of each group, in docs/."""
 
 PICTURES = {

@@ -77,7 +77,7 @@ def plan_map(polygons: Sequence[shapely.Geometry | None], values: np.ndarray, li
             parts.append(f'<text x="{x:.1f}" y="{y + 4:.1f}" text-anchor="middle" font-weight="bold" stroke="#fff" '
                          f'stroke-width="3" paint-order="stroke">{html.escape(text)}</text>')
     parts.append(_legend(limits, unit, height - 30))
-    parts.append(_scale_bar(scale, width, height - 14))
+    parts.append(scale_bar(scale, width, height - 14))
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
             f'font-family="sans-serif" font-size="11">{"".join(parts)}</svg>')
 
@@ -98,7 +98,7 @@ def _legend(limits: Sequence[float], unit: str, y: int) -> str:
                    for i, (colour, name) in enumerate(zip((*RAMP, UNKNOWN), names)))
 
 
-def _scale_bar(scale: float, width: int, y: int) -> str:
+def scale_bar(scale: float, width: int, y: int) -> str:
     """A bar of a round length, at most a quarter of the map's width."""
     longest = width / 4 / scale
     power = 10.0 ** np.floor(np.log10(longest))

@@ -1,0 +1,1 @@
+"""Handing a result over: its accuracy in the client's form."""

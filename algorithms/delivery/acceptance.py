@@ -1,0 +1,163 @@
+"""urbanmap:acceptance."""
+
+from __future__ import annotations
+
+from ..framework.base import UrbanMapAlgorithm
+from ..framework.declaring.parameters import HTML_FILTER, tr
+
+LEVELS = ("250", "500", "1000", "2500", "5000", "given")
+PRODUCTS = ("survey", "buildings")
+JOB = {"job": "Job", "client": "Client", "surveyor": "Surveyor", "dates": "Dates of the work",
+       "instrument": "Instrument", "method": "Method", "heights": "Height system", "checked_by": "Checked by"}
+NUMBERS = {"POINTS": ("Check points", ""), "RMSE_PLAN": ("Standard deviation in plan about 0", "m"),
+           "RMSE_HEIGHT": ("Standard deviation in height about 0", "m"), "MEAN_PLAN": ("Mean error in plan", "m"),
+           "MAX_PLAN": ("Maximum error in plan", "m"), "MAX_HEIGHT": ("Maximum error in height", "m")}
+PATCH_FIGURES = {"correction": "Correction in plan (m)", "sigma": "Standard deviation in plan (m)",
+                 "residual": "Residual of the windows (m)"}
+
+
+class Acceptance(UrbanMapAlgorithm):
+    ID = "acceptance"
+    NAME = "Acceptance report"
+    KEYWORDS = ("accuracy", "acceptance", "quality control", "check points", "map level", "report", "PDF")
+    REQUIRES = ("numpy", "scipy", "shapely")
+    HELP = (
+        "Judges a survey or building models by check points, in the form of the tables of quality control of Japan's "
+        "public surveys: figures in plan and in height apart, the limits of the map level, passed or failed for each "
+        "criterion, a map of the errors, all points.\n"
+        "Check points must have been measured independently; those that the product was adjusted to are left out "
+        "where a column “role” names them. Where there are too few points nothing is accepted.\n"
+        "The standard deviation is that about a mean of 0. With few points it says little: the report gives the value "
+        "that it is below with a confidence of 95 %."
+    )
+
+    def flags(self):
+        """In the window's thread, as QGIS's printing needs."""
+        return super().flags() | self.Flag.FlagNoThreading
+
+    def declare(self):
+        self.add_vector("INPUT", "Check points", "The residuals of “Check accuracy at control points”, or a table or "
+                        "layer with x, y, z (true, metres) and x_product, y_product, z_product; id, and role (check or "
+                        "adjusted), where there are such columns.")
+        self.add_choice("PRODUCT", "Product", "Building models are judged as PLATEAU's tables P05 to P08 ask: 42 check "
+                        "points (21 edges with two each) in each unit.", PRODUCTS, "survey")
+        self.add_choice("MAP_LEVEL", "Map level", "Whose limits hold: the standard deviation may be 0.12, 0.25, 0.70, "
+                        "1.75, 3.50 m in plan and 0.25, 0.25, 0.33, 0.66, 1.66 m in height; given: the limits below.",
+                        LEVELS, "500")
+        self.add_number("LIMIT_PLAN", "Limit in plan", "Greatest standard deviation in plan; it takes the place of the "
+                        "map level's.", minimum=0.0001, unit="m", optional=True)
+        self.add_number("LIMIT_HEIGHT", "Limit in height", "Greatest standard deviation in height; it takes the place "
+                        "of the map level's.", minimum=0.0001, unit="m", optional=True)
+        self.add_number("MINIMUM_POINTS", "Minimum number of points", "With fewer check points in a unit nothing is "
+                        "judged. If none is given: 42 for buildings, 1 for a survey.", minimum=1, integer=True,
+                        optional=True)
+        self.add_field("UNIT", "Unit of inspection", "Field that names the unit of each point, such as a mesh or a "
+                       "drive: each unit is judged by itself. If none is chosen, all points are one.", "INPUT",
+                       optional=True)
+        self.add_vector("PATCHES", "Patches of the registration", "From “Register mobile survey”: mean, standard "
+                        "deviation and maximum of its figures are told.", optional=True)
+        for name, label in JOB.items():
+            self.add_text(name.upper(), label, "For the head of the report; what is left out stays blank, to be filled "
+                          "in by hand.")
+        self.add_file_output("OUTPUT_REPORT", "Report", "HTML report, which prints on A4.", HTML_FILTER, optional=True,
+                             by_default=True)
+        self.add_file_output("OUTPUT_PDF", "Report as PDF", "The same as PDF pages of A4, made by QGIS's printing.",
+                             "PDF (*.pdf)", optional=True)
+        self.add_file_output("OUTPUT_CSV", "All points", "Every check point with its errors.", "CSV (*.csv)",
+                             optional=True)
+        for name, (label, unit) in NUMBERS.items():
+            self.add_number_output(name, label, label, unit=unit)
+        self.add_text_output("OUTCOME", "Outcome", "passed, failed, or not checked.")
+
+    def check(self, parameters, context):
+        from ...urbanmap_qgis.errors import InputError
+
+        given = [self._number(parameters, name, context) for name in ("LIMIT_PLAN", "LIMIT_HEIGHT")]
+        if self.parameterAsString(parameters, "MAP_LEVEL", context) == "given" and given == [None, None]:
+            raise InputError(tr("Map level: “given” needs a limit in plan or in height; give one of them."))
+
+    def compute(self, parameters, context, feedback):
+        from ...urbanmap_qgis.acceptance.acceptance_report import write_acceptance_report, write_points_csv
+        from ...urbanmap_qgis.acceptance.criteria import criteria, outcome
+        from ...urbanmap_qgis.acceptance.error_figures import point_figures
+
+        progress = self.progress(feedback)
+        table = self.read_vector(parameters, "INPUT", context, progress.part(0.0, 0.2))
+        points = self._points(parameters, context, table)
+        limits, level = self._limits(parameters, context)
+        found = criteria(points, limits, self._needed(parameters, context))
+        job = self._job(parameters, context, table)
+        patches = self._patches(parameters, context)
+        results = {"OUTCOME": outcome(found)}
+        report = self.output_path(parameters, "OUTPUT_REPORT", context)
+        if report:
+            write_acceptance_report(report, points, found, limits, job, level, patches)
+            results["OUTPUT_REPORT"] = str(report)
+        rows = self.output_path(parameters, "OUTPUT_CSV", context)
+        if rows:
+            write_points_csv(rows, points)
+            results["OUTPUT_CSV"] = str(rows)
+        pdf = self.output_path(parameters, "OUTPUT_PDF", context)
+        if pdf:
+            from .acceptance_pages import write_acceptance_pdf
+
+            write_acceptance_pdf(pdf, points, found, limits, job, level)
+            results["OUTPUT_PDF"] = str(pdf)
+        figures = point_figures(points.errors)
+        numbers = {"POINTS": len(points), "RMSE_PLAN": figures.plan.rmse, "RMSE_HEIGHT": figures.height.rmse,
+                   "MEAN_PLAN": figures.plan.mean, "MAX_PLAN": figures.plan.maximum,
+                   "MAX_HEIGHT": figures.height.maximum}
+        return {**results, **{name: value for name, value in numbers.items() if value == value}}
+
+    def _points(self, parameters, context, table):
+        from ...urbanmap_qgis.acceptance.check_points import check_points_from_columns, point_places
+
+        return check_points_from_columns(table.columns, point_places(table.geometries),
+                                         self.parameterAsString(parameters, "UNIT", context), table.label)
+
+    def _limits(self, parameters, context):
+        """Limits, and the map level they are of; None where they were given."""
+        from ...urbanmap_qgis.acceptance.map_levels import MAP_LEVELS, Limits
+
+        word = self.parameterAsString(parameters, "MAP_LEVEL", context)
+        plan, height = (self._number(parameters, name, context) for name in ("LIMIT_PLAN", "LIMIT_HEIGHT"))
+        if word == "given":
+            return Limits(plan, height), None
+        level = MAP_LEVELS[int(word)]
+        if plan is None and height is None:
+            return level, int(word)
+        return Limits(level.plan if plan is None else plan, level.height if height is None else height), None
+
+    def _needed(self, parameters, context) -> int:
+        from ...urbanmap_qgis.acceptance.map_levels import PLATEAU_POINTS
+
+        given = self._number(parameters, "MINIMUM_POINTS", context)
+        if given is not None:
+            return int(given)
+        return PLATEAU_POINTS if self.parameterAsString(parameters, "PRODUCT", context) == "buildings" else 1
+
+    def _number(self, parameters, name: str, context) -> float | None:
+        return None if parameters.get(name) in (None, "") else self.parameterAsDouble(parameters, name, context)
+
+    def _job(self, parameters, context, table):
+        from ...urbanmap_qgis.acceptance.job import Job
+
+        texts = {name: self.parameterAsString(parameters, name.upper(), context) for name in JOB}
+        reference = f"{table.crs.authid()} {table.crs.description()}".strip() if table.crs.isValid() else ""
+        return Job(**texts, reference=reference)
+
+    def _patches(self, parameters, context) -> dict:
+        """Figures of registered patches by their words."""
+        import numpy as np
+
+        from ...urbanmap_qgis.errors import InputError
+
+        table = self.read_vector(parameters, "PATCHES", context)
+        if table is None:
+            return {}
+        missing = [name for name in PATCH_FIGURES if name not in table.columns]
+        if missing:
+            raise InputError(tr("{0} has no field {1}: give the patches of “Register mobile survey”.").format(
+                table.label, ", ".join(missing)))
+        return {words: np.array([np.nan if value is None else float(value) for value in table.columns[name]])
+                for name, words in PATCH_FIGURES.items()}

@@ -1,0 +1,56 @@
+"""The acceptance report through Processing."""
+
+from __future__ import annotations
+
+import pytest
+
+
+@pytest.fixture
+def checks(tmp_path):
+    """Five check points that are 3 cm off in plan and 1 cm in height, and one that was adjusted to."""
+    rows = ["id,x,y,z,x_product,y_product,z_product,role,mesh"]
+    rows += [f"検{k},{10 * k},{20 * k},5.0,{10 * k + 0.03},{20 * k},5.01,check,{'a' if k < 3 else 'b'}"
+             for k in range(5)]
+    (tmp_path / "検証点.csv").write_text("\n".join([*rows, "G1,0,0,5,0,0,5,adjusted,a"]), encoding="utf-8")
+    return str(tmp_path / "検証点.csv")
+
+
+def test_points_within_the_limits_are_accepted(run, checks, tmp_path):
+    result = run("urbanmap:acceptance", {
+        "INPUT": checks, "MAP_LEVEL": "250", "JOB": "第3工区", "OUTPUT_REPORT": str(tmp_path / "報告.html"),
+        "OUTPUT_PDF": str(tmp_path / "報告.pdf"), "OUTPUT_CSV": str(tmp_path / "all.csv")})
+    assert result["OUTCOME"] == "passed" and result["POINTS"] == 5
+    assert result["RMSE_PLAN"] == pytest.approx(0.03, abs=1e-6)
+    assert result["RMSE_HEIGHT"] == pytest.approx(0.01, abs=1e-6)
+    page = (tmp_path / "報告.html").read_text(encoding="utf-8")
+    assert "第3工区" in page and "Accepted for map level 250" in page and "adjusted to them: 1 points" in page
+    pdf = (tmp_path / "報告.pdf").read_bytes()
+    assert pdf.startswith(b"%PDF") and pdf.count(b"/Type /Page\n") == 2
+    assert len((tmp_path / "all.csv").read_text(encoding="utf-8-sig").splitlines()) == 6
+
+
+def test_many_points_go_on_over_pages(run, tmp_path):
+    rows = ["id,x,y,z,x_product,y_product,z_product", *(f"{k},{k},{k},1,{k},{k},1" for k in range(150))]
+    (tmp_path / "many.csv").write_text("\n".join(rows), encoding="utf-8")
+    run("urbanmap:acceptance", {"INPUT": str(tmp_path / "many.csv"), "OUTPUT_PDF": str(tmp_path / "many.pdf")})
+    assert (tmp_path / "many.pdf").read_bytes().count(b"/Type /Page\n") >= 4
+
+
+def test_limits_units_and_numbers_of_points_decide(run, checks):
+    def outcome(**settings):
+        return run("urbanmap:acceptance", {"INPUT": checks, **settings})["OUTCOME"]
+
+    assert outcome(MAP_LEVEL="given", LIMIT_PLAN=0.02) == "failed"
+    assert outcome(PRODUCT="buildings") == "not checked"
+    assert outcome(UNIT="mesh", MINIMUM_POINTS=3) == "not checked"
+    assert outcome(UNIT="mesh", MINIMUM_POINTS=2) == "passed"
+
+
+def test_given_limits_must_be_given(run, checks):
+    with pytest.raises(Exception, match="needs a limit in plan or in height"):
+        run("urbanmap:acceptance", {"INPUT": checks, "MAP_LEVEL": "given"})
+
+
+def test_patches_must_be_those_of_a_registration(run, checks):
+    with pytest.raises(Exception, match="has no field correction, sigma, residual"):
+        run("urbanmap:acceptance", {"INPUT": checks, "PATCHES": checks})

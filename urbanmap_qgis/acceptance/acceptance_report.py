@@ -1,0 +1,162 @@
+"""The acceptance report: each criterion with its figure and limit, all check points, in the form of the tables of
+quality control (精度管理表) of Japan's public surveys."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from ..io.files.atomic import written_beside
+from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
+from ..io.pages.svg_vectors import vector_map
+from ..wording import known, say
+from .check_points import CheckPoints
+from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
+from .error_figures import ErrorFigures, point_figures, signed_figures
+from .job import Job
+from .map_levels import Limits
+
+_HEAD = ("Component", "points", "mean (m)", "RMSE (m)", "standard deviation (m)", "maximum (m)")
+
+
+def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found: Sequence[Criterion], limits: Limits,
+                            job: Job, level: int | None = None,
+                            registration: Mapping[str, np.ndarray] | None = None) -> None:
+    """Write the report (HTML, prints on A4).
+
+    Parameters
+    ----------
+    found : criteria of `points` with `limits`.  level : map level of the limits, None where they were given.
+    registration : figures of a registration by their words, (n,) m each; their mean, standard deviation and maximum
+        are shown.
+    """
+    report = Report("Acceptance: errors at check points")
+    report.verdict(*verdict(points, found, level))
+    report.facts(job.rows())
+    _criteria(report, found, level)
+    _figures(report, points)
+    _registration(report, registration or {})
+    _map(report, points, limits)
+    _all_points(report, points)
+    report.write(path)
+
+
+def verdict(points: CheckPoints, found: Sequence[Criterion], level: int | None) -> tuple[str, str]:
+    """Grade and sentence of the whole."""
+    name = say("map level {level}", level=level) if level else say("the given limits")
+    total = outcome(found)
+    if not found:
+        return LOOK, say("Nothing was judged, as no limit was given: the figures of {count} check points are below.",
+                         count=len(points))
+    if total == FAILED:
+        worst = max((item for item in found if item.outcome == FAILED), key=lambda item: item.figures.rmse / item.limit)
+        return BAD, say("Not accepted for {name}: {component} {rmse:.3f} m, limit {limit:.3f} m{unit}.", name=name,
+                        component=known(worst.component), rmse=worst.figures.rmse, limit=worst.limit,
+                        unit=f" ({worst.unit})" if worst.unit else "")
+    if total != PASSED:
+        open_one = next(item for item in found if item.outcome not in (PASSED, FAILED))
+        return LOOK, say("Not judged for {name}: {component} has {count} check points{unit}, and {needed} are needed.",
+                         name=name, component=known(open_one.component), count=open_one.figures.count,
+                         needed=max(open_one.needed, 1), unit=f" ({open_one.unit})" if open_one.unit else "")
+    if all(item.is_certain for item in found):
+        return GOOD, say("Accepted for {name}: {count} check points keep every limit, also with a confidence of 95 %.",
+                         name=name, count=len(points))
+    return GOOD, say("Accepted for {name}: {count} check points keep every limit. They are too few, or "
+                     "the figure too close, to show it with a confidence of 95 %.", name=name, count=len(points))
+
+
+def _criteria(report: Report, found: Sequence[Criterion], level: int | None) -> None:
+    report.section(say("Criteria of map level {level}", level=level) if level else say("Criteria"))
+    with_units = any(item.unit for item in found)
+    head = ("Unit", *CRITERIA_HEAD) if with_units else CRITERIA_HEAD
+    report.table(head, [((item.unit,) if with_units else ()) + (
+        known(item.component), item.figures.count, Fixed.of(item.figures.rmse, 3), Fixed.of(item.limit, 3),
+        Fixed.of(item.figures.bound, 3), known(OUTCOMES[item.outcome])) for item in found])
+    report.paragraph("The standard deviation is that about a mean of 0, the root of the mean square: what all points "
+                     "share counts too. With a confidence of 95 % the standard deviation of all places is below the "
+                     "upper bound, if errors are normal.")
+
+
+CRITERIA_HEAD = ("Component", "points", "standard deviation (m)", "limit (m)", "upper bound, 95 % (m)", "outcome")
+
+
+def _figures(report: Report, points: CheckPoints) -> None:
+    figures = point_figures(points.errors)
+    report.section("Figures")
+    report.table(_HEAD, [_row(say("east"), figures.east), _row(say("north"), figures.north),
+                         _row(say("plan (distance)"), figures.plan), _row(say("height"), figures.height)])
+    if points.state == "before":
+        report.warning("These are the errors as reported: the layer has none after a correction.")
+    if points.adjusted:
+        report.paragraph(say("Left out, as the product was adjusted to them: {count} points.", count=points.adjusted))
+
+
+def _row(name: str, figures: ErrorFigures) -> tuple:
+    return (name, figures.count, Fixed.of(figures.mean, 3), Fixed.of(figures.rmse, 3), Fixed.of(figures.std, 3),
+            Fixed.of(figures.maximum, 3))
+
+
+def _registration(report: Report, registration: Mapping[str, np.ndarray]) -> None:
+    """Mean, standard deviation and maximum of a registration's figures."""
+    if not registration:
+        return
+    report.section("Registration")
+    rows = [(known(name), signed_figures(values)) for name, values in registration.items()]
+    report.table(("Figure", "patches", "mean (m)", "standard deviation (m)", "maximum (m)"), [
+        (name, item.count, Fixed.of(item.mean, 3), Fixed.of(item.std, 3), Fixed.of(item.maximum, 3))
+        for name, item in rows])
+
+
+def _map(report: Report, points: CheckPoints, limits: Limits) -> None:
+    """Vectors of errors in plan, and how they are spread."""
+    plan = np.hypot(*points.errors[:, :2].T)
+    drawing = error_map(points, limits)
+    if drawing:
+        report.section("Where the errors lie")
+        report.figure(drawing, say("Errors in plan, drawn larger than the map; red: above the limit. Arrows that all "
+                                   "point one way are an error that the whole product shares."))
+    report.histogram(plan, "m", say("Errors in plan"))
+    report.histogram(points.errors[:, 2], "m", say("Errors in height"))
+
+
+def error_map(points: CheckPoints, limits: Limits) -> str:
+    """SVG map of the errors in plan; empty where no point's place is known."""
+    placed = np.isfinite(points.true[:, :2]).all(axis=1)
+    if not placed.any():
+        return ""
+    names = [points.id[k] for k in np.flatnonzero(placed)]
+    return vector_map(points.true[placed, :2], points.errors[placed, :2], names, limits.plan)
+
+
+def _all_points(report: Report, points: CheckPoints) -> None:
+    report.section("All check points")
+    rows = point_rows(points)
+    report.table(point_head(), [(row[0], row[1], *(Fixed.of(value, 3) for value in row[2:])) for row in rows])
+
+
+def point_head() -> tuple[str, ...]:
+    """Names of the columns of `point_rows`."""
+    return ("point", "unit", "x (m)", "y (m)", "z (m)", "east (m)", "north (m)", "up (m)", "plan (m)")
+
+
+def point_rows(points: CheckPoints) -> list[tuple]:
+    """Every check point: name, unit, true place, errors and the error in plan, m."""
+    return [(points.id[k], points.unit[k], *map(float, points.true[k]), *map(float, points.errors[k]),
+             float(np.hypot(*points.errors[k, :2]))) for k in range(len(points))]
+
+
+def write_points_csv(path: str | os.PathLike, points: CheckPoints) -> None:
+    """Write every check point as CSV (UTF-8 with a mark that Excel knows); empty where a value is not known.
+
+    Raises
+    ------
+    OutputError : the file cannot be written there.
+    """
+    with written_beside(path) as temporary, temporary.open("w", encoding="utf-8-sig", newline="") as stream:
+        table = csv.writer(stream)
+        table.writerow(("id", "unit", "x", "y", "z", "east", "north", "up", "plan"))
+        table.writerows((row[0], row[1], *("" if value != value else f"{value:.4f}" for value in row[2:]))
+                        for row in point_rows(points))

@@ -1,0 +1,79 @@
+"""Maps of vectors at points as SVG, for reports: errors drawn larger than the map, with their scale."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...wording import say
+from .svg import scale_bar
+
+_LONGEST = 60.0  # pixels of the vector that the scale is chosen by
+_GOOD, _BAD = "#2f6f8f", "#d7263d"
+
+
+def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], limit: float | None = None,
+               width: int = 560, height: int = 420) -> str:
+    """An SVG map of points with a vector each, north up, with scale bars of the map and of the vectors.
+
+    Parameters
+    ----------
+    places : (n, 2) m.  vectors : (n, 2) m.  names : (n,) written beside the points where there is room.
+    limit : vectors longer than this, m, are red; None: all alike.
+    """
+    lowest, highest = places.min(axis=0), places.max(axis=0)
+    margin = _LONGEST + 14
+    room = np.array([width - 2 * margin, height - 2 * margin - 30])
+    scale = float((room / np.maximum(highest - lowest, 1.0)).min())
+    middle = (lowest + highest) / 2
+    pixels = (places - middle) * (scale, -scale) + (width / 2, height / 2 - 15)
+    lengths = np.hypot(*vectors.T)
+    typical = float(np.quantile(lengths, 0.9)) or 0.01
+    magnified = _LONGEST / 1.5 / max(typical, 1e-6)
+    parts = [_arrow(start, vector * (magnified, -magnified), _BAD if limit is not None and length > limit else _GOOD)
+             for start, vector, length in zip(pixels, vectors, lengths)]
+    parts += [f'<text x="{x + 5:.1f}" y="{y - 5:.1f}" fill="#444">{html.escape(name)}</text>'
+              for (x, y), name in zip(pixels[_with_room(pixels)], np.array(names)[_with_room(pixels)])]
+    parts.append(scale_bar(scale, width, height - 12))
+    parts.append(_vector_scale(typical, magnified, height - 12))
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" role="img" '
+            f'font-family="sans-serif" font-size="11"><rect width="{width}" height="{height}" fill="#fbfbf9" '
+            f'stroke="#ccc"/>{"".join(parts)}</svg>')
+
+
+def _arrow(start: np.ndarray, vector: np.ndarray, colour: str) -> str:
+    """A point and a line from it with a head; the line ends at five times the typical length."""
+    length = float(np.hypot(*vector))
+    if length > 5 * _LONGEST:
+        vector = vector * (5 * _LONGEST / length)
+    x, y = start
+    ex, ey = start + vector
+    head = ""
+    if length > 4:
+        along = vector / np.hypot(*vector)
+        across = np.array([-along[1], along[0]])
+        corners = [(ex, ey), *((ex, ey) - 6 * along + side * 3 * across for side in (1, -1))]
+        head = f'<path d="M{"L".join(f"{a:.1f} {b:.1f}" for a, b in corners)}Z" fill="{colour}"/>'
+    return (f'<circle cx="{x:.1f}" cy="{y:.1f}" r="2.2" fill="#222"/>'
+            f'<path d="M{x:.1f} {y:.1f}L{ex:.1f} {ey:.1f}" stroke="{colour}" stroke-width="1.6"/>{head}')
+
+
+def _with_room(pixels: np.ndarray) -> np.ndarray:
+    """Points (mask) whose names do not run into those of points before them."""
+    shown: list[int] = []
+    for row, (x, y) in enumerate(pixels):
+        if all(abs(x - pixels[other][0]) > 46 or abs(y - pixels[other][1]) > 12 for other in shown):
+            shown.append(row)
+    return np.isin(np.arange(len(pixels)), shown)
+
+
+def _vector_scale(typical: float, magnified: float, y: int) -> str:
+    """A vector of a round length with its length in centimetres."""
+    power = 10.0 ** np.floor(np.log10(typical))
+    length = max(step * power for step in (1, 2, 5) if step * power <= typical * 1.0001)
+    end = 12 + length * magnified
+    text = html.escape(say("error {length:g} cm", length=round(100 * length, 6)))
+    return (f'<path d="M12 {y}H{end:.1f}" stroke="{_GOOD}" stroke-width="3"/>'
+            f'<text x="{end + 6:.1f}" y="{y + 4}">{text}</text>')
