@@ -205,11 +205,15 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
                 results = self.compute(run, context, feedback)
             destinations.close_layers(context, staging)
             staging.publish()
+            self.judge(results, feedback)
         except UrbanMapError as error:
             if final_text(str(error)) == str(error):
                 raise
             raise type(error)(final_text(str(error))) from error
         return destinations.results_outside(results, staging)
+
+    def judge(self, results: Mapping, feedback: QgsProcessingFeedback) -> None:
+        """Called when all outputs are in their places; raises where the run must not count as one that went well."""
 
     def _points_crs(self, parameters: Mapping, context: QgsProcessingContext):
         """Context in which point clouds that state no CRS have the one of POINTS_CRS, where that is given."""

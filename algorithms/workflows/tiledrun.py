@@ -6,7 +6,7 @@ from pathlib import Path
 
 from qgis.core import QgsApplication, QgsProcessingParameterString
 
-from ...urbanmap_qgis.errors import InsufficientDataError
+from ...urbanmap_qgis.errors import InsufficientDataError, UrbanMapError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
@@ -28,7 +28,9 @@ class TiledRun(UrbanMapAlgorithm):
         "Runs another algorithm over an area of any size, tile by tile: each tile reads its part of the inputs with "
         "a buffer around it, and keeps what is its own of the results, so that a building on an edge is there once.\n"
         "Each tile is whole or not there. Run again with the same folder, settings and inputs, it goes on where it was "
-        "ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run.\n"
+        "ended; tiles that failed, or whose inputs changed, are done again. One failed tile does not end the run: all "
+        "others are done and put together, and then the run ends with an error (on the command line with exit code "
+        "1).\n"
         "The algorithm's parameters are given as lines NAME=VALUE, on the command line also by themselves. "
         "Point clouds, rasters and layers among them are cut; everything else is the same for all tiles. Layers and "
         "rasters are put together in the folder “merged”, point clouds stay by tile."
@@ -91,7 +93,7 @@ class TiledRun(UrbanMapAlgorithm):
 
     def _run(self, parameters, context, inputs, folder, progress):
         from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, kept_record
-        from ..framework.tiles.tile_merge import merge_results
+        from ..framework.tiles.tile_merge import merge_results, whole_records
         from ..framework.tiles.tile_pool import run_tiles
 
         tiles = self._chosen(inputs.tiles, self.parameterAsInt(parameters, "ESTIMATE", context))
@@ -107,6 +109,7 @@ class TiledRun(UrbanMapAlgorithm):
             if record.status == FAILED:
                 progress.warn(tr("Tile {0} failed: {1}").format(record.name, record.reason))
             working.step((len(records) - kept) / len(todo))
+        records = whole_records(folder, tiles, records)
         count = {status: sum(record.status == status for record in records.values())
                  for status in (DONE, EMPTY, FAILED)}
         if not count[DONE] and not count[FAILED]:
@@ -120,6 +123,19 @@ class TiledRun(UrbanMapAlgorithm):
         layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
         return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
                 "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}
+
+    def judge(self, results, feedback):
+        """A run with failed tiles is none that went well: scripts and schedulers see it by the exit code."""
+        from qgis.utils import iface
+
+        if not results.get("FAILED"):
+            return
+        sentence = tr("{0} of {1} tiles failed; all others are in {2}. Put right what the warnings and the layer of "
+                      "tiles say, and run again with the same folder: only these tiles are then done.").format(
+            results["FAILED"], results["TILES"], results["OUTPUT_FOLDER"])
+        if iface is None:
+            raise UrbanMapError(sentence)
+        feedback.reportError(sentence, False)  # an error would keep the window from loading the layers
 
     def _stage(self, parameters, context):
         name = self.parameterAsString(parameters, "ALGORITHM", context)

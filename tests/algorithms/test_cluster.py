@@ -40,9 +40,11 @@ def serve(tmp_path_factory):
         started.append(process)
         return process.stdout.readline().strip()
 
+    start.started = started
     yield start
     for process in started:
-        process.communicate("", timeout=60)
+        if process.poll() is None:
+            process.communicate("", timeout=60)
 
 
 @pytest.fixture(scope="module")
@@ -160,3 +162,31 @@ def test_a_run_over_tiles_without_its_cluster_does_not_begin(run, plugin, town, 
         run("urbanmap:tiledrun", {**town, "ALGORITHM": "buildingsfromals", "SCHEDULER": "tcp://127.0.0.1:9",
                                   "OUTPUT": "TEMPORARY_OUTPUT", "OUTPUT_FOLDER": str(tmp_path / "run")})
     assert not (tmp_path / "run").exists()
+
+
+def test_a_scheduler_that_is_lost_in_the_middle_ends_the_run(run, serve, town, tmp_path, plugin, monkeypatch):
+    """Not every tile of the night waits for it and fails: the run ends, and a later one goes on."""
+    from qgis.core import QgsProcessingException
+
+    pool = plugin("algorithms.framework.tiles.tile_pool")
+    cluster = plugin("algorithms.framework.running.cluster")
+    address, work, connected = serve(2), pool.work_on_tile, []
+
+    def and_then_lost(*arguments):
+        record = work(*arguments)
+        serve.started[-1].kill()
+        serve.started[-1].wait()
+        return record
+
+    monkeypatch.setattr(pool, "work_on_tile", and_then_lost)
+    monkeypatch.setattr(cluster, "PATIENCE", 3)
+    monkeypatch.setattr(cluster, "_client", lambda address, make=cluster._client: connected.append(1) or make(address))
+    settings = {**town, "ALGORITHM": "buildingsfromals", "TILE": 80, "BUFFER": 30, "OUTPUT": "TEMPORARY_OUTPUT",
+                "OUTPUT_FOLDER": str(tmp_path / "run")}
+    with pytest.raises(QgsProcessingException, match="(?s)cluster was lost.*run again"):
+        run("urbanmap:tiledrun", {**settings, "SCHEDULER": address})
+    assert len(list(tmp_path.glob("run/tiles/*/tile.json"))) == 1
+    assert len(connected) <= 3  # at the start, by the tile that was at work, and to see whether all is lost
+    monkeypatch.undo()
+    again = run("urbanmap:tiledrun", settings)
+    assert (again["KEPT"], again["DONE"], again["FAILED"]) == (1, 3, 0)

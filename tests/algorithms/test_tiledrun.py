@@ -76,9 +76,14 @@ def test_one_failed_tile_does_not_end_the_run(run, town, make_cloud, read_layer,
     middle = len(data) // 2
     data[middle:middle + 4000] = bytes(4000)
     cloud.write_bytes(data)
-    results = run_tiles(run, town, tmp_path, POINTS=[*map(str, town["files"]), str(cloud)])
-    failed = [row.attributes for row in read_layer(tmp_path / "tiles.gpkg") if row.attributes["status"] == "failed"]
-    assert len(failed) == results["FAILED"] == 4 and results["DONE"] == 2
+    from qgis.core import QgsProcessingException
+
+    with pytest.raises(QgsProcessingException, match="4 of 6 tiles failed; all others are in"):
+        run_tiles(run, town, tmp_path, POINTS=[*map(str, town["files"]), str(cloud)])
+    rows = [row.attributes for row in read_layer(tmp_path / "tiles.gpkg")]
+    failed = [row for row in rows if row["status"] == "failed"]
+    assert len(failed) == 4 and sum(row["status"] == "done" for row in rows) == 2
+    assert (tmp_path / "run" / "merged" / "output.gpkg").is_file()
     assert all("damaged.laz" in row["reason"] for row in failed)
     assert any("failed" in text for text in run.feedback.warnings)
     assert "tiles failed" in (tmp_path / "report.html").read_text(encoding="utf-8")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -20,6 +23,8 @@ from urbanmap_qgis.tiling.journal import (
     DONE,
     FAILED,
     TileRecord,
+    checksum,
+    damaged_output,
     fingerprint,
     kept_record,
     new_tile_folder,
@@ -158,7 +163,8 @@ def done_tile(folder, tile, state="s", status=DONE):
     (folder / "tiles").mkdir(exist_ok=True)
     with new_tile_folder(folder, tile) as made:
         (made / "output.gpkg").write_bytes(b"12345")
-        record = TileRecord(tile.name, status, fingerprint=state, outputs={"output.gpkg": 5})
+        record = TileRecord(tile.name, status, fingerprint=state, outputs={"output.gpkg": 5},
+                            checksums={"output.gpkg": checksum(made / "output.gpkg")})
         publish(folder, tile, record, made)
     return record
 
@@ -174,6 +180,60 @@ def test_only_a_whole_tile_of_the_same_settings_is_kept(tmp_path):
     done_tile(tmp_path, tile, status=FAILED)
     assert kept_record(tmp_path, tile, "s") is None
     (tile_folder(tmp_path, tile) / "tile.json").write_text("{", encoding="utf-8")
+    assert kept_record(tmp_path, tile, "s") is None
+
+
+def record_text(**changes):
+    made = {"name": "50_-100", "status": "done", "fingerprint": "s", "outputs": {"output.gpkg": 5},
+            "checksums": {"output.gpkg": hashlib.sha256(b"12345").hexdigest()}, **changes}
+    return json.dumps({name: value for name, value in made.items() if value != "gone"})
+
+
+@pytest.mark.parametrize("text", [
+    "", "[]", "5", "null", '"x"', "[" * 100_000, "\x00" * 400, "{}", record_text(outputs=5), record_text(outputs=[]),
+    record_text(outputs=None), record_text(outputs={"output.gpkg": "5"}), record_text(outputs={"../x": 5}),
+    record_text(checksums="gone"), record_text(checksums={"output.gpkg": 5}),
+    record_text(checksums={"output.gpkg": "0"}),
+    record_text(figures=[1]), record_text(figures={"a": "b"}), record_text(seconds="long"), record_text(memory=None),
+    record_text(status=["done"]), record_text(reason=None), record_text(name="0_0"), record_text(more=1)])
+def test_a_record_that_is_damaged_is_a_tile_not_done(tmp_path, text):
+    tile = TileGrid(50.0, 0.0).tile(1, -2)
+    done_tile(tmp_path, tile)
+    place = tile_folder(tmp_path, tile) / "tile.json"
+    place.write_text(record_text(), encoding="utf-8")
+    assert kept_record(tmp_path, tile, "s") is not None
+    place.write_text(text, encoding="utf-8")
+    assert kept_record(tmp_path, tile, "s") is None
+    place.unlink()
+    place.mkdir()
+    assert kept_record(tmp_path, tile, "s") is None
+    done_tile(tmp_path, tile)  # and it can be done again
+    assert kept_record(tmp_path, tile, "s") is not None
+
+
+def test_a_file_in_the_place_of_a_folder(tmp_path):
+    tile = TileGrid(50.0, 0.0).tile(1, -2)
+    done_tile(tmp_path, tile)
+    folder = tile_folder(tmp_path, tile)
+    shutil.rmtree(folder)
+    folder.write_bytes(b"x")
+    folder.with_name(folder.name + ".part").write_bytes(b"x")
+    assert kept_record(tmp_path, tile, "s") is None
+    done_tile(tmp_path, tile)
+    assert kept_record(tmp_path, tile, "s") is not None
+    for name in ("merged", "inputs", "pieces"):
+        (tmp_path / name).write_bytes(b"a letter of the user's")
+        with pytest.raises(OutputError, match="is a file where the run needs a folder"), only_run(tmp_path):
+            pass
+        (tmp_path / name).unlink()
+
+
+def test_results_of_the_same_size_but_other_bytes_are_seen(tmp_path):
+    tile = TileGrid(50.0, 0.0).tile(1, -2)
+    record = done_tile(tmp_path, tile)
+    assert damaged_output(tmp_path, tile, record) == ""
+    (tile_folder(tmp_path, tile) / "output.gpkg").write_bytes(b"12\x0045")
+    assert damaged_output(tmp_path, tile, record) == "output.gpkg"
     assert kept_record(tmp_path, tile, "s") is None
 
 

@@ -20,6 +20,8 @@ from .tile_grid import GridTile
 RECORD = "tile.json"
 DONE, EMPTY, FAILED = "done", "empty", "failed"
 TILES, PART = "tiles", ".part"
+FOLDERS = (TILES, "inputs", "pieces", "merged")
+"""Folders of a run: results by tile, copies of layers, sorted points, results put together."""
 ROOM = 1 << 20
 """Bytes: where a tile fails and not even so many can be written, the disk is full."""
 
@@ -35,7 +37,7 @@ class TileRecord:
     fingerprint : of settings and inputs, see `fingerprint`.
     seconds, cpu, memory : time of the work and its time on processors, s; greatest memory of its process, MB (0 where
         not known).
-    outputs : size in bytes of each result by its file name in the tile's folder.
+    outputs : size in bytes of each result by its file name in the tile's folder. checksums : SHA-256 of each.
     figures : numbers that the algorithm gave.
     """
 
@@ -47,6 +49,7 @@ class TileRecord:
     cpu: float = 0.0
     memory: float = 0.0
     outputs: Mapping[str, int] = field(default_factory=dict)
+    checksums: Mapping[str, str] = field(default_factory=dict)
     figures: Mapping[str, float] = field(default_factory=dict)
 
 
@@ -55,6 +58,15 @@ def fingerprint(settings: Mapping[str, object], inputs: Sequence[str | os.PathLi
     files = sorted((str(path), os.stat(path).st_size, os.stat(path).st_mtime_ns) for path in map(Path, inputs))
     text = json.dumps([settings, files], sort_keys=True, default=str)
     return hashlib.sha256(text.encode()).hexdigest()[:24]
+
+
+def checksum(path: Path) -> str:
+    """SHA-256 of a file, read in pieces."""
+    content = hashlib.sha256()
+    with path.open("rb") as file:
+        while piece := file.read(2**20):
+            content.update(piece)
+    return content.hexdigest()
 
 
 def tile_folder(run_folder: Path, tile: GridTile) -> Path:
@@ -73,7 +85,7 @@ def new_tile_folder(run_folder: Path, tile: GridTile):
     """
     place = tile_folder(run_folder, tile)
     scratch = place.with_name(place.name + PART)
-    shutil.rmtree(scratch, ignore_errors=True)
+    _remove(scratch)
     try:
         scratch.mkdir()
     except OSError as error:
@@ -92,8 +104,16 @@ def publish(run_folder: Path, tile: GridTile, record: TileRecord, made: Path) ->
     for file in filter(Path.is_file, made.iterdir()):
         _to_disk(file)
     place = tile_folder(run_folder, tile)
-    shutil.rmtree(place, ignore_errors=True)
+    _remove(place)
     os.replace(made, place)
+
+
+def _remove(place: Path) -> None:
+    """Remove a folder with all that is in it, or a file or link in its place."""
+    if place.is_dir() and not place.is_symlink():
+        shutil.rmtree(place, ignore_errors=True)
+    else:
+        place.unlink(missing_ok=True)
 
 
 def _to_disk(path: Path) -> None:
@@ -133,15 +153,45 @@ def require_room(run_folder: Path, room: int = ROOM) -> None:
 def kept_record(run_folder: Path, tile: GridTile, expected: str) -> TileRecord | None:
     """The record of a tile that an earlier run did with the same settings and inputs, if all its results are whole.
 
-    None otherwise: also for a tile that failed, which is tried again.
+    None otherwise: also for a tile that failed, which is tried again, and for one whose record cannot be read.
     """
-    folder = tile_folder(run_folder, tile)
+    record = read_record(tile_folder(run_folder, tile))
+    if record is None or record.name != tile.name or record.fingerprint != expected:
+        return None
+    return record if record.status in (DONE, EMPTY) and not damaged_output(run_folder, tile, record) else None
+
+
+def read_record(folder: Path) -> TileRecord | None:
+    """The record in a tile's folder; None where there is none, or anything in it is not what it should be."""
     try:
         record = TileRecord(**json.loads((folder / RECORD).read_text(encoding="utf-8")))
-        whole = all((folder / name).stat().st_size == size for name, size in record.outputs.items())
-    except (OSError, ValueError, TypeError):
+    except (OSError, ValueError, TypeError, RecursionError):
         return None
-    return record if whole and record.status in (DONE, EMPTY) and record.fingerprint == expected else None
+    texts = (record.name, record.status, record.reason, record.fingerprint)
+    numbers = (record.seconds, record.cpu, record.memory)
+    tables = (record.outputs, record.checksums, record.figures)
+    sound = (all(isinstance(text, str) for text in texts) and all(map(_is_number, numbers))
+             and all(isinstance(table, dict) for table in tables)
+             and all(map(_is_number, (*record.outputs.values(), *record.figures.values())))
+             and all(Path(name).name == name for name in record.outputs)
+             and set(record.checksums) == set(record.outputs))
+    return record if sound else None
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def damaged_output(run_folder: Path, tile: GridTile, record: TileRecord) -> str:
+    """Name of the first of a tile's results that is not as it was when its record was written; empty if all are."""
+    folder = tile_folder(run_folder, tile)
+    for name, size in record.outputs.items():
+        try:
+            if (folder / name).stat().st_size != size or checksum(folder / name) != record.checksums.get(name):
+                return name
+        except (OSError, ValueError):
+            return name
+    return ""
 
 
 @contextmanager
@@ -150,8 +200,12 @@ def only_run(run_folder: Path):
 
     Raises
     ------
-    OutputError : it cannot be written, or another run is working in it.
+    OutputError : it cannot be written, a file stands where it needs a folder, or another run is working in it.
     """
+    for place in (run_folder, *(run_folder / name for name in FOLDERS)):
+        if place.exists() and not place.is_dir():
+            raise OutputError(say("{place} is a file where the run needs a folder: move it away, or choose another "
+                                  "folder.", place=place))
     try:
         (run_folder / TILES).mkdir(parents=True, exist_ok=True)
         lock = (run_folder / "lock").open("a+")

@@ -97,6 +97,23 @@ def check_cluster() -> list[str]:
     return cluster.folders
 
 
+def require_cluster() -> None:
+    """See in the middle of the work that the cluster of `scheduler` is still there; a lost one is connected to anew.
+
+    Raises
+    ------
+    UrbanMapError : it is not, so that nothing more can be done.
+    """
+    cluster = _CLUSTER.get()
+    if cluster is None:
+        return
+    try:
+        cluster.client()
+    except (UrbanMapError, OSError, CancelledError) as error:
+        raise UrbanMapError(tr("The cluster was lost during the work: {0} Start it and run again; tiles that are whole "
+                               "are kept.").format(str(error).strip() or type(error).__name__)) from error
+
+
 @contextmanager
 def cluster_executor() -> Iterator[Executor]:
     """An executor on the cluster of `scheduler`.
@@ -117,6 +134,7 @@ def cluster_executor() -> Iterator[Executor]:
     except CancelledError:
         if client.status == "running":
             raise
+        _CLUSTER.get().close()  # a scheduler that is started anew has not been sent the core
         raise UrbanMapError(tr("The Dask scheduler was lost during the work; start it and run again.")) from None
 
 

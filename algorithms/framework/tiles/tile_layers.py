@@ -56,15 +56,15 @@ def layer_file(path: Path, fields, wkb_type, crs, name: str = "") -> Iterator[Ca
         yield add
     finally:
         held.clear()  # the file is whole when its writer is gone
-    if _count(path) != added[0]:
+    if count_of(path) != added[0]:
         raise OutputError(tr("{0} cannot be written whole: make room on its disk, and run again.").format(path))
 
 
-def _count(path: Path) -> int:
+def count_of(path: Path) -> int:
     """Number of features in the only layer of a GeoPackage; -1 where it is damaged."""
     try:
         with closing(sqlite3.connect(path)) as database:
-            (table,), = database.execute("SELECT table_name FROM gpkg_contents")
+            (table,), = database.execute("SELECT table_name FROM gpkg_contents WHERE table_name != 'layer_styles'")
             (count,), = database.execute(f'SELECT count(*) FROM "{table}"')
     except (sqlite3.Error, ValueError):
         return -1

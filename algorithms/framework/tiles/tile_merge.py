@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from qgis.core import QgsVectorLayer
 
+from ....urbanmap_qgis.errors import OutputError
 from ....urbanmap_qgis.progress import SILENT, Progress
-from ....urbanmap_qgis.tiling.journal import DONE, TileRecord, tile_folder
+from ....urbanmap_qgis.tiling.journal import DONE, FAILED, TileRecord, damaged_output, require_room, tile_folder
 from ....urbanmap_qgis.tiling.tile_grid import GridTile
+from ..declaring.parameters import tr
 from ..layers.layers import features_of, without_times
 from ..layers.styles import save_style_text, saved_style
 from .tile_joins import EdgePieces, joined_fields, read_layer
-from .tile_layers import layer_file
+from .tile_layers import count_of, layer_file
 
 MERGED = "merged"
 
@@ -28,6 +31,7 @@ def merge_results(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[
     """
     from ....urbanmap_qgis.tiling.mosaic_tiles import mosaic_tiles
 
+    require_room(run_folder)  # QGIS writes beside a layer that it reads
     folder = run_folder / MERGED
     folder.mkdir(exist_ok=True)
     made: dict[str, Path] = {}
@@ -59,7 +63,7 @@ def merge_layers(parts: Sequence[Path], target: Path, joined: bool = False, prog
                 _join(parts, add, progress)
             else:
                 for done, part in enumerate(parts):
-                    add(list(QgsVectorLayer(str(part), part.stem, "ogr").getFeatures()))
+                    add(features_in(part))
                     progress.step((done + 1) / len(parts))
         style = saved_style(parts[0])
         if style is not None:
@@ -67,11 +71,44 @@ def merge_layers(parts: Sequence[Path], target: Path, joined: bool = False, prog
         without_times(temporary)
 
 
+def whole_records(run_folder: Path, tiles: Sequence[GridTile], records: Mapping[str, TileRecord]
+                  ) -> dict[str, TileRecord]:
+    """The records, those of tiles whose results are not as they were written now failed: a later run does them again.
+
+    Hours lie between a tile and the end of a run, and what a disk loses meanwhile must not be missing without a word.
+    """
+    made = dict(records)
+    for tile in tiles:
+        record = made.get(tile.name)
+        name = damaged_output(run_folder, tile, record) if record is not None and record.status == DONE else ""
+        if name:
+            reason = tr("{0} is not as it was written, by a fault of the disk or another program; run again.").format(
+                name)
+            made[tile.name] = replace(record, status=FAILED, reason=reason)
+    return made
+
+
+def features_in(path: Path) -> list:
+    """All features of the only layer of a GeoPackage.
+
+    Raises
+    ------
+    OutputError : not all can be read; QGIS ends at the first that cannot, and says nothing.
+    """
+    features = list(QgsVectorLayer(str(path), path.stem, "ogr").getFeatures())
+    if len(features) != count_of(path):
+        raise OutputError(tr("{0} cannot be read whole; delete the folder that it is in, and run again.").format(path))
+    return features
+
+
 def _join(parts: Sequence[Path], add: Callable[[list], None], progress: Progress) -> None:
     """Append what lies within tiles, and in the end what was put together of pieces at their edges."""
     edges = EdgePieces()
     for done, part in enumerate(parts):
         table = read_layer(part)
+        if len(table) != count_of(part):
+            raise OutputError(tr("{0} cannot be read whole; delete the folder that it is in, and run again.").format(
+                part))
         fields = joined_fields(table.fields)
         _append(add, fields, *edges.take(table))
         progress.step((done + 1) / len(parts))

@@ -22,11 +22,21 @@ from qgis.core import (
 )
 
 from ....urbanmap_qgis.errors import SYSTEM_TROUBLES, Cancelled, OutputError, UrbanMapError, system_sentence
-from ....urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, TileRecord, new_tile_folder, publish, require_room
+from ....urbanmap_qgis.tiling.journal import (
+    DONE,
+    EMPTY,
+    FAILED,
+    TileRecord,
+    checksum,
+    new_tile_folder,
+    publish,
+    require_room,
+)
 from ....urbanmap_qgis.tiling.tile_grid import GridTile
 from ..declaring.parameters import tr
 from ..layers.layers import make_fields, own_fields, without_times
 from ..layers.outlines import BUILDING_ID, NUMBER
+from ..running.cluster import require_cluster
 from .tile_joins import cut_features
 from .tile_layers import LAYER_SUFFIX, TILE_FIELD, layer_file
 from .tiled_algorithms import CUTTABLE
@@ -85,9 +95,9 @@ def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) ->
         record = TileRecord(job.tile.name, DONE, fingerprint=job.fingerprint)
         try:
             figures = _make(job, folder, cancelled)
-            outputs = {name: (folder / name).stat().st_size for name in job.outputs.values()
-                       if (folder / name).is_file()}
-            record = replace(record, outputs=outputs, figures=figures)
+            made = [folder / name for name in job.outputs.values() if (folder / name).is_file()]
+            record = replace(record, outputs={file.name: file.stat().st_size for file in made},
+                             checksums={file.name: checksum(file) for file in made}, figures=figures)
         except EmptyTile as nothing:
             record = replace(record, status=EMPTY, reason=str(nothing))
         except (UrbanMapError, QgsProcessingException, *SYSTEM_TROUBLES) as error:
@@ -107,9 +117,10 @@ def work_on_tile(job: TileJob, cancelled: Callable[[], bool] = lambda: False) ->
 
 
 def _end_where_hopeless(job: TileJob, error: Exception, cancelled: Callable[[], bool]) -> None:
-    """End the run where a tile failed because the run was cancelled or its disk is full: the next would fail too."""
+    """End the run where the next tile would fail too: it was cancelled, its disk is full, or its cluster is lost."""
     if cancelled():
         raise Cancelled() from None
+    require_cluster()
     if isinstance(error, OSError) and system_sentence(error):
         raise OutputError(tr("{0} Tiles that are whole are kept.").format(system_sentence(error))) from error
     require_room(job.run_folder)

@@ -11,6 +11,7 @@ from qgis.core import QgsWkbTypes
 
 from ....urbanmap_qgis.errors import InputError
 from ....urbanmap_qgis.progress import SILENT, Progress
+from ....urbanmap_qgis.sources import sources_mark
 from ....urbanmap_qgis.tiling.journal import fingerprint
 from ....urbanmap_qgis.tiling.point_pieces import LARGE, FileIndex, PointFile, point_file, sorted_into_pieces
 from ....urbanmap_qgis.tiling.tile_grid import GridTile, TileGrid
@@ -18,6 +19,7 @@ from ..declaring.parameters import HTML_FILTER, LAZ_FILTER, tr, with_words
 from ..layers import layers
 from ..layers.crs import crs_from, wkt_of
 from ..layers.outlines import BUILDING_ID, building_names
+from ..version import plugin_version
 from .tile_layers import LAYER_SUFFIX, layer_file
 from .tile_work import POINTS_SUFFIX, TileJob
 from .tiled_algorithms import CUTTABLE
@@ -129,7 +131,8 @@ class TiledInputs:
         shown = {stage.label_of(name): str(value) for name, value in rest.items()}
         tiles = _occupied(grid, bounds, points, tables.get(owner))
         pieces = _pieces(points, grid, run_folder, progress)
-        state = [stage.name(), state_of(rest), outputs, grid.key, grid.buffer, state]
+        # An update must not put tiles of two versions side by side in one layer.
+        state = [plugin_version(), sources_mark(), stage.name(), state_of(rest), outputs, grid.key, grid.buffer, state]
         indexed = {name: FileIndex(files) for name, files in points.items()}
         return cls(stage, run_folder, grid, tiles, crs, rest, shown, indexed, pieces, rasters, copies, outputs, state)
 
