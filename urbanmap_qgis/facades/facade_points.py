@@ -152,9 +152,9 @@ class NearestOutline:
             if rings:
                 cv2.fillPoly(inside, [ring.astype(np.int32) for ring in rings], int(self.rows[number]))
         distance, place = ndimage.distance_transform_edt(outline < 0, return_indices=True)
-        own = slice(pad, pad + TILE), slice(pad, pad + TILE)
-        distance = (distance[own] * CELL).astype(np.float32)
-        nearest, inside = outline[place[0][own], place[1][own]], inside[own]
+        core = slice(pad, pad + TILE), slice(pad, pad + TILE)
+        distance = (distance[core] * CELL).astype(np.float32)
+        nearest, inside = outline[place[0][core], place[1][core]], inside[core]
         deep = (inside >= 0) & (distance > CELL)
         # Far from all outlines of this tile the nearest one is not known; inside a building that does not matter.
         nearest = np.where(deep & ((nearest == inside) | (distance > self.max_distance)), inside, nearest)
@@ -310,12 +310,12 @@ def _buildings(rows: list[int], buckets: PointBuckets, plans: BuildingPlans, set
         plane = planes[row]
         if not np.isfinite(plane[0]) and np.isfinite(plans.base[row]):
             plane = np.array([plans.base[row], 0.0, 0.0])
-        made = FacadePoints(_xyz(records), records["time"], _xyz(front), plane, origin[row], share)
+        facade = FacadePoints(_xyz(records), records["time"], _xyz(front), plane, origin[row], share)
         keep = np.ones(len(records), bool)
         if np.isfinite(plane[0]):
-            height = made.height(made.points)
+            height = facade.height(facade.points)
             keep = (height > -_MARGIN_BELOW) & (height <= settings.max_height)
-        yield row, FacadePoints(made.points[keep], made.time[keep], made.front, plane, origin[row], share)
+        yield row, FacadePoints(facade.points[keep], facade.time[keep], facade.front, plane, origin[row], share)
 
 
 def _xyz(records: np.ndarray) -> np.ndarray:

@@ -110,9 +110,9 @@ def _solved(points: np.ndarray, upright: bool, iterations: int) -> tuple[np.ndar
     centre, normal = least_squares_plane(points, np.ones(len(points)), upright)
     for _ in range(iterations):
         residual = component(points - centre, normal)
-        held = residual[np.abs(residual - middle) < _TUKEY * scale]
-        middle = float(np.median(held))
-        scale = max(1.4826 * float(np.median(np.abs(held - middle))), _MIN_NOISE)
+        inliers = residual[np.abs(residual - middle) < _TUKEY * scale]
+        middle = float(np.median(inliers))
+        scale = max(1.4826 * float(np.median(np.abs(inliers - middle))), _MIN_NOISE)
         centre, normal = least_squares_plane(points, _weights(residual, middle, scale), upright)
     return centre, normal, scale
 
@@ -123,10 +123,10 @@ def _described(points: np.ndarray, time: np.ndarray, side: np.ndarray, centre: n
     if normal @ side < 0:
         normal = -normal
     residual = component(points - centre, normal)
-    held = np.abs(residual) < _TUKEY * scale
-    passes = pass_numbers(time[held])
-    sigma, spread = _sigma(points[held], residual[held], passes, normal)
-    return WallPlane(centre, normal, float(np.sqrt(np.mean(residual[held] ** 2))), sigma, int(held.sum()),
+    inlier = np.abs(residual) < _TUKEY * scale
+    passes = pass_numbers(time[inlier])
+    sigma, spread = _sigma(points[inlier], residual[inlier], passes, normal)
+    return WallPlane(centre, normal, float(np.sqrt(np.mean(residual[inlier] ** 2))), sigma, int(inlier.sum()),
                      int(passes.max()) + 1, spread)
 
 

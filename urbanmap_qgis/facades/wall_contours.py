@@ -132,21 +132,21 @@ def _joined(pieces: np.ndarray, max_gap: float) -> list[tuple[shapely.Polygon, s
     grown = shapely.buffer(outer, max_gap / 2, join_style="mitre")
     closed = shapely.buffer(grown, -max_gap / 2, join_style="mitre")
     bridges = shapely.get_parts(shapely.difference(closed, outer))
-    made = []
+    contours = []
     for whole in shapely.get_parts(closed):
-        own = pieces[shapely.intersects(shapely.point_on_surface(pieces), whole)]
-        if not len(own):
+        members = pieces[shapely.intersects(shapely.point_on_surface(pieces), whole)]
+        if not len(members):
             continue
-        measured = shapely.union_all(own)
-        joined = own[0]
-        if len(own) > 1:
+        measured = shapely.union_all(members)
+        joined = members[0]
+        if len(members) > 1:
             # Only what leads from one piece to another: bays of one piece stay as they are.
             links = [part for part in bridges if part.geom_type == "Polygon"
-                     and np.count_nonzero(shapely.dwithin(own, part, 1e-6)) > 1]
+                     and np.count_nonzero(shapely.dwithin(members, part, 1e-6)) > 1]
             joined = shapely.union_all([measured, *links], grid_size=_GRID)
         parts = [part for part in shapely.get_parts(joined) if part.geom_type == "Polygon" and part.area > 1e-3]
-        made += [(part, shapely.intersection(part, measured)) for part in parts]
-    return made
+        contours += [(part, shapely.intersection(part, measured)) for part in parts]
+    return contours
 
 
 def _thinned(flat: np.ndarray) -> np.ndarray:
@@ -189,11 +189,12 @@ def alpha_polygon(flat: np.ndarray, alpha: float) -> shapely.Geometry:
 def _without_small_holes(polygon: shapely.Polygon, least: float) -> tuple[shapely.Polygon, float]:
     """The polygon with small holes filled, and their share of its area."""
     holes = [shapely.Polygon(ring) for ring in polygon.interiors]
-    kept = [hole.exterior for hole in holes if hole.area >= least]
+    large_holes = [hole.exterior for hole in holes if hole.area >= least]
     filled = sum(hole.area for hole in holes if hole.area < least)
-    made = shapely.orient_polygons(shapely.Polygon(polygon.exterior, kept)) if hasattr(shapely, "orient_polygons") \
-        else shapely.geometry.polygon.orient(shapely.Polygon(polygon.exterior, kept))
-    return made, float(filled / made.area)
+    cleaned = shapely.Polygon(polygon.exterior, large_holes)
+    cleaned = shapely.orient_polygons(cleaned) if hasattr(shapely, "orient_polygons") \
+        else shapely.geometry.polygon.orient(cleaned)
+    return cleaned, float(filled / cleaned.area)
 
 
 def wall_coverage(plane: WallPlane, contours: list[Contour], foot: float, top: float,

@@ -116,10 +116,10 @@ class _Mask:
         """Whether points (n, 3) lie over filled cells."""
         place = np.floor((np.column_stack([component(points, axis) for axis in self.axes]) - self.low) / self.cell)
         inside = ((place >= 0) & (place < self.filled.shape)).all(axis=1)
-        held = np.zeros(len(points), bool)
+        covered = np.zeros(len(points), bool)
         row, column = place[inside].astype(np.int64).T
-        held[inside] = self.filled[row, column]
-        return held
+        covered[inside] = self.filled[row, column]
+        return covered
 
 
 def _grow_all(voxels: NormalVoxels, wall: np.ndarray, edges: np.ndarray, outward: np.ndarray, settings: PlaneSettings,
@@ -204,8 +204,8 @@ def _fit(places: np.ndarray, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray
     upright = np.ptp(places[:, 2]) < 3.0
     centre, normal = least_squares_plane(places, weight, upright)
     residual = np.abs(component(places - centre, normal))
-    held = residual <= max(3 * 1.4826 * np.median(residual), 0.01)
-    return least_squares_plane(places[held], weight[held], upright)
+    inlier = residual <= max(3 * 1.4826 * np.median(residual), 0.01)
+    return least_squares_plane(places[inlier], weight[inlier], upright)
 
 
 def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray, gap: float,
@@ -226,12 +226,12 @@ def _connected(seed: int, near: np.ndarray, mean: np.ndarray, facing: np.ndarray
         distance = ndimage.distance_transform_edt(~filled)
         closed = distance * cell <= gap / 2 + cell / 2
     label, _ = ndimage.label(closed, np.ones((3, 3)))
-    here = label[place[:, 0], place[:, 1]]
-    start = here[np.searchsorted(near, seed)] if seed in near else here[0]
-    chosen = here == start
-    own = np.zeros_like(filled)
-    own[place[chosen, 0], place[chosen, 1]] = True
-    return _Mask(axes, low, cell, own), near[chosen]
+    labels = label[place[:, 0], place[:, 1]]
+    start = labels[np.searchsorted(near, seed)] if seed in near else labels[0]
+    chosen = labels == start
+    mask = np.zeros_like(filled)
+    mask[place[chosen, 0], place[chosen, 1]] = True
+    return _Mask(axes, low, cell, mask), near[chosen]
 
 
 def _area(mask: _Mask) -> float:

@@ -110,9 +110,9 @@ def _trace(xy: np.ndarray, start: np.ndarray, end: np.ndarray) -> list[np.ndarra
     return rings
 
 
-def _next_through_inside(xy: np.ndarray, before: int, here: int, targets: np.ndarray) -> int:
+def _next_through_inside(xy: np.ndarray, before: int, node: int, targets: np.ndarray) -> int:
     """Which way to leave a point where rings touch: the first met turning clockwise through the inside."""
-    back = xy[before] - xy[here]
-    out = xy[targets] - xy[here]
+    back = xy[before] - xy[node]
+    out = xy[targets] - xy[node]
     turn = (math.atan2(back[1], back[0]) - np.arctan2(out[:, 1].copy(), out[:, 0].copy())) % (2.0 * math.pi)
     return int(np.argmin(turn))

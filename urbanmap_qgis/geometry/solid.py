@@ -58,7 +58,7 @@ class FaceTexture:
 
 def surfaces(solid: Solid, kind: str | None = None) -> np.ndarray:
     """Faces of a solid, all or those of one surface type, as an array of shapely polygons with z."""
-    faces = [face for face, own in zip(solid.faces, solid.surface_type) if kind in (None, own)]
+    faces = [face for face, face_type in zip(solid.faces, solid.surface_type) if kind in (None, face_type)]
     rings = [ring for face in faces for ring in face]
     if not rings:
         return np.empty(0, dtype=object)

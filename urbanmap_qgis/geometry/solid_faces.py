@@ -89,6 +89,6 @@ def _groups(faces: list[Face]) -> np.ndarray:
 def _solid(vertices: np.ndarray, faces: list[Face], normals: np.ndarray) -> Solid:
     """A solid on its own vertices."""
     used = np.unique([vertex for face in faces for ring in face for vertex in ring])
-    own = [tuple(tuple(np.searchsorted(used, ring).tolist()) for ring in face) for face in faces]
+    renumbered = [tuple(tuple(np.searchsorted(used, ring).tolist()) for ring in face) for face in faces]
     kinds = [OUTER_WALL if abs(z) < _UPRIGHT else ROOF if z > 0 else GROUND for z in normals[:, 2]]
-    return Solid(vertices[used], tuple(own), tuple(kinds), (None,) * len(own))
+    return Solid(vertices[used], tuple(renumbered), tuple(kinds), (None,) * len(renumbered))

@@ -195,9 +195,9 @@ def _together(by_source: dict, prior: np.ndarray) -> None:
 
 def _put(target: np.ndarray, able: np.ndarray, rows, settings: LocalisationSettings) -> None:
     """Write the covariances of the places that have evidence at all."""
-    made = covariance(rows, len(able), settings.prior())
+    covariances = covariance(rows, len(able), settings.prior())
     has = np.bincount(rows.of, minlength=len(able)) > 0
-    target[able[has]] = made[has]
+    target[able[has]] = covariances[has]
 
 
 def _different_walls(walls: WallMap, scan: WallScan, count: int) -> np.ndarray:
@@ -221,8 +221,8 @@ def _aliases(prepared: _Prepared, places: RoadPlaces, sensor: np.ndarray, able: 
     for number, row in enumerate(able):
         surface = np.zeros((2 * most + 1, 2 * most + 1))
         if scan is not None:
-            own = scan.of == number
-            surface += prepared.wall_field.shifted(sensor[number, :2] + scan.offset[own, :2], most)
+            of_place = scan.of == number
+            surface += prepared.wall_field.shifted(sensor[number, :2] + scan.offset[of_place, :2], most)
         if seen is not None:
             surface += prepared.marking_field.shifted(city.markings.xy[seen[1][seen[0] == number]], most)
         if surface.any():

@@ -86,8 +86,8 @@ NO_ALIAS = AliasModes(np.zeros((0, 2)), np.zeros(0))
 """That of a place that looks like no other."""
 
 
-def alias_modes(log_odds: np.ndarray, apart: float) -> AliasModes:
-    """Modes of a surface of log odds over shifts, apart from the middle by more than `apart` m, with a valley between.
+def alias_modes(log_odds: np.ndarray, separation: float) -> AliasModes:
+    """Modes of a surface of log odds over shifts, more than `separation` m from the middle, with a valley between.
 
     `log_odds` (s, s), rows north, columns east, steps of `STEP`.
     """
@@ -97,27 +97,27 @@ def alias_modes(log_odds: np.ndarray, apart: float) -> AliasModes:
     top = (odds >= maximum_filter(odds, 3)) & (odds > 1e-4)
     row, column = np.nonzero(top)
     shift = np.column_stack([column - middle, row - middle]) * STEP
-    far = np.hypot(*shift.T) > apart
+    far = np.hypot(*shift.T) > separation
     row, column, shift = row[far], column[far], shift[far]
     order = np.argsort(-odds[row, column], kind="stable")
-    kept, mass = [], []
-    taken = _basin(odds, middle, middle, apart)
-    own = odds[taken].sum()
+    modes, mass = [], []
+    taken = _basin(odds, middle, middle, separation)
+    true_mode = odds[taken].sum()
     for k in order:
         if taken[row[k], column[k]] or _lowest_between(odds, row[k], column[k]) > _VALLEY * odds[row[k], column[k]]:
             continue
-        basin = _basin(odds, row[k], column[k], apart) & ~taken
+        basin = _basin(odds, row[k], column[k], separation) & ~taken
         taken |= basin
-        kept.append(shift[k])
+        modes.append(shift[k])
         mass.append(odds[basin].sum())
-    total = own + sum(mass)
-    return AliasModes(np.array(kept).reshape(-1, 2), np.array(mass) / max(total, 1e-300))
+    total = true_mode + sum(mass)
+    return AliasModes(np.array(modes).reshape(-1, 2), np.array(mass) / max(total, 1e-300))
 
 
-def _basin(odds: np.ndarray, row: int, column: int, apart: float) -> np.ndarray:
-    """Mask of the cells within `apart` m of one."""
+def _basin(odds: np.ndarray, row: int, column: int, radius: float) -> np.ndarray:
+    """Mask of the cells within `radius` m of one."""
     rows, columns = np.ogrid[:len(odds), :len(odds)]
-    return (rows - row) ** 2 + (columns - column) ** 2 <= (apart / STEP) ** 2
+    return (rows - row) ** 2 + (columns - column) ** 2 <= (radius / STEP) ** 2
 
 
 def _lowest_between(odds: np.ndarray, row: int, column: int) -> float:

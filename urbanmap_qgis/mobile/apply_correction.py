@@ -103,8 +103,8 @@ def apply_to_images(path: str | os.PathLike, reported: Trajectory, corrected: Tr
     if away.all():
         raise InputError(say("{path}: no image was taken between {start:.1f} and {end:.1f} s, the time of the "
                              "trajectory: give the poses of this survey.", path=Path(path).name, start=start, end=end))
-    held: ImagePoses = replace(poses, time=np.clip(poses.time, start, end))
-    write_image_poses(output, replace(move_images(held, reported, corrected), time=poses.time))
+    within: ImagePoses = replace(poses, time=np.clip(poses.time, start, end))
+    write_image_poses(output, replace(move_images(within, reported, corrected), time=poses.time))
     if away.any():
         progress.warn(say("{away_count:,} of {away_count_2:,} images were taken outside the trajectory's time: they "
                           "were moved with its nearest pose.", away_count=np.count_nonzero(away),
@@ -224,9 +224,9 @@ def _write_evlrs(writer: laspy.LasWriter, records: list) -> None:
     """Append extended records; the header is told where waveforms begin."""
     if not records:
         return
-    kept = laspy.vlrs.vlrlist.VLRList()
-    kept.extend(records)
-    writer.write_evlrs(kept)
+    extended = laspy.vlrs.vlrlist.VLRList()
+    extended.extend(records)
+    writer.write_evlrs(extended)
     place = writer.header.start_of_first_evlr
     for record in records:
         if record.user_id == "LASF_Spec" and record.record_id == 65535:

@@ -223,8 +223,8 @@ class _Survey:
                     other_column, other_row = self.tiling.place(near)
                     parts.append(_columns(_beside(self._of_pass(near, pass_number), box, margin,
                                                   other_column - column, other_row - row)))
-            own = len(parts[0]["x"])
-            yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, own, box)
+            in_tile = len(parts[0]["x"])
+            yield TilePoints({name: np.concatenate([part.pop(name) for part in parts]) for name in "xyz"}, in_tile, box)
 
     def _of_pass(self, key: int, pass_number: int) -> np.ndarray:
         """The points of a tile that were measured in a pass."""

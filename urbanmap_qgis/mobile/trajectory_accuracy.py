@@ -33,13 +33,13 @@ def sigma_of_columns(columns: Mapping[str, Sequence], counted: str, name: str) -
     InputError : one of the columns is missing, or a value is no number greater than 0.
     """
     known = {key.strip().lower(): key for key in columns}
-    there = [column for column in SIGMA_COLUMNS if column in known]
-    if not there:
+    present = [column for column in SIGMA_COLUMNS if column in known]
+    if not present:
         return None
     missing = [column for column in SIGMA_COLUMNS if column not in known]
     if missing:
         raise InputError(say("{name} has {there} but no {missing}: give the standard deviations of all three angles, "
-                             "or of none.", name=name, there=", ".join(there), missing=", ".join(missing)))
+                             "or of none.", name=name, there=", ".join(present), missing=", ".join(missing)))
     try:
         sigma = np.array([np.asarray(columns[known[column]], float) for column in SIGMA_COLUMNS]).T
     except (TypeError, ValueError) as error:

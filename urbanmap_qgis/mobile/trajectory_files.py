@@ -97,8 +97,8 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
                              "file may be cut off; export it again.", path=path.name, ragged=ragged,
                              rows_count=len(rows[ragged - 1]), header_count=len(header)))
     columns = dict(zip(header, zip(*rows[1:]))) if len(rows) > 1 else dict.fromkeys(header, ())
-    made = trajectory_from_columns(columns, path.name, reading)
-    return replace(made, format="csv", header=header, delimiter=delimiter, crs_wkt=crs_wkt)
+    file = trajectory_from_columns(columns, path.name, reading)
+    return replace(file, format="csv", header=header, delimiter=delimiter, crs_wkt=crs_wkt)
 
 
 def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The trajectory",
@@ -134,15 +134,15 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     if reading.geoid is not None:
         notes.append(say("{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as "
                          "they are.", name=name))
-    made = _checked(table[order], name, notes, others, reading)
+    trajectory = _checked(table[order], name, notes, others, reading)
     sigma = sigma_of_columns(others, reading.angles, name)
-    return made if sigma is None else _with_sigma(made, sigma, name)
+    return trajectory if sigma is None else _with_sigma(trajectory, sigma, name)
 
 
-def _with_sigma(made: TrajectoryFile, sigma: np.ndarray, name: str) -> TrajectoryFile:
+def _with_sigma(file: TrajectoryFile, sigma: np.ndarray, name: str) -> TrajectoryFile:
     """The same with standard deviations (n, 3) of the angles, degrees, which `name` states."""
-    return replace(made, trajectory=replace(made.trajectory, angle_sigma=sigma),
-                   applied=" ".join(part for part in (made.applied, told(sigma, name)) if part))
+    return replace(file, trajectory=replace(file.trajectory, angle_sigma=sigma),
+                   applied=" ".join(part for part in (file.applied, told(sigma, name)) if part))
 
 
 def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
@@ -155,10 +155,10 @@ def _order(table: np.ndarray, name: str) -> tuple[np.ndarray, list[str]]:
                          count=np.count_nonzero(np.diff(time) < 0)))
     same = np.flatnonzero(np.diff(time[order]) == 0)
     if len(same):
-        apart = np.abs(table[order[same]] - table[order[same + 1]])
-        apart[:, 4:] = np.abs((apart[:, 4:] + 180.0) % 360.0 - 180.0)
-        worst = int(np.argmax(apart[:, 1:4].max(axis=1)))
-        if apart[:, 1:4].max() > 0.01 or apart[:, 4:].max() > 0.1:
+        difference = np.abs(table[order[same]] - table[order[same + 1]])
+        difference[:, 4:] = np.abs((difference[:, 4:] + 180.0) % 360.0 - 180.0)
+        worst = int(np.argmax(difference[:, 1:4].max(axis=1)))
+        if difference[:, 1:4].max() > 0.01 or difference[:, 4:].max() > 0.1:
             raise InputError(say("{name} gives two different poses for the time {time:.4f} s: remove the wrong one.",
                                  name=name, time=time[order[same[worst]]]))
         notes.append(say("{name}: {same_count} epochs are repeated; each was taken once.", name=name,
@@ -214,12 +214,12 @@ def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> T
                              "choose the right one.", path=path.name, bad=bad + 1))
     order, notes = _order(table, path.name)
     read = TrajectoryReading(geoid=reading.geoid)
-    made = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
-    made = replace(made, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
+    file = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
+    file = replace(file, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
     beside = rms_file_of(path)
     if beside is None:
-        return made
-    return _with_sigma(made, sigma_of_rms_file(beside, made.trajectory.time), beside.name)
+        return file
+    return _with_sigma(file, sigma_of_rms_file(beside, file.trajectory.time), beside.name)
 
 
 def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tuple[np.ndarray, str]:

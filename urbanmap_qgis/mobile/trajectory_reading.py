@@ -49,18 +49,18 @@ USUAL = TrajectoryReading()
 
 def from_file_angles(angles: np.ndarray, counted: str) -> np.ndarray:
     """Roll, pitch, heading (n, 3) of a file as degrees, headings clockwise from grid north."""
-    made = np.degrees(angles) if counted.startswith("radians") else np.array(angles, float)
+    degrees = np.degrees(angles) if counted.startswith("radians") else np.array(angles, float)
     if counted.endswith("from_east"):
-        made[:, 2] = 90.0 - made[:, 2]
-    return made
+        degrees[:, 2] = 90.0 - degrees[:, 2]
+    return degrees
 
 
 def to_file_angles(angles: np.ndarray, counted: str) -> np.ndarray:
     """The other way round."""
-    made = np.array(angles, float)
+    converted = np.array(angles, float)
     if counted.endswith("from_east"):
-        made[:, 2] = 90.0 - made[:, 2]
-    return np.radians(made) if counted.startswith("radians") else made
+        converted[:, 2] = 90.0 - converted[:, 2]
+    return np.radians(converted) if counted.startswith("radians") else converted
 
 
 def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, name: str) -> list[str]:

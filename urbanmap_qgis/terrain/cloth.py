@@ -231,15 +231,15 @@ def _pits(obstacle: np.ndarray, ground: np.ndarray, firm: np.ndarray) -> np.ndar
         return suspect
     support = np.pad(np.where(ground & firm, obstacle, np.nan), _PIT_RADIUS, constant_values=np.nan)
     level = obstacle[row, column]
-    held = np.zeros(len(row), dtype=bool)
+    supported = np.zeros(len(row), dtype=bool)
     for down in range(2 * _PIT_RADIUS + 1):
         for right in range(2 * _PIT_RADIUS + 1):
-            held |= np.abs(support[row + down, column + right] - level) < NEIGHBOUR_STEP
+            supported |= np.abs(support[row + down, column + right] - level) < NEIGHBOUR_STEP
     patch, count = ndimage.label(ndimage.binary_dilation(suspect, np.ones((5, 5), dtype=bool)), np.ones((3, 3)))
     patch = np.where(suspect, patch, 0)
     cells = np.bincount(patch.ravel(), minlength=count + 1)
     is_pit = cells <= _PIT_CELLS
-    is_pit[patch[row[held], column[held]]] = False
+    is_pit[patch[row[supported], column[supported]]] = False
     is_pit[0] = False
     return is_pit[patch]
 

@@ -278,16 +278,16 @@ class _Work:
         """The points of each tile with those of a margin round it."""
         known = set(self.keys)
         for key in self.keys:
-            own = self.points.read(key)
+            inside = self.points.read(key)
             x_min, y_min, x_max, y_max = box = self.tiling.box(key)
-            parts = [own]
+            parts = [inside]
             for neighbour in self.tiling.around(key)[1:] if margin else []:
                 if neighbour in known:
                     other = self.points.read(neighbour)
                     near = ((other["x"] >= x_min - margin) & (other["x"] <= x_max + margin)
                             & (other["y"] >= y_min - margin) & (other["y"] <= y_max + margin))
                     parts.append(other[near])
-            yield TilePoints(np.concatenate(parts), len(own), box)
+            yield TilePoints(np.concatenate(parts), len(inside), box)
 
 
 def _put(layers: list[np.ndarray], part: ClothPart) -> None:
@@ -384,7 +384,7 @@ class _Canvas:
         margin = self.work.blocks.side + self.work.blocks.radius + 1.0
         for key in keys:
             x_min, y_min, x_max, y_max = self.work.tiling.box(key)
-            parts, numbers, own = [], [], []
+            parts, numbers, in_tile = [], [], []
             for near in sorted(self.work.tiling.around(key)):
                 if near not in starts:
                     continue
@@ -393,10 +393,10 @@ class _Canvas:
                           & (piece["y"] >= y_min - margin) & (piece["y"] <= y_max + margin))
                 parts.append(piece[inside])
                 numbers.append(starts[near] + np.flatnonzero(inside))
-                own.append(np.full(len(parts[-1]), near == key))
+                in_tile.append(np.full(len(parts[-1]), near == key))
             records = np.concatenate(parts)
             yield TileVertices(*(np.ascontiguousarray(records[name]) for name in "xyz"), np.concatenate(numbers),
-                               np.concatenate(own), key)
+                               np.concatenate(in_tile), key)
 
     def _lay(self, tile: TileSurface) -> None:
         """Put a tile's heights onto the raster and its triangles into the mesh."""
@@ -419,17 +419,17 @@ class _Canvas:
         if not self.triangles + len(large):
             raise InsufficientDataError(say("The points lie in fewer than three places or on one line: a surface "
                                             "cannot be built from them."))
-        kept = shorter(x, y, large, self.max_edge)
-        rasterise(x, y, z, kept, self.work.grid, self.raster)
-        if len(kept) < len(large):
+        small = shorter(x, y, large, self.max_edge)
+        rasterise(x, y, z, small, self.work.grid, self.raster)
+        if len(small) < len(large):
             rasterise(x, y, np.full(len(z), LEFT_OUT), large, self.work.grid, self.raster, only_empty=True)
         self.covered = ~np.isnan(self.raster)
         self.raster[self.raster == LEFT_OUT] = np.nan
         self.triangles += len(large)
-        self.left_out += len(large) - len(kept)
+        self.left_out += len(large) - len(small)
         if self.mesh:
-            self.mesh.add_triangles(numbers[kept])
-        self.far_share = _share_of(x, y, kept, shorter(x, y, kept, self.far), self.work.grid) if not framed else 0.0
+            self.mesh.add_triangles(numbers[small])
+        self.far_share = _share_of(x, y, small, shorter(x, y, small, self.far), self.work.grid) if not framed else 0.0
 
 
 def _share_of(x: np.ndarray, y: np.ndarray, triangles: np.ndarray, without: np.ndarray, grid: Grid) -> float:

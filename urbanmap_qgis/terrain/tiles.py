@@ -119,12 +119,12 @@ def reduce_tile(tile: TilePoints, cell: float, neighbours: int, cloth_grid: Grid
     """
     x, y, z, classes = (tile.records[name] for name in "xyzc")
     crowd = ~isolated(x, y, z, neighbours=neighbours)
-    own = crowd[:tile.own]
-    ox, oy, oz = (np.ascontiguousarray(values[:tile.own][own]) for values in (x, y, z))
+    thinned = crowd[:tile.own]
+    ox, oy, oz = (np.ascontiguousarray(values[:tile.own][thinned]) for values in (x, y, z))
     top = thin_highest(ox, oy, oz, cell)
     highest = _vertices(ox[top], oy[top], oz[top])
     if cloth_grid is None:
-        ground = np.isin(classes[:tile.own][own], GROUND_CLASSES)
+        ground = np.isin(classes[:tile.own][thinned], GROUND_CLASSES)
         return highest, _vertices(*thin_mean(ox[ground], oy[ground], oz[ground], cell)), None
     return highest, _vertices(ox[:0], oy[:0], oz[:0]), lowest_heights_of_tile(tile, neighbours, cloth_grid)
 
@@ -270,12 +270,12 @@ def triangulate_tile(tile: TileVertices, tiling: Tiling, blocks: Blocks, grid: G
     used = np.zeros(len(tile.x), dtype=bool)
     used[triangles] = True
     unused = np.flatnonzero(tile.own & ~used)
-    kept = np.union1d(edges, unused)
+    vertices = np.union1d(edges, unused)
     short = shorter(tile.x, tile.y, triangles, max_edge)
     rows, columns, raster = _raster_of(tile, triangles, short, grid)
-    return TileSurface(rows, columns, raster, len(triangles), tile.number[short], tile.number[edges], tile.number[kept],
-                       _vertices(tile.x[kept], tile.y[kept], tile.z[kept]), tile.number[unused],
-                       tile.number[used & ~tile.own])
+    return TileSurface(rows, columns, raster, len(triangles), tile.number[short], tile.number[edges],
+                       tile.number[vertices], _vertices(tile.x[vertices], tile.y[vertices], tile.z[vertices]),
+                       tile.number[unused], tile.number[used & ~tile.own])
 
 
 def _blocks_with_corner_in(blocks: Blocks, low: float, high: float) -> tuple[int, int]:

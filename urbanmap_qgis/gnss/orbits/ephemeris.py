@@ -167,18 +167,18 @@ def nearest_record(names: np.ndarray, toe: np.ndarray, satellite: np.ndarray, ti
     """
     chosen = np.full(len(satellite), -1)
     for name in np.unique(satellite):
-        own = np.flatnonzero(names == name)
-        if not len(own):
+        candidates = np.flatnonzero(names == name)
+        if not len(candidates):
             continue
-        order = np.lexsort((np.zeros(len(own)) if better is None else better[own], toe[own]))
-        own = own[order]
-        last = np.append(np.diff(toe[own]) > 0.5, True)
-        own = own[last]
+        order = np.lexsort((np.zeros(len(candidates)) if better is None else better[candidates], toe[candidates]))
+        candidates = candidates[order]
+        last = np.append(np.diff(toe[candidates]) > 0.5, True)
+        candidates = candidates[last]
         rows = np.flatnonzero(satellite == name)
-        right = np.searchsorted(toe[own], time[rows])
-        left, right = np.maximum(right - 1, 0), np.minimum(right, len(own) - 1)
-        nearer = np.abs(toe[own[right]] - time[rows]) < np.abs(toe[own[left]] - time[rows])
-        pick = own[np.where(nearer, right, left)]
+        right = np.searchsorted(toe[candidates], time[rows])
+        left, right = np.maximum(right - 1, 0), np.minimum(right, len(candidates) - 1)
+        nearer = np.abs(toe[candidates[right]] - time[rows]) < np.abs(toe[candidates[left]] - time[rows])
+        pick = candidates[np.where(nearer, right, left)]
         near = np.abs(toe[pick] - time[rows]) <= MAX_EPHEMERIS_AGE[name[0]]
         chosen[rows[near]] = pick[near]
     return chosen
@@ -219,15 +219,15 @@ def _group_delay(records: KeplerRecords, bands: dict[str, str]) -> np.ndarray:
     delay = np.zeros(len(records))
     for name in np.unique(system):
         band = bands.get(name, "1")
-        own = system == name
+        of_system = system == name
         scale = _GAMMA.get((name, band), 1.0)
         if name == "E":
-            fnav = records.source.astype(np.int64)[own] & _FNAV > 0
-            delay[own] = scale * np.where(fnav, records.delay_a[own], records.delay_b[own])
+            fnav = records.source.astype(np.int64)[of_system] & _FNAV > 0
+            delay[of_system] = scale * np.where(fnav, records.delay_a[of_system], records.delay_b[of_system])
         elif name == "C":
-            delay[own] = {"2": records.delay_a[own], "7": records.delay_b[own]}.get(band, 0.0)
+            delay[of_system] = {"2": records.delay_a[of_system], "7": records.delay_b[of_system]}.get(band, 0.0)
         else:
-            delay[own] = scale * records.delay_a[own]
+            delay[of_system] = scale * records.delay_a[of_system]
     return delay
 
 
@@ -329,17 +329,17 @@ def _from_precise(orbits: PreciseOrbits, satellite: np.ndarray, time: np.ndarray
     """Replace what precise orbits know better; group delays stay those of the navigation files."""
     row = np.searchsorted(orbits.satellite, satellite)
     row = np.minimum(row, len(orbits.satellite) - 1)
-    there = np.flatnonzero((orbits.satellite[row] == satellite) & (states.status != UNHEALTHY))
-    if not len(there):
+    covered = np.flatnonzero((orbits.satellite[row] == satellite) & (states.status != UNHEALTHY))
+    if not len(covered):
         return
-    place, clock = interpolate_orbits(orbits, row[there], time[there])
-    (before, _), (after, _) = (interpolate_orbits(orbits, row[there], time[there] + shift) for shift in (-0.5, 0.5))
+    place, clock = interpolate_orbits(orbits, row[covered], time[covered])
+    (before, _), (after, _) = (interpolate_orbits(orbits, row[covered], time[covered] + shift) for shift in (-0.5, 0.5))
     speed = np.where(np.isfinite(before) & np.isfinite(after), after - before, 0.0)
     clock = clock - 2 * np.einsum("ij,ij->i", place, speed) / SPEED_OF_LIGHT ** 2
     good = np.isfinite(clock) & np.isfinite(place).all(axis=1) & (speed != 0).any(axis=1)
-    there = there[good]
-    states.place[there], states.clock[there] = place[good], clock[good]
-    states.age[there], states.status[there] = 0.0, OK
+    covered = covered[good]
+    states.place[covered], states.clock[covered] = place[good], clock[good]
+    states.age[covered], states.status[covered] = 0.0, OK
 
 
 @dataclass(frozen=True)

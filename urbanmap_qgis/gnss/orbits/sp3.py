@@ -98,9 +98,9 @@ def _gridded(name: str, times: np.ndarray, rows: list[tuple]) -> PreciseOrbits:
     epoch = epoch_of.ravel()[[row[0] for row in rows]]
     place = np.full((len(satellite), len(time), 3), np.nan)
     clock = np.full((len(satellite), len(time)), np.nan)
-    there = (values[:, :3] != 0.0).any(axis=1)
-    place[number.ravel()[there], epoch[there]] = 1e3 * values[there, :3]
-    ticking = there & (np.abs(values[:, 3]) < _NO_CLOCK)
+    known = (values[:, :3] != 0.0).any(axis=1)
+    place[number.ravel()[known], epoch[known]] = 1e3 * values[known, :3]
+    ticking = known & (np.abs(values[:, 3]) < _NO_CLOCK)
     clock[number.ravel()[ticking], epoch[ticking]] = 1e-6 * values[ticking, 3]
     return PreciseOrbits(satellite, time, place, clock, name)
 

@@ -96,10 +96,10 @@ def ray_columns(walls: WallPieces, names: np.ndarray, signals: Signals, paths: S
 
 def thinned(signals: Signals, every: float) -> np.ndarray:
     """Rows of the signals of epochs at least `every` seconds apart within their observation file."""
-    kept = np.zeros(len(signals.epochs), bool)
+    chosen = np.zeros(len(signals.epochs), bool)
     for source in np.unique(signals.epochs.source):
         last = -np.inf
         for epoch in np.flatnonzero(signals.epochs.source == source):
             if signals.epochs.time[epoch] - last >= every - 1e-3:
-                kept[epoch], last = True, signals.epochs.time[epoch]
-    return np.flatnonzero(kept[signals.epoch])
+                chosen[epoch], last = True, signals.epochs.time[epoch]
+    return np.flatnonzero(chosen[signals.epoch])

@@ -257,9 +257,9 @@ def mirror_reflections(walls: WallPieces, place: np.ndarray, place_of_ray: np.nd
         found.append(_mirrored(local, xy[place_of_ray[ray]], place[place_of_ray[ray], 2], ray, piece, direction,
                                along, ends, margin))
     columns = [np.concatenate([getattr(part, name) for part in found]) for name in WallReflections.__dataclass_fields__]
-    made = WallReflections(*columns)
-    made.place[:, :2] += middle
-    return made
+    reflections = WallReflections(*columns)
+    reflections.place[:, :2] += middle
+    return reflections
 
 
 def legs_in_line_of_sight(obstacles: WallObstacles, place: np.ndarray, direction: np.ndarray, found: WallReflections,
@@ -332,9 +332,9 @@ def _mirrored(walls: WallPieces, xy: np.ndarray, z: np.ndarray, ray: np.ndarray,
     top = walls.top[piece, 0] + _part(share, walls.top[piece])
     inside = np.minimum.reduce([beside - ends[0][piece], ends[1][piece] - beside, place[:, 2] - low,
                                 top - place[:, 2]])
-    kept = inside >= -margin
-    return WallReflections(*(values[kept] for values in (ray, piece, place, length, arriving, distance, cosine,
-                                                         inside)))
+    on_piece = inside >= -margin
+    return WallReflections(*(values[on_piece] for values in (ray, piece, place, length, arriving, distance, cosine,
+                                                             inside)))
 
 
 def _share(walls: WallPieces, piece: np.ndarray, xy: np.ndarray) -> np.ndarray:

@@ -168,9 +168,9 @@ def visibility_over(obstacles: WallObstacles, navigation: Navigation, grid: Grid
     outside = np.isfinite(seen.satellites)
     if not outside.any():
         raise InsufficientDataError(say("The whole area lies inside buildings: choose a larger area or finer cells."))
-    kept = Visibility(seen.satellites[outside], {name: values[outside] for name, values in seen.by_system.items()},
-                      seen.above[outside], seen.pdop[outside], seen.names)
-    return np.column_stack([row, column])[outside], place[outside], kept
+    visibility = Visibility(seen.satellites[outside], {name: free[outside] for name, free in seen.by_system.items()},
+                            seen.above[outside], seen.pdop[outside], seen.names)
+    return np.column_stack([row, column])[outside], place[outside], visibility
 
 
 def level_ground(walls: WallPieces) -> float:
@@ -194,15 +194,15 @@ def satellites_above(navigation: Navigation, frame: MapFrame, place: np.ndarray,
     ------
     InsufficientDataError : no satellite has an ephemeris then.
     """
-    here = frame.places(place[None])
-    names, vectors = sky_at(navigation, time, here.earth_fixed[0], systems)
+    location = frame.places(place[None])
+    names, vectors = sky_at(navigation, time, location.earth_fixed[0], systems)
     if not len(names):
         chosen = ", ".join(SYSTEM_NAMES[name] for name in systems if name in SYSTEM_NAMES) or "none"
         raise InsufficientDataError(say("No satellite of the chosen systems ({chosen}) can be placed at "
                                         "{calendar_text} GPS time; the navigation files are good for {spans_text}: "
                                         "give those of the day.", chosen=chosen, calendar_text=calendar_text(time),
                                         spans_text=spans_text(navigation.spans())))
-    direction = directions(np.broadcast_to(here.axes, (len(names), 3, 3)), vectors)
+    direction = directions(np.broadcast_to(location.axes, (len(names), 3, 3)), vectors)
     up = np.degrees(np.arcsin(direction[:, 2].copy())) >= elevation_mask
     return names[up], direction[up]
 

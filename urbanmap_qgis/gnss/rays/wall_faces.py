@@ -188,7 +188,7 @@ def _outline_heights(shape: shapely.Geometry, number: int, top, low) -> tuple[fl
 
 def _outline_pieces(shape: shapely.Geometry, low: float, top: float) -> np.ndarray:
     """Pieces (n, 8) of an outline: x0, y0, x1, y1, low0, low1, top0, top1."""
-    made = []
+    pieces = []
     for part in shapely.get_parts(shape):
         if part.geom_type != "Polygon":
             continue
@@ -196,8 +196,8 @@ def _outline_pieces(shape: shapely.Geometry, low: float, top: float) -> np.ndarr
         for ring in (outline.exterior, *outline.interiors):
             corners = shapely.get_coordinates(ring)
             heights = np.tile([low, low, top, top], (len(corners) - 1, 1))
-            made.append(np.column_stack([corners[:-1], corners[1:], heights]))
-    return np.concatenate(made) if made else np.zeros((0, 8))
+            pieces.append(np.column_stack([corners[:-1], corners[1:], heights]))
+    return np.concatenate(pieces) if pieces else np.zeros((0, 8))
 
 
 def _solid_pieces(shape: shapely.Geometry) -> np.ndarray:
@@ -205,14 +205,14 @@ def _solid_pieces(shape: shapely.Geometry) -> np.ndarray:
     faces = [part for part in shapely.get_parts(shape) if part.geom_type == "Polygon"]
     rings = [_ring(face.exterior) for face in faces]
     origin = np.concatenate(rings).mean(axis=0)
-    volume, made = 0.0, []
+    volume, face_pieces = 0.0, []
     for face, ring in zip(faces, rings):
         area = _area_vector(ring)
         volume += area @ (ring[0] - origin)
         size = np.linalg.norm(area)
         if size > 0 and abs(area[2]) < _UPRIGHT * size:
-            made.append(_face_pieces(face, area[:2] / np.hypot(*area[:2])))
-    pieces = np.concatenate(made) if made else np.zeros((0, 8))
+            face_pieces.append(_face_pieces(face, area[:2] / np.hypot(*area[:2])))
+    pieces = np.concatenate(face_pieces) if face_pieces else np.zeros((0, 8))
     # Faces that look inwards as a whole are turned over.
     return pieces if volume >= 0 else pieces[:, [2, 3, 0, 1, 5, 4, 7, 6]]
 
@@ -229,7 +229,7 @@ def _face_pieces(face: shapely.Polygon, normal: np.ndarray) -> np.ndarray:
     base = a[0, :2]
     s0, s1 = (a[:, :2] - base) @ along, (b[:, :2] - base) @ along
     cuts = np.unique(np.round(s0, 4))
-    made = []
+    strips = []
     for left, right in zip(cuts[:-1], cuts[1:]):
         if right - left < _SHORTEST:
             continue
@@ -239,9 +239,9 @@ def _face_pieces(face: shapely.Polygon, normal: np.ndarray) -> np.ndarray:
         at_left, at_right, at_middle = (a[crossing, 2] + slope * (s - s0[crossing]) for s in (left, right, middle))
         order = np.argsort(at_middle)
         for lower, upper in zip(order[::2], order[1::2]):
-            made.append([*(base + left * along), *(base + right * along), at_left[lower], at_right[lower],
-                         at_left[upper], at_right[upper]])
-    return np.array(made).reshape(-1, 8)
+            strips.append([*(base + left * along), *(base + right * along), at_left[lower], at_right[lower],
+                           at_left[upper], at_right[upper]])
+    return np.array(strips).reshape(-1, 8)
 
 
 def _ring(line: shapely.Geometry) -> np.ndarray:
@@ -266,8 +266,8 @@ def _assembled(pieces: np.ndarray, building: np.ndarray) -> WallPieces:
     """Walls of pieces (n, 8), sorted by building, with their planes."""
     edge = pieces[:, 2:4] - pieces[:, :2]
     length = np.hypot(edge[:, 0], edge[:, 1])
-    kept = length > _SHORTEST
-    pieces, building, edge, length = pieces[kept], building[kept], edge[kept], length[kept]
+    long_enough = length > _SHORTEST
+    pieces, building, edge, length = pieces[long_enough], building[long_enough], edge[long_enough], length[long_enough]
     order = np.argsort(building, kind="stable")
     pieces, building, edge, length = pieces[order], building[order], edge[order], length[order]
     normal = np.column_stack([edge[:, 1], -edge[:, 0]]) / length[:, None]
@@ -275,9 +275,9 @@ def _assembled(pieces: np.ndarray, building: np.ndarray) -> WallPieces:
     wall = np.zeros(len(pieces), np.int64)
     number = 0
     for first, last in _runs(building):
-        own = _planes(pieces[first:last], normal[first:last], length[first:last])
-        wall[first:last] = number + own
-        number += own.max() + 1
+        planes = _planes(pieces[first:last], normal[first:last], length[first:last])
+        wall[first:last] = number + planes
+        number += planes.max() + 1
     return WallPieces(pieces[:, :2], pieces[:, 2:4], pieces[:, 4:6], pieces[:, 6:8], normal, offset, building, wall)
 
 

@@ -41,7 +41,7 @@ def write_reflection_report(path: str | os.PathLike, signals: Signals, paths: Si
     report.write(path)
 
 
-def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adjustment, names: np.ndarray,
+def write_adjustment_report(path: str | os.PathLike, signals: Signals, adjustment: Adjustment, names: np.ndarray,
                             shapes: np.ndarray, more: Callable[[Report], None] = lambda report: None) -> None:
     """Report of adjusted walls.
 
@@ -51,7 +51,7 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
     more : adds to the report behind its plan.
     """
     report = Report("Walls adjusted by GNSS")
-    walls = made.walls
+    walls = adjustment.walls
     adjusted = walls.status == ADJUSTED
     if adjusted.any():
         report.verdict(GOOD if adjusted.all() else LOOK,
@@ -65,30 +65,31 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, made: Adj
     report.facts({"Walls": len(adjusted), "Adjusted": int(adjusted.sum()),
                   "Held back to keep buildings valid": int(np.sum(walls.status == HELD)),
                   "Not observable": int(np.sum(walls.status != ADJUSTED) - np.sum(walls.status == HELD)),
-                  "Passes": len(made.clocks), "Independent observations": len(made.observations),
-                  "Signals in them": int(made.used.sum()),
+                  "Passes": len(adjustment.clocks), "Independent observations": len(adjustment.observations),
+                  "Signals in them": int(adjustment.used.sum()),
                   "Median sigma of adjusted walls, m": _median(walls.sigma[adjusted]),
                   "Median size of their offsets, m": _median(np.abs(walls.offset[adjusted])),
-                  "Iterations until nothing changed": made.iterations})
-    _reasons(report, made)
-    _plan(report, made, shapes)
+                  "Iterations until nothing changed": adjustment.iterations})
+    _reasons(report, adjustment)
+    _plan(report, adjustment, shapes)
     more(report)
-    _wall_table(report, made, names)
-    _errors(report, made)
-    _signals(report, signals, made.paths, made.corrected, ray_statistics(signals, made.paths, made.corrected))
-    _distrust(report, signals, made.paths, made.corrected)
+    _wall_table(report, adjustment, names)
+    _errors(report, adjustment)
+    statistics = ray_statistics(signals, adjustment.paths, adjustment.corrected)
+    _signals(report, signals, adjustment.paths, adjustment.corrected, statistics)
+    _distrust(report, signals, adjustment.paths, adjustment.corrected)
     report.write(path)
 
 
-def _plan(report: Report, made: Adjustment, shapes: np.ndarray) -> None:
+def _plan(report: Report, adjustment: Adjustment, shapes: np.ndarray) -> None:
     report.section("Walls before and after")
-    svg = wall_map(shapes, made.before, made.after, made.walls)
+    svg = wall_map(shapes, adjustment.before, adjustment.after, adjustment.walls)
     report.figure(svg, "Buildings as given (grey). Adjusted walls: where they stood (dashed) and where they stand now, "
                        "blue inwards, red outwards; the label is the offset in cm. Orange: observed, but not decided.")
 
 
-def _reasons(report: Report, made: Adjustment) -> None:
-    walls = made.walls
+def _reasons(report: Report, adjustment: Adjustment) -> None:
+    walls = adjustment.walls
     report.section("Walls that stay where they are")
     left = walls.status != ADJUSTED
     counted = Counter(_kind_of(reason) for reason in walls.reason[left])
@@ -97,8 +98,8 @@ def _reasons(report: Report, made: Adjustment) -> None:
                      "of it. More passes help where observations are few; nothing helps under open sky.")
 
 
-def _wall_table(report: Report, made: Adjustment, names: np.ndarray) -> None:
-    walls, table = made.walls, made.walls.table
+def _wall_table(report: Report, adjustment: Adjustment, names: np.ndarray) -> None:
+    walls, table = adjustment.walls, adjustment.walls.table
     report.section("Walls with observations")
     seen = np.flatnonzero(walls.observations > 0)
     order = seen[np.lexsort((walls.sigma[seen], walls.status[seen] != ADJUSTED))]
@@ -111,10 +112,10 @@ def _wall_table(report: Report, made: Adjustment, names: np.ndarray) -> None:
         report.paragraph(say("{order_count} more are in the layer of walls.", order_count=len(order) - _ROWS))
 
 
-def _errors(report: Report, made: Adjustment) -> None:
-    if made.offsets is None:
+def _errors(report: Report, adjustment: Adjustment) -> None:
+    if adjustment.offsets is None:
         return
-    model, error = made.offsets.model, made.offsets.error
+    model, error = adjustment.offsets.model, adjustment.offsets.error
     report.section("How the observations scatter")
     report.facts({"Error of an observation besides its noise, m": model.sigma,
                   "Factor of the noise expected": model.noise, "Share of NLOS-delayed ones": percent(model.nlos_share),

@@ -82,5 +82,5 @@ def span_text(first: float, last: float) -> str:
 
 def spans_text(spans: Sequence[tuple[float, float]], most: int = 3) -> str:
     """Several spans of GPS time for a sentence, the first `most` of them."""
-    told = ", and ".join(span_text(*span) for span in spans[:most])
-    return told + say(" and {count} more", count=len(spans) - most) if len(spans) > most else told
+    text = ", and ".join(span_text(*span) for span in spans[:most])
+    return text + say(" and {count} more", count=len(spans) - most) if len(spans) > most else text

@@ -234,8 +234,8 @@ def _kepler(records: list[tuple[str, float, list[list[float]]]]) -> KeplerRecord
     names = np.array([name for name, _, _ in records], "U3")
     toc = np.array([float(to_gps(seconds, _SCALE[name[0]])) for name, seconds, _ in records])
     # The week is taken from the clock's calendar date: week numbers roll over and differ between writers.
-    own = np.where(names.astype("U1") == "C", BEIDOU_OFFSET, 0.0)
-    toe = nearest_week(values["toe_own"] + own, toc)
+    system_offset = np.where(names.astype("U1") == "C", BEIDOU_OFFSET, 0.0)
+    toe = nearest_week(values["toe_own"] + system_offset, toc)
     return KeplerRecords(satellite=names, toe=toe, toc=toc, **values)
 
 

@@ -106,8 +106,8 @@ def read_observations(path: str | os.PathLike, systems: str = "GRECJ", progress:
 
 
 def _time_scale(file: RinexFile) -> str:
-    told = [content[48:51] for content in file.contents("TIME OF FIRST OBS")]
-    scale = told[0] if told and told[0].strip() else _SYSTEM_SCALE.get(file.system, "GPS")
+    stated = [content[48:51] for content in file.contents("TIME OF FIRST OBS")]
+    scale = stated[0] if stated and stated[0].strip() else _SYSTEM_SCALE.get(file.system, "GPS")
     if not known_scale(scale):
         raise InputError(say("{file} counts time in \"{scale}\", which is not known: convert it to GPS time.",
                              file=file.name, scale=scale))
@@ -118,15 +118,16 @@ def _in_order(name: str, times: np.ndarray, rows: _Rows, values: tuple[np.ndarra
               notes: list[str]) -> Observations:
     """Observations that hold a code, epochs in the order of time, each satellite once at an epoch."""
     code, cn0 = values
-    kept = np.flatnonzero(np.isfinite(code))
-    epochs, number = np.unique(times[rows.epoch[kept]], return_inverse=True)
-    names, satellite = np.unique(rows.satellite[kept], return_inverse=True)
+    with_code = np.flatnonzero(np.isfinite(code))
+    epochs, number = np.unique(times[rows.epoch[with_code]], return_inverse=True)
+    names, satellite = np.unique(rows.satellite[with_code], return_inverse=True)
     _, first = np.unique(number.ravel() * len(names) + satellite.ravel(), return_index=True)
-    if len(first) < len(kept):
+    if len(first) < len(with_code):
         notes.append(say("{name}: {kept_count} observations are there twice and are used once.", name=name,
-                         kept_count=len(kept) - len(first)))
-    kept, number = kept[first], number.ravel()[first]
-    return Observations(name, epochs, number, rows.satellite[kept], code[kept], cn0[kept], bands, tuple(notes))
+                         kept_count=len(with_code) - len(first)))
+    with_code, number = with_code[first], number.ravel()[first]
+    return Observations(name, epochs, number, rows.satellite[with_code], code[with_code], cn0[with_code], bands,
+                        tuple(notes))
 
 
 class _Walk:
@@ -188,12 +189,12 @@ class _Walk:
             self.types.append(self.types[-1] | changed)
 
     def _walk_3(self) -> None:
-        file, kept = self.file, self._kept
+        file, lines = self.file, self._kept
         heads = np.flatnonzero((file.length > 0) & (file.data[np.minimum(file.start, len(file.data) - 1)] == ord(">")))
-        self._skipped += int(np.searchsorted(kept, heads[0])) if len(heads) else len(kept)
+        self._skipped += int(np.searchsorted(lines, heads[0])) if len(heads) else len(lines)
         ends = np.append(heads[1:], len(file))
         # Of the lines that are not comments: the first behind each head, and the first of the next epoch.
-        behind, stop = np.searchsorted(kept, heads + 1), np.searchsorted(kept, ends)
+        behind, stop = np.searchsorted(lines, heads + 1), np.searchsorted(lines, ends)
         for head, low, high in zip(heads.tolist(), behind.tolist(), stop.tolist()):
             text = file.line(head)
             try:
@@ -208,13 +209,13 @@ class _Walk:
                 continue
             self._short += high - low < count
             self._skipped += max(high - low - count, 0)
-            self._add(time, kept[low:min(low + count, high)], [], len(self.types) - 1)
+            self._add(time, lines[low:min(low + count, high)], [], len(self.types) - 1)
 
     def _walk_2(self) -> None:
-        file, kept = self.file, self._kept
+        file, lines = self.file, self._kept
         place = 0
-        while place < len(kept):
-            text = file.line(kept[place])
+        while place < len(lines):
+            text = file.line(lines[place])
             if _EPOCH_2.match(text):
                 place = self._epoch_2(text, place)
             elif _EVENT_2.match(text) and not text[:28].replace(" ", "").replace(".", "").strip("0123456789"):
@@ -222,8 +223,8 @@ class _Walk:
                 if text[28] == "6":
                     place += 1 + self._lines_2(count) + count * self._lines_each()
                 else:
-                    self._event(int(kept[place]) + 1, count)
-                    place = int(np.searchsorted(kept, kept[place] + 1 + count))
+                    self._event(int(lines[place]) + 1, count)
+                    place = int(np.searchsorted(lines, lines[place] + 1 + count))
             else:
                 self._skipped += bool(text.strip())
                 place += 1
@@ -238,13 +239,13 @@ class _Walk:
 
     def _epoch_2(self, text: str, place: int) -> int:
         """Take an epoch of RINEX 2 whose first line is the one at `place`; the place behind it."""
-        kept, each = self._kept, self._lines_each()
+        lines, each = self._kept, self._lines_each()
         count = int(text[29:32])
         more = self._lines_2(count)
-        if place + more >= len(kept):
+        if place + more >= len(lines):
             self._short += 1
-            return len(kept)
-        listed = "".join(self.file.line(kept[place + i])[32:68].ljust(36) for i in range(more + 1))
+            return len(lines)
+        listed = "".join(self.file.line(lines[place + i])[32:68].ljust(36) for i in range(more + 1))
         names = [listed[3 * i:3 * i + 3] for i in range(count)]
         if not all(_SATELLITE.fullmatch(name) for name in names):
             self._skipped += 1
@@ -252,9 +253,9 @@ class _Walk:
         single = self.file.system if self.file.system in "GRECJS" else "G"
         names = [(single if name[0] == " " else name[0]) + f"{int(name[1:]):02d}" for name in names]
         first = place + 1 + more + each * np.arange(count)
-        whole = first + each <= len(kept)
+        whole = first + each <= len(lines)
         self._short += not whole.all()
-        self._add(_epoch_2(text), kept[first[whole]], names[:int(whole.sum())], len(self.types) - 1)
+        self._add(_epoch_2(text), lines[first[whole]], names[:int(whole.sum())], len(self.types) - 1)
         return place + 1 + more + each * count
 
 

@@ -51,9 +51,9 @@ def strong_signals(signals: Signals) -> np.ndarray:
     raised = signals.cn0 + _LOW_LOSS * (1.0 - signals.direction[:, 2])
     strong = np.zeros(len(signals), bool)
     for name in np.unique(signals.system):
-        own = (signals.system == name) & np.isfinite(raised)
-        if own.any():
-            strong[own] = raised[own] >= np.percentile(raised[own], 90) - _FADING
+        of_system = (signals.system == name) & np.isfinite(raised)
+        if of_system.any():
+            strong[of_system] = raised[of_system] >= np.percentile(raised[of_system], 90) - _FADING
     unknown = ~np.isfinite(signals.cn0)
     strong[unknown] = signals.elevation[unknown] >= _HIGH
     return strong

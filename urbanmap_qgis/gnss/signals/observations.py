@@ -114,10 +114,10 @@ def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]
     for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
         if any(min(last + shift, high) - max(first + shift, low) >= 0 for low, high in spans):
             return float(shift)
-    told = (say("{first:.0f} to {last:.0f} s of week", first=first, last=last) if last < 2 * WEEK else
-            span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
+    trajectory_span = (say("{first:.0f} to {last:.0f} s of week", first=first, last=last) if last < 2 * WEEK else
+                       span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
     raise InputError(say("Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
-                         "{span_text} GPS time ({start:.0f} to {end:.0f} s of week).", what=what, told=told,
+                         "{span_text} GPS time ({start:.0f} to {end:.0f} s of week).", what=what, told=trajectory_span,
                          span_text=span_text(start, end), start=start - week, end=end - week))
 
 
@@ -162,9 +162,9 @@ def _measured(file: Observations, navigation: Navigation, trajectory: Trajectory
     arm = np.asarray(settings.lever_arm, float)
     place = body_to_map(trajectory, time, arm)
     frame = MapFrame(crs_wkt)
-    here = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
+    receiver = frame.places(place).earth_fixed if len(place) else np.zeros((0, 3))
     satellite, code = file.satellite[rows], file.code[rows]
-    paths = geometric_ranges(navigation, satellite, gps_time[epoch], code, here[epoch], file.bands)
+    paths = geometric_ranges(navigation, satellite, gps_time[epoch], code, receiver[epoch], file.bands)
     unplaced = {}
     for status, reason in ((NO_EPHEMERIS, say("without an ephemeris")), (UNHEALTHY, say("of unhealthy satellites"))):
         _count(left_out, reason, paths.states.status == status)
@@ -241,22 +241,22 @@ def _modelled(part: _Measured, frame: MapFrame, model, separation: float,
     direction = directions(site.axes[epoch], vector)
     elevation, azimuth = elevation_azimuth(direction)
     above = np.degrees(elevation) >= settings.elevation_mask
-    kept = np.flatnonzero(above)
-    epoch, elevation, azimuth = epoch[kept], elevation[kept], azimuth[kept]
-    system = part.satellite[kept].astype("U1")
+    visible = np.flatnonzero(above)
+    epoch, elevation, azimuth = epoch[visible], elevation[visible], azimuth[visible]
+    system = part.satellite[visible].astype("U1")
     latitude, longitude = site.latitude[epoch], site.longitude[epoch]
     wet = troposphere(latitude, part.place[epoch, 2], elevation, settings.humidity)
-    free = (np.zeros(len(kept)) if model is None else
+    free = (np.zeros(len(visible)) if model is None else
             ionosphere(model, system, part.bands, latitude, longitude, azimuth + site.convergence[epoch], elevation,
                        part.gps_time[epoch]))
-    clock = SPEED_OF_LIGHT * (part.states.clock[kept] - part.states.delay[kept])
-    residual = part.code[kept] - distance[kept] + clock - wet - free
-    datum = float(np.median(residual)) if len(kept) else 0.0
-    sigma = expected_sigma(part.cn0[kept], elevation, system, free, model is None)
-    return {"epoch": epoch, "satellite": part.satellite[kept], "code": part.code[kept], "cn0": part.cn0[kept],
-            "direction": direction[kept], "elevation": np.degrees(elevation), "azimuth": np.degrees(azimuth),
+    clock = SPEED_OF_LIGHT * (part.states.clock[visible] - part.states.delay[visible])
+    residual = part.code[visible] - distance[visible] + clock - wet - free
+    datum = float(np.median(residual)) if len(visible) else 0.0
+    sigma = expected_sigma(part.cn0[visible], elevation, system, free, model is None)
+    return {"epoch": epoch, "satellite": part.satellite[visible], "code": part.code[visible], "cn0": part.cn0[visible],
+            "direction": direction[visible], "elevation": np.degrees(elevation), "azimuth": np.degrees(azimuth),
             "residual": residual - datum, "sigma": sigma, "troposphere": wet, "ionosphere": free,
-            "age": part.states.age[kept]}, ~above, datum
+            "age": part.states.age[visible]}, ~above, datum
 
 
 def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, delay: np.ndarray,
@@ -322,9 +322,9 @@ def _with_height(given: float | None, settings: SignalSettings, at_height: Calla
                                  "belong together.", offset=offset))
         signals = at_height(offset)
         further, sigma = estimate_height(signals, strong_signals(signals))
-        told = (say("The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), "
-                    "which is used: the official value is better.", offset=offset + further, sigma=sigma))
-        return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, told))
+        derived = (say("The geoid separation was not given; the satellites say {offset:.1f} m (sigma {sigma:.1f} m), "
+                       "which is used: the official value is better.", offset=offset + further, sigma=sigma))
+        return replace(signals.raised(further), geoid_sigma=sigma, notes=(*signals.notes, *note, derived))
     if abs(offset) > max(HEIGHT_LIMIT, 4 * sigma):
         raise InputError(say("By the satellites the antenna is {offset:.0f} m {value} than the trajectory with a "
                              "geoid separation of {given:g} m says: heights above sea level and above the ellipsoid "

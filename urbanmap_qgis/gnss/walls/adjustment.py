@@ -168,9 +168,9 @@ def adjust_walls(shapes: Sequence[shapely.Geometry | None], building: np.ndarray
         result = _judged(result, before, one, settings, part)
         weight = np.where(result.status == ADJUSTED, result.sigma ** -2.0, 0.0)
         wanted = np.where(weight > 0, result.offset, 0.0)
-        current, displacement, held = move_buildings(shapes, row, before, net, wanted, np.nan_to_num(weight),
-                                                     part.part(0.8, 1.0))
-        result = _with_held(result, held, applied_offsets(before, net, displacement))
+        current, displacement, immovable = move_buildings(shapes, row, before, net, wanted, np.nan_to_num(weight),
+                                                          part.part(0.8, 1.0))
+        result = _with_held(result, immovable, applied_offsets(before, net, displacement))
         walls = moved_walls(before, net, displacement)
         converged = np.abs(result.applied - outwards).max(initial=0.0) < 0.03
         outwards = result.applied
@@ -334,11 +334,11 @@ def _some(observations: OffsetObservations, rows: np.ndarray) -> OffsetObservati
     return replace(observations, share=shares, **columns)
 
 
-def _with_held(result: WallResult, held: np.ndarray, applied: np.ndarray) -> WallResult:
+def _with_held(result: WallResult, immovable: np.ndarray, applied: np.ndarray) -> WallResult:
     """The result with the walls that could not be moved."""
     status, reason = result.status.copy(), result.reason.copy()
-    status[held] = HELD
-    reason[held] = say("moved, the building would not stay valid or would run into another")
+    status[immovable] = HELD
+    reason[immovable] = say("moved, the building would not stay valid or would run into another")
     return replace(result, status=status, reason=reason, applied=applied)
 
 

@@ -16,9 +16,9 @@ WALL_COLUMNS = (("building", "text"), ("edge", "int"), ("status", "text"), ("rea
 """Fields of the walls with their kinds."""
 
 
-def adjusted_wall_columns(made: Adjustment, names: np.ndarray) -> dict[str, np.ndarray]:
+def adjusted_wall_columns(adjustment: Adjustment, names: np.ndarray) -> dict[str, np.ndarray]:
     """Attributes of the walls, (k,) each; `names` (buildings,) of the buildings by row."""
-    walls, table = made.walls, made.walls.table
+    walls, table = adjustment.walls, adjustment.walls.table
     return {"building": np.array([str(names[row]) for row in table.building], object), "edge": table.edge,
             "status": walls.status, "reason": walls.reason, "offset": walls.offset, "sigma": walls.sigma,
             "applied": walls.applied, "observations": walls.observations, "signals": walls.signals,
@@ -26,20 +26,20 @@ def adjusted_wall_columns(made: Adjustment, names: np.ndarray) -> dict[str, np.n
             "distance": walls.distance, "length": table.length, "low": table.low, "top": table.top}
 
 
-def wall_lines(made: Adjustment, signals: Signals) -> np.ndarray:
+def wall_lines(adjustment: Adjustment, signals: Signals) -> np.ndarray:
     """(k,) lines with z along the foot of each wall where it stands now; where the foot is not known, at the height of
     the antennas."""
-    table = wall_table(made.after)
+    table = wall_table(adjustment.after)
     height = np.where(np.isfinite(table.low), table.low, np.median(signals.epochs.place[:, 2]))
     ends = np.stack([np.column_stack([place, height]) for place in (table.start, table.end)], axis=1)
     return shapely.linestrings(ends)
 
 
-def building_columns(made: Adjustment, building: np.ndarray) -> dict[str, np.ndarray]:
+def building_columns(adjustment: Adjustment, building: np.ndarray) -> dict[str, np.ndarray]:
     """(n,) for each feature: adjusted walls of its building, and how far the max_range of its walls has moved, m."""
-    own, rows = made.walls.table.building, np.unique(building, return_inverse=True)
-    adjusted = np.bincount(own, made.walls.status == ADJUSTED, len(rows[0])).astype(np.int64)
+    wall_building, rows = adjustment.walls.table.building, np.unique(building, return_inverse=True)
+    adjusted = np.bincount(wall_building, adjustment.walls.status == ADJUSTED, len(rows[0])).astype(np.int64)
     moved = np.zeros(len(rows[0]))
-    np.maximum.at(moved, own, np.abs(made.walls.applied))
+    np.maximum.at(moved, wall_building, np.abs(adjustment.walls.applied))
     row = rows[1].ravel()
     return {"walls_adjusted": adjusted[row], "walls_moved_by": np.round(moved[row], 3)}

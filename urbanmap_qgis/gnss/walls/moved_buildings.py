@@ -129,25 +129,25 @@ def move_buildings(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, w
     shapes = np.array(shapes, dtype=object)
     current = shapes.copy()
     displacement = np.zeros_like(net.node)
-    held = np.zeros(len(outwards), bool)
+    immovable = np.zeros(len(outwards), bool)
     home = walls.building[np.unique(walls.wall, return_index=True)[1]]
     plans = [_plan(shape) for shape in shapes]
     tree = shapely.STRtree([plan if plan is not None else shapely.Polygon() for plan in plans])
     wanted = np.unique(home[(weight > 0) & (outwards != 0)])
     for number, building in enumerate(wanted):
         progress.step(number / len(wanted))
-        own = np.flatnonzero(row == building)
+        members = np.flatnonzero(row == building)
         movable = np.flatnonzero((home == building) & (weight > 0))
-        check = _MoveCheck(shapes[own], _neighbours(tree, plans, current, own),
+        check = _MoveCheck(shapes[members], _neighbours(tree, plans, current, members),
                            np.flatnonzero(net.building == building))
-        kept = _movable_together(check, walls, net, outwards, weight, movable)
-        held[np.setdiff1d(movable, kept)] = True
+        together = _movable_together(check, walls, net, outwards, weight, movable)
+        immovable[np.setdiff1d(movable, together)] = True
         chosen = np.zeros_like(weight)
-        chosen[kept] = weight[kept]
+        chosen[together] = weight[together]
         by = net.displacement(walls, outwards, chosen)
         displacement[check.nodes] = by[check.nodes]
-        current[own] = check.moved(walls, net, by)
-    return current, displacement, held
+        current[members] = check.moved(walls, net, by)
+    return current, displacement, immovable
 
 
 def _movable_together(check: _MoveCheck, walls: WallPieces, net: PlanNet, outwards: np.ndarray, weight: np.ndarray,
@@ -161,12 +161,12 @@ def _movable_together(check: _MoveCheck, walls: WallPieces, net: PlanNet, outwar
 
     if passes(movable):
         return movable
-    kept = np.zeros(0, np.int64)
+    together = np.zeros(0, np.int64)
     for wall in movable[np.argsort(-weight[movable], kind="stable")]:
-        trial = np.append(kept, wall)
+        trial = np.append(together, wall)
         if passes(trial):
-            kept = trial
-    return np.sort(kept)
+            together = trial
+    return np.sort(together)
 
 
 @dataclass(frozen=True)
@@ -180,10 +180,10 @@ class _MoveCheck:
     def moved(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
         """The shapes with their corners moved."""
         follow = _Follower(walls, net, displacement, self.nodes)
-        made = np.empty(len(self.shapes), dtype=object)
+        result = np.empty(len(self.shapes), dtype=object)
         for i, shape in enumerate(self.shapes):
-            made[i] = None if shape is None else shapely.transform(shape, follow, include_z=shape.has_z)
-        return made
+            result[i] = None if shape is None else shapely.transform(shape, follow, include_z=shape.has_z)
+        return result
 
     def accepts(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> bool:
         """Whether edges keep their direction, shapes their validity, and no building is run into."""
@@ -276,10 +276,10 @@ def _plan(shape: shapely.Geometry | None) -> shapely.Geometry | None:
     return shapely.union_all(shapely.make_valid(flat))
 
 
-def _neighbours(tree: shapely.STRtree, plans: list, current: np.ndarray, own: np.ndarray) -> shapely.Geometry:
-    """Ground plan, as it is now, of what stands within 5 m of the shapes `own`."""
-    area = shapely.union_all([shapely.buffer(plans[i], 5.0) for i in own if plans[i] is not None])
-    near = np.setdiff1d(tree.query(area, predicate="intersects"), own)
+def _neighbours(tree: shapely.STRtree, plans: list, current: np.ndarray, members: np.ndarray) -> shapely.Geometry:
+    """Ground plan, as it is now, of what stands within 5 m of the shapes `members`."""
+    area = shapely.union_all([shapely.buffer(plans[i], 5.0) for i in members if plans[i] is not None])
+    near = np.setdiff1d(tree.query(area, predicate="intersects"), members)
     return shapely.union_all([_plan(current[i]) for i in near])
 
 

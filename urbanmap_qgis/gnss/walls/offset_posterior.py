@@ -179,8 +179,8 @@ class _System:
             of_pass.append(members)
             # What matters of the latent errors is what reaches the observations: their principal parts.
             u, size, _ = np.linalg.svd(rows @ np.linalg.cholesky(covariance), full_matrices=False)
-            kept = size > 1e-3 * size.max(initial=0.0)
-            share.append(u[:, kept] * size[kept])
+            significant = size > 1e-3 * size.max(initial=0.0)
+            share.append(u[:, significant] * size[significant])
         return cls(observations, walls, wall.ravel(), tuple(of_pass), tuple(share), prior)
 
     def errors(self, offset: np.ndarray, latent: list[np.ndarray]) -> np.ndarray:
@@ -223,11 +223,11 @@ class _System:
         blocks = []
         for members, share, value in zip(self.of_pass, self.share, latent):
             weight = curvature[members]
-            own = (share * weight[:, None]).T @ share + np.eye(share.shape[1])
+            normal_matrix = (share * weight[:, None]).T @ share + np.eye(share.shape[1])
             cross = np.zeros((len(offset), share.shape[1]))
             np.add.at(cross, self.wall[members], -(design[members] * weight)[:, None] * share)
             gradient = share.T @ slope[members] - value
-            inverse = np.linalg.inv(own)
+            inverse = np.linalg.inv(normal_matrix)
             normal -= cross @ inverse @ cross.T
             right -= cross @ (inverse @ gradient)
             blocks.append((inverse, cross, gradient))

@@ -93,10 +93,10 @@ def _pass_clock(signals: Signals, rows: np.ndarray, is_los: np.ndarray, least: i
         left = residual - design @ latent
         clock = np.bincount(epoch, weights=weight * left) / np.where(total > 0, total * unit**2, np.nan)
         left = left - clock[epoch]
-        kept = weight > 0.1 * sigma ** -2.0
-        unit = _scatter(left[kept] / sigma[kept], np.count_nonzero(kept) - len(np.unique(epoch[kept])))
+        inlier = weight > 0.1 * sigma ** -2.0
+        unit = _scatter(left[inlier] / sigma[inlier], np.count_nonzero(inlier) - len(np.unique(epoch[inlier])))
         satellite_error = _lasting(latent[systems:], np.diag(covariance)[systems:],
-                                   design[kept, systems:].any(axis=0))
+                                   design[inlier, systems:].any(axis=0))
         # A signal that was not in sight after all errs as a whole: its satellite's lasting error counts with it.
         whole = left + design[:, systems:] @ latent[systems:]
         scaled = np.abs(whole) / np.sqrt((unit * sigma) ** 2 + satellite_error**2)
@@ -157,6 +157,6 @@ def _scatter(normalised: np.ndarray, freedom: int) -> float:
 def _lasting(error: np.ndarray, variance: np.ndarray, heard: np.ndarray) -> float:
     """Standard deviation of the satellites' lasting errors: of the estimates, robustly, and what they leave open."""
     square = error[heard] ** 2 + variance[heard]
-    kept = square <= _OUTLIER * np.median(square) if len(square) else np.zeros(0, bool)
-    total = square[kept].sum() + _USUAL_COUNT * _USUAL_ERROR**2
-    return float(max(np.sqrt(total / (np.count_nonzero(kept) + _USUAL_COUNT)), _LEAST_SATELLITE_ERROR))
+    inlier = square <= _OUTLIER * np.median(square) if len(square) else np.zeros(0, bool)
+    total = square[inlier].sum() + _USUAL_COUNT * _USUAL_ERROR**2
+    return float(max(np.sqrt(total / (np.count_nonzero(inlier) + _USUAL_COUNT)), _LEAST_SATELLITE_ERROR))

@@ -27,14 +27,14 @@ def expected_cn0(signals: Signals, is_los: np.ndarray) -> np.ndarray:
     known = is_los & np.isfinite(signals.cn0)
     level = np.floor(signals.elevation / _BIN)
     for system in np.unique(signals.system):
-        own = signals.system == system
-        if np.count_nonzero(own & known) < _LEAST:
+        of_system = signals.system == system
+        if np.count_nonzero(of_system & known) < _LEAST:
             continue
-        usual[own] = np.quantile(signals.cn0[own & known], 0.75)
-        for value in np.unique(level[own & known]):
-            members = own & known & (level == value)
+        usual[of_system] = np.quantile(signals.cn0[of_system & known], 0.75)
+        for value in np.unique(level[of_system & known]):
+            members = of_system & known & (level == value)
             if np.count_nonzero(members) >= _LEAST:
-                usual[own & (level == value)] = np.quantile(signals.cn0[members], 0.75)
+                usual[of_system & (level == value)] = np.quantile(signals.cn0[members], 0.75)
     return usual
 
 

@@ -64,11 +64,11 @@ def objects_from_outlines(outlines: Sequence[ImageOutline], cloud: PointCloud, m
     max_range : laser points farther from the camera are not used, m.
     """
     behind = outline_points(outlines, _chunks(cloud, progress.part(0.0, 0.9)), max_range)
-    made = []
+    features = []
     for number, (outline, points) in enumerate(zip(outlines, behind)):
         progress.step(0.9 + 0.1 * number / len(outlines))
-        made.append(measure_object(outline, points))
-    return made
+        features.append(measure_object(outline, points))
+    return features
 
 
 def _chunks(cloud: PointCloud, progress: Progress) -> Iterator[np.ndarray]:
@@ -185,8 +185,8 @@ def _sample_sigma(outline: ImageOutline, pixels: np.ndarray, places: np.ndarray,
     origin, _ = outline.source.rays(*pixels.T)
     distance = np.linalg.norm(places - origin, axis=1)
     _, right = outline.source.rays(pixels[:, 0], pixels[:, 1] + 1.0)
-    _, here = outline.source.rays(*pixels.T)
-    beside = distance * np.linalg.norm(right - here, axis=1) / 2.0
+    _, direction = outline.source.rays(*pixels.T)
+    beside = distance * np.linalg.norm(right - direction, axis=1) / 2.0
     return float(np.median(np.sqrt(np.maximum(spread, 0.01) ** 2 / 2.0 + beside**2)))
 
 

@@ -78,8 +78,8 @@ def _face_edges(faces: np.ndarray) -> np.ndarray:
 
 def _normal(ring: np.ndarray) -> np.ndarray:
     """Unit normal of a ring (n, 3) by Newell's sums; zeros where it has no area."""
-    here, there = ring[:-1], ring[1:]
-    total = np.cross(here - ring[0], there - ring[0]).sum(axis=0)
+    corner, next_corner = ring[:-1], ring[1:]
+    total = np.cross(corner - ring[0], next_corner - ring[0]).sum(axis=0)
     length = np.linalg.norm(total)
     return total / length if length > 0 else total
 

@@ -55,16 +55,16 @@ class PointColours:
 
 def draw(pixels: np.ndarray, overlay: Overlay, colours: PointColours, left: int = 0, top: int = 0) -> np.ndarray:
     """A window (rows, columns, 3) of an image with the overlay drawn on it; `left`, `top` are its place there."""
-    made = np.ascontiguousarray(pixels).copy()
-    rows, columns = made.shape[:2]
+    picture = np.ascontiguousarray(pixels).copy()
+    rows, columns = picture.shape[:2]
     column, row = overlay.points.column - left, overlay.points.row - top
     inside = (column >= 0) & (column < columns - 1) & (row >= 0) & (row < rows - 1)
     colour = _OPAQUE * colours.of(overlay.points.value[inside])
     for across, down in ((0, 0), (1, 0), (0, 1), (1, 1)):
         at = row[inside] + down, column[inside] + across
-        made[at] = colour + (1.0 - _OPAQUE) * made[at]
-    _draw_lines(made, overlay.edges, left, top)
-    return made
+        picture[at] = colour + (1.0 - _OPAQUE) * picture[at]
+    _draw_lines(picture, overlay.edges, left, top)
+    return picture
 
 
 def _draw_lines(image: np.ndarray, edges: DrawnEdges, left: int, top: int) -> None:

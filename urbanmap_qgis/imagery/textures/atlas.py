@@ -51,11 +51,11 @@ def draw_atlas(textures: Sequence[np.ndarray], placed: Sequence[AtlasPlace]) -> 
     """The images (rows, columns, 3) uint8 with all textures in their places, each no larger than needed."""
     pages = []
     for page in range(max((place.page for place in placed), default=-1) + 1):
-        own = [(texture, place) for texture, place in zip(textures, placed) if place.page == page]
-        rows = max(place.row + texture.shape[0] for texture, place in own) + _MARGIN
-        columns = max(place.column + texture.shape[1] for texture, place in own) + _MARGIN
+        of_page = [(texture, place) for texture, place in zip(textures, placed) if place.page == page]
+        rows = max(place.row + texture.shape[0] for texture, place in of_page) + _MARGIN
+        columns = max(place.column + texture.shape[1] for texture, place in of_page) + _MARGIN
         image = np.zeros((rows, columns, 3), np.uint8)
-        for texture, place in own:
+        for texture, place in of_page:
             wide = np.pad(texture, ((_MARGIN, _MARGIN), (_MARGIN, _MARGIN), (0, 0)), mode="edge")
             image[place.row - _MARGIN:place.row - _MARGIN + wide.shape[0],
                   place.column - _MARGIN:place.column - _MARGIN + wide.shape[1]] = wide

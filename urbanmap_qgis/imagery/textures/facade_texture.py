@@ -120,10 +120,10 @@ def _colours(views: Sequence[View], nodes: Lattice, face: np.ndarray, visible: n
     """Colours (views, n, 3) float32 of the visible texels, 0 elsewhere."""
     colours = np.zeros((*visible.shape, 3), np.float32)
     for number, view in enumerate(views):
-        own = np.flatnonzero(visible[number])
-        if len(own):
-            column, row = (nodes.between(values)[face][own] for values in (view.column, view.row))
-            colours[number, own] = sources[view.image].colours(column, row)
+        seen = np.flatnonzero(visible[number])
+        if len(seen):
+            column, row = (nodes.between(values)[face][seen] for values in (view.column, view.row))
+            colours[number, seen] = sources[view.image].colours(column, row)
     return colours
 
 
@@ -153,9 +153,9 @@ def compensation_gains(colours: np.ndarray, visible: np.ndarray) -> np.ndarray:
     if not rows:
         return np.ones((count, 3), np.float32)
     share = visible.sum(axis=1) / max(visible.sum(), 1)
-    held = np.vstack([*rows, 1e-3 * np.eye(count), 1e3 * share])
+    design = np.vstack([*rows, 1e-3 * np.eye(count), 1e3 * share])
     wanted = np.vstack([*ratios, np.zeros((count + 1, 3))])
-    return np.exp(np.linalg.lstsq(held, wanted, rcond=None)[0]).astype(np.float32)
+    return np.exp(np.linalg.lstsq(design, wanted, rcond=None)[0]).astype(np.float32)
 
 
 def _blended(grid: TexelGrid, face: np.ndarray, colours: np.ndarray, visible: np.ndarray,

@@ -35,7 +35,7 @@ def check_model_name(path: str | os.PathLike | None) -> None:
         raise InputError(say("The textured model {path} must end in .glb, .obj or .city.json.", path=Path(path).name))
 
 
-def write_textured(made: Iterable[Textured], model: str | os.PathLike | None, folder: str | os.PathLike | None, *,
+def write_textured(buildings: Iterable[Textured], model: str | os.PathLike | None, folder: str | os.PathLike | None, *,
                    epsg: int | None = None, crs: str = "", progress: Progress = SILENT) -> list[FacadeRecord]:
     """Write textured buildings as they come, and return what became of their facades.
 
@@ -54,7 +54,7 @@ def write_textured(made: Iterable[Textured], model: str | os.PathLike | None, fo
     cities: list[CityBuilding] = []
     images: dict[str, Path] = {}
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
-        for number, textured in enumerate(made):
+        for number, textured in enumerate(buildings):
             records += textured.records
             cities.append(textured.city)
             for name, data in textured.images.items():

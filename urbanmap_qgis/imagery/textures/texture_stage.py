@@ -167,9 +167,9 @@ def _texture_building(piece: _Piece, sources: Sequence[Source], settings: Textur
     building = piece.building
     facades = facades_of(building.solids)
     grids = [texel_grid(facade, coarsest_step(facade.width, facade.height, settings.resolution)) for facade in facades]
-    made = [texture_facade(facade, grid, sources, partial(_obstacles, piece=piece, facade=facade), settings)
-            for facade, grid in zip(facades, grids)]
-    placed, pages = _atlas(made)
+    facade_textures = [texture_facade(facade, grid, sources, partial(_obstacles, piece=piece, facade=facade), settings)
+                       for facade, grid in zip(facades, grids)]
+    placed, pages = _atlas(facade_textures)
     names = [f"textures/building_{building.id}_{number + 1}.jpg" for number in range(len(pages))]
     textures: list[list[FaceTexture | None]] = [[None] * len(solid.faces) for solid in building.solids]
     for facade, grid, place in zip(facades, grids, placed):
@@ -179,7 +179,7 @@ def _texture_building(piece: _Piece, sources: Sequence[Source], settings: Textur
     images = {name: cv2.imencode(".jpg", page[:, :, ::-1], [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])[1].tobytes()
               for name, page in zip(names, pages)}
     records = tuple(_record(building, number, facade, texture, sources)
-                    for number, (facade, texture) in enumerate(zip(facades, made)))
+                    for number, (facade, texture) in enumerate(zip(facades, facade_textures)))
     area = sum(record.area for record in records)
     seen = sum(record.area * record.seen for record in records)
     attributes = {**building.attributes, "facade_area": area, "facade_seen": seen / area if area else 0.0}
@@ -200,13 +200,13 @@ def _obstacles(cameras: np.ndarray, piece: _Piece, facade: Facade) -> ViewObstac
     return obstacles_within(low, high, piece.roofs, piece.heights, piece.voxels)
 
 
-def _atlas(made: Sequence[FacadeTexture]):
+def _atlas(textures: Sequence[FacadeTexture]):
     """Places of the textures in images (None where there is none), and the images."""
-    with_pixels = [number for number, texture in enumerate(made) if texture.pixels is not None]
-    placed = pack_textures([made[number].pixels.shape[:2] for number in with_pixels])
-    pages = draw_atlas([made[number].pixels for number in with_pixels], placed)
+    with_pixels = [number for number, texture in enumerate(textures) if texture.pixels is not None]
+    placed = pack_textures([textures[number].pixels.shape[:2] for number in with_pixels])
+    pages = draw_atlas([textures[number].pixels for number in with_pixels], placed)
     by_facade = dict(zip(with_pixels, placed))
-    return [by_facade.get(number) for number in range(len(made))], pages
+    return [by_facade.get(number) for number in range(len(textures))], pages
 
 
 def _face_texture(building: BuildingSolids, facade: Facade, grid: TexelGrid, place, name: str,

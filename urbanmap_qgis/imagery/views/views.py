@@ -118,11 +118,11 @@ class StripSource:
         detail = self._detail(found, camera, axes, places, normal)
         views = []
         for number in range(min(sweep.max() + 1, _MAX_SWEEPS)):
-            own = np.flatnonzero((sweep == number) & np.isfinite(detail))
+            of_pass = np.flatnonzero((sweep == number) & np.isfinite(detail))
             view = _empty_view(self.number, len(places))
-            index = found.point_index[own]
-            view.column[index], view.row[index] = found.column[own] + first, found.row[own]
-            view.camera[index], view.detail[index] = camera[own], detail[own]
+            index = found.point_index[of_pass]
+            view.column[index], view.row[index] = found.column[of_pass] + first, found.row[of_pass]
+            view.camera[index], view.detail[index] = camera[of_pass], detail[of_pass]
             views.append(view)
         return views
 

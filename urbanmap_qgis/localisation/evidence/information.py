@@ -55,10 +55,10 @@ class Evidence:
     shared: tuple[SharedError, ...] = ()
 
 
-def part_of(evidence: Evidence, kept: np.ndarray) -> Evidence:
-    """The rows `kept` (mask)."""
-    shared = tuple(SharedError(error.group[kept], error.factor[kept], error.sigma[kept]) for error in evidence.shared)
-    return Evidence(evidence.of[kept], evidence.row[kept], evidence.weight[kept], evidence.noise[kept], shared)
+def part_of(evidence: Evidence, mask: np.ndarray) -> Evidence:
+    """The rows of a mask (n,)."""
+    shared = tuple(SharedError(error.group[mask], error.factor[mask], error.sigma[mask]) for error in evidence.shared)
+    return Evidence(evidence.of[mask], evidence.row[mask], evidence.weight[mask], evidence.noise[mask], shared)
 
 
 def surface_rows(normal: np.ndarray, offset: np.ndarray) -> np.ndarray:

@@ -57,9 +57,9 @@ def marking_map(shapes: Sequence[shapely.Geometry | None], sigma: np.ndarray) ->
             continue
         heights[row] = shapely.get_coordinates(shape, include_z=True)[:, 2].mean()
         for part in shapely.get_parts(shapely.simplify(shapely.force_2d(shape), _STRAIGHT)):
-            made = _outline_edges(part) if part.geom_type == "Polygon" else _line_edges(part)
-            edges.append(made)
-            owner.append(np.full(len(made), row))
+            part_edges = _outline_edges(part) if part.geom_type == "Polygon" else _line_edges(part)
+            edges.append(part_edges)
+            owner.append(np.full(len(part_edges), row))
     found = np.concatenate(edges) if edges else np.zeros((0, 5))
     owner = np.concatenate(owner) if owner else np.zeros(0, np.int64)
     found, owner = _free_ends(found, owner)
@@ -109,23 +109,23 @@ def marking_evidence(markings: MarkingMap, of: np.ndarray, number: np.ndarray, p
 
 def _outline_edges(polygon: shapely.Polygon) -> np.ndarray:
     """Edges (m, 5) of an outline: two ends, and 0, as no edge is a free end."""
-    made = []
+    rings = []
     for ring in (polygon.exterior, *polygon.interiors):
         corners = shapely.get_coordinates(ring)
-        made.append(np.column_stack([corners[:-1], corners[1:], np.zeros(len(corners) - 1)]))
-    return np.concatenate(made)
+        rings.append(np.column_stack([corners[:-1], corners[1:], np.zeros(len(corners) - 1)]))
+    return np.concatenate(rings)
 
 
 def _line_edges(line: shapely.LineString) -> np.ndarray:
     """Edges (m, 5) of a line, and across its ends, marked 1, those of a paint stroke 0.15 m wide."""
     points = shapely.get_coordinates(line)
-    made = [np.column_stack([points[:-1], points[1:], np.zeros(len(points) - 1)])]
+    edges = [np.column_stack([points[:-1], points[1:], np.zeros(len(points) - 1)])]
     if line.length <= _DASH:
         for end, before in ((points[0], points[1]), (points[-1], points[-2])):
             along = end - before
             across = np.array([-along[1], along[0]]) / max(np.hypot(*along), 1e-9) * 0.075
-            made.append(np.array([[*(end - across), *(end + across), 1.0]]))
-    return np.concatenate(made)
+            edges.append(np.array([[*(end - across), *(end + across), 1.0]]))
+    return np.concatenate(edges)
 
 
 def _free_ends(edges: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -136,9 +136,9 @@ def _free_ends(edges: np.ndarray, owner: np.ndarray) -> tuple[np.ndarray, np.nda
     middle = (edges[ends, :2] + edges[ends, 2:4]) / 2
     near = cKDTree(middle).query_pairs(_OTHER_END, output_type="ndarray")
     touching = near[owner[ends[near[:, 0]]] != owner[ends[near[:, 1]]]].ravel()
-    kept = np.ones(len(edges), bool)
-    kept[ends[touching]] = False
-    return edges[kept], owner[kept]
+    free = np.ones(len(edges), bool)
+    free[ends[touching]] = False
+    return edges[free], owner[free]
 
 
 def _edge_samples(edges: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

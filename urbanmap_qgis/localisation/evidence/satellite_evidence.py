@@ -100,10 +100,10 @@ def _plan_covariance(direction: np.ndarray, system: np.ndarray, free: np.ndarray
     design = np.hstack([-direction, np.eye(len(letters))[number.ravel()]])
     weight = direction[:, 2] ** 2 / settings.code_sigma ** 2
     used = np.where(free, 1.0, settings.nlos_share * _DOWNWEIGHTED) * weight
-    own = np.where(free, weight, settings.nlos_share * (_DOWNWEIGHTED * weight) ** 2
-                   * (settings.code_sigma ** 2 + settings.nlos_delay ** 2))
+    signal_weight = np.where(free, weight, settings.nlos_share * (_DOWNWEIGHTED * weight) ** 2
+                             * (settings.code_sigma ** 2 + settings.nlos_delay ** 2))
     h = np.einsum("ns,si,sj->nij", used, design, design, optimize=True)
-    middle = np.einsum("ns,si,sj->nij", own, design, design, optimize=True)
+    middle = np.einsum("ns,si,sj->nij", signal_weight, design, design, optimize=True)
     clocks = np.arange(3, design.shape[1])
     h[:, clocks, clocks] += _LEAST_CONDITION
     inverse = np.linalg.inv(h)

@@ -27,11 +27,11 @@ def refusals(city, places: RoadPlaces, settings: LocalisationSettings) -> tuple[
     """
     count = len(places)
     refused = np.full(count, "", object)
-    xy, own = places.place[:, :2], places.place[:, 2]
+    xy, stated = places.place[:, :2], places.place[:, 2]
     ground = places.ground
     feet = city.walls.feet(xy, _AROUND) if city.walls is not None else np.full(count, np.nan)
-    height = np.where(np.isfinite(ground), ground, np.where(np.isfinite(own), own, feet))
-    made = places.with_heights(height)
+    height = np.where(np.isfinite(ground), ground, np.where(np.isfinite(stated), stated, feet))
+    on_ground = places.with_heights(height)
     if city.walls is not None:
         refused[~np.isfinite(height)] = NO_HEIGHT
         beside = _reach_of(city.walls, xy, settings.scanner.max_range)
@@ -39,11 +39,11 @@ def refusals(city, places: RoadPlaces, settings: LocalisationSettings) -> tuple[
         refused[~beside] = OUTSIDE if city.markings is None else ""
         refused[np.abs(height - feet) > _DIFFERENT] = HEIGHTS_DIFFER
         look = np.flatnonzero((refused == "") & np.isfinite(height))
-        sensor = made.place[look] + [0.0, 0.0, settings.scanner.height]
+        sensor = on_ground.place[look] + [0.0, 0.0, settings.scanner.height]
         refused[look[city.walls.obstacles.inside(sensor)]] = INSIDE
-    refused[own < ground - _DEEP] = BELOW
+    refused[stated < ground - _DEEP] = BELOW
     refused[places.tunnel] = TUNNEL
-    return made, refused
+    return on_ground, refused
 
 
 def sky_covered(walls: WallMap, sensor: np.ndarray) -> np.ndarray:

@@ -69,9 +69,9 @@ def places_on_roads(lines: Sequence[shapely.Geometry | None], spacing: float,
         done = 0.0
         for part in shapely.get_parts(shapely.line_merge(line)):
             points = shapely.get_coordinates(part, include_z=True)
-            made = _on_path(points, spacing, row, within, done)
-            done += made.step.sum()
-            parts.append(made)
+            road = _on_path(points, spacing, row, within, done)
+            done += road.step.sum()
+            parts.append(road)
         if sum(map(len, parts)) > MOST_PLACES:
             raise InputError(say("More than {most_places:,} places: choose a larger spacing or fewer roads.",
                                  most_places=MOST_PLACES))
@@ -83,9 +83,9 @@ def places_on_roads(lines: Sequence[shapely.Geometry | None], spacing: float,
 
 def places_on_drive(place: np.ndarray, time: np.ndarray, spacing: float, street: int = 0) -> RoadPlaces:
     """Places every `spacing` m along a drive (m, 3) at times (m,); standing adds none."""
-    made = _on_path(place, spacing, street, False, 0.0)
+    places = _on_path(place, spacing, street, False, 0.0)
     way = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(place[:, :2], axis=0).T))])
-    return replace(made, time=np.interp(made.way, way, time))
+    return replace(places, time=np.interp(places.way, way, time))
 
 
 def places_on_grid(grid: Grid, heights: np.ndarray | None = None) -> RoadPlaces:
@@ -118,9 +118,9 @@ def _on_path(points: np.ndarray, spacing: float, street: int, tunnel: bool, begi
     """Places on one path (m, 2 or 3) at the middles of equal steps of about `spacing` m."""
     edge = np.diff(points[:, :2], axis=0)
     length = np.hypot(edge[:, 0], edge[:, 1])
-    kept = length > 1e-6
-    nodes = points[np.concatenate([[True], kept])]
-    way = np.concatenate([[0.0], np.cumsum(length[kept])])
+    distinct = length > 1e-6
+    nodes = points[np.concatenate([[True], distinct])]
+    way = np.concatenate([[0.0], np.cumsum(length[distinct])])
     total = way[-1]
     count = max(round(total / spacing), 1) if total > 0 else 0
     step = total / max(count, 1)

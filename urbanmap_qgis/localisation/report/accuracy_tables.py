@@ -17,39 +17,40 @@ CLASS_NUMBERS = {GOOD: 1.0, USABLE: 2.0, POOR: 3.0, NONE: 4.0}
 _TIMES = 6
 
 
-def accuracy_columns(made: AccuracyMap) -> dict[str, np.ndarray]:
+def accuracy_columns(accuracy: AccuracyMap) -> dict[str, np.ndarray]:
     """Columns of the layer of places, by name."""
-    columns = {"street": made.places.street, "way": made.places.way, "class": made.kind, "status": made.status,
-               "heading": np.degrees(made.places.heading) % 360.0}
+    columns = {"street": accuracy.places.street, "way": accuracy.places.way, "class": accuracy.kind,
+               "status": accuracy.status, "heading": np.degrees(accuracy.places.heading) % 360.0}
     for name in SOURCES:
         for number, part in enumerate(("along", "across", "heading")):
-            columns[_field(part, name)] = made.sigma[name][:, number]
+            columns[_field(part, name)] = accuracy.sigma[name][:, number]
     return columns | {
-        "major": made.ellipse.major, "minor": made.ellipse.minor, "weakest": made.ellipse.bearing,
-        "alias_share": made.alias_share, "alias_distance": np.hypot(*made.alias_shift.T),
-        "alias_bearing": np.degrees(np.arctan2(*made.alias_shift.T)) % 360.0, "points": made.points,
-        "n_walls": made.walls, "horizon": made.covered, "sky": made.sky_covered, "cell_rms": made.cell_rms,
-        "two_surfaces": made.two_surfaces, "satellites": made.satellites, "pdop": made.dilution}
+        "major": accuracy.ellipse.major, "minor": accuracy.ellipse.minor, "weakest": accuracy.ellipse.bearing,
+        "alias_share": accuracy.alias_share, "alias_distance": np.hypot(*accuracy.alias_shift.T),
+        "alias_bearing": np.degrees(np.arctan2(*accuracy.alias_shift.T)) % 360.0, "points": accuracy.points,
+        "n_walls": accuracy.walls, "horizon": accuracy.covered, "sky": accuracy.sky_covered,
+        "cell_rms": accuracy.cell_rms, "two_surfaces": accuracy.two_surfaces,
+        "satellites": accuracy.satellites, "pdop": accuracy.dilution}
 
 
 def _field(part: str, source: str) -> str:
     return f"sigma_{part}" if source == "together" else f"{part}_{source}"
 
 
-def accuracy_raster(made: AccuracyMap, cell: float) -> tuple[np.ndarray, Grid]:
+def accuracy_raster(accuracy: AccuracyMap, cell: float) -> tuple[np.ndarray, Grid]:
     """Sigma of the weakest direction (rows, columns), m, in cells of `cell` m: the worst place of each; NaN without."""
-    x, y = made.places.place[:, 0], made.places.place[:, 1]
+    x, y = accuracy.places.place[:, 0], accuracy.places.place[:, 1]
     grid = Grid.covering(x.min(), y.min(), x.max(), y.max(), cell)
     raster = np.full(grid.shape, -np.inf, np.float32)
     row, column, _ = grid.cells(x, y)
-    known = np.isfinite(made.ellipse.major)
-    np.maximum.at(raster, (row[known], column[known]), made.ellipse.major[known].astype(np.float32))
+    known = np.isfinite(accuracy.ellipse.major)
+    np.maximum.at(raster, (row[known], column[known]), accuracy.ellipse.major[known].astype(np.float32))
     return np.where(np.isfinite(raster), raster, np.nan).astype(np.float32), grid
 
 
-def lengths_by_class(made: AccuracyMap) -> dict[str, float]:
+def lengths_by_class(accuracy: AccuracyMap) -> dict[str, float]:
     """Length of road of each class, m."""
-    return {name: float(made.places.step[made.kind == name].sum()) for name in CLASS_NUMBERS}
+    return {name: float(accuracy.places.step[accuracy.kind == name].sum()) for name in CLASS_NUMBERS}
 
 
 def ground_under_places(ground: RasterSampler, places: RoadPlaces) -> np.ndarray:

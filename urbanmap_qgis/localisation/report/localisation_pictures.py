@@ -11,13 +11,13 @@ COLOUR_OF_CLASS = {GOOD: "#1a9850", USABLE: "#e0b03a", POOR: "#d73027", NONE: "#
 _MOST_SEGMENTS = 6000
 
 
-def accuracy_plan(city: LocalisationMap, made: AccuracyMap, rows: np.ndarray, enlarged: float, width: int = 900,
+def accuracy_plan(city: LocalisationMap, accuracy: AccuracyMap, rows: np.ndarray, enlarged: float, width: int = 900,
                   around: float = 20.0) -> str:
     """Plan of walls and markings with the places in `rows` and their error ellipses, `enlarged` times.
 
     `around` : m drawn beyond the places.
     """
-    xy = made.places.place[rows, :2]
+    xy = accuracy.places.place[rows, :2]
     low, high = xy.min(axis=0) - around, xy.max(axis=0) + around
     scale = min(width / (high[0] - low[0]), 0.7 * width / (high[1] - low[1]))
     size = (high - low) * scale
@@ -27,11 +27,11 @@ def accuracy_plan(city: LocalisationMap, made: AccuracyMap, rows: np.ndarray, en
 
     parts = [_markings(city, at, low, high), _walls(city, at, low, high)]
     for row, (x, y) in zip(rows, at(xy)):
-        colour = COLOUR_OF_CLASS[made.kind[row]]
-        major, minor = enlarged * made.ellipse.major[row] * scale, enlarged * made.ellipse.minor[row] * scale
+        colour = COLOUR_OF_CLASS[accuracy.kind[row]]
+        major, minor = enlarged * accuracy.ellipse.major[row] * scale, enlarged * accuracy.ellipse.minor[row] * scale
         if np.isfinite(major):
             parts.append(f'<ellipse cx="{x:.1f}" cy="{y:.1f}" rx="{minor:.1f}" ry="{major:.1f}" fill="{colour}" '
-                         f'fill-opacity="0.3" stroke="{colour}" transform="rotate({made.ellipse.bearing[row]:.0f} '
+                         f'fill-opacity="0.3" stroke="{colour}" transform="rotate({accuracy.ellipse.bearing[row]:.0f} '
                          f'{x:.1f} {y:.1f})"/>')
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="1.6" fill="{colour}"/>')
     return _picture(size[0], size[1], "".join(parts))

@@ -22,90 +22,93 @@ _WORST = 10
 _DRAWN = 3000
 
 
-def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, made: AccuracyMap,
+def write_localisation_report(path: str | os.PathLike, city: LocalisationMap, accuracy: AccuracyMap,
                               check: PredictionCheck | None) -> None:
     """Report of a map of accuracy."""
     report = Report("Map of localisation accuracy")
-    _verdict(report, made)
-    _worst(report, city, made)
-    _summary(report, made)
-    _statuses(report, made)
-    _plan(report, city, made)
+    _verdict(report, accuracy)
+    _worst(report, city, accuracy)
+    _summary(report, accuracy)
+    _statuses(report, accuracy)
+    _plan(report, city, accuracy)
     if check is not None:
-        _check(report, made, check)
+        _check(report, accuracy, check)
     report.write(path)
 
 
-def stretches(made: AccuracyMap) -> list[np.ndarray]:
+def stretches(accuracy: AccuracyMap) -> list[np.ndarray]:
     """Rows of the places of each stretch of road of about 50 m."""
-    piece = np.floor(made.places.way / STRETCH).astype(np.int64)
-    key = np.column_stack([made.places.street, piece])
+    piece = np.floor(accuracy.places.way / STRETCH).astype(np.int64)
+    key = np.column_stack([accuracy.places.street, piece])
     number = np.unique(key, axis=0, return_inverse=True)[1].ravel()
     order = np.argsort(number, kind="stable")
     return np.split(order, np.flatnonzero(np.diff(number[order])) + 1)
 
 
-def _verdict(report: Report, made: AccuracyMap) -> None:
-    known = np.isfinite(made.ellipse.major)
+def _verdict(report: Report, accuracy: AccuracyMap) -> None:
+    known = np.isfinite(accuracy.ellipse.major)
     if not known.any():
         report.verdict(BAD, "Nothing can be said of any place; the table below tells why.")
     else:
         report.verdict(GOOD if known.all() else LOOK,
                        say("On {mean:.0%} of the places the map tells where a vehicle is, with a median sigma of "
                            "{median:.2f} m in the weakest direction; the worst stretches are below.", mean=known.mean(),
-                           median=_median(made.ellipse.major)))
+                           median=_median(accuracy.ellipse.major)))
 
 
-def _summary(report: Report, made: AccuracyMap) -> None:
-    total = made.places.step.sum()
+def _summary(report: Report, accuracy: AccuracyMap) -> None:
+    total = accuracy.places.step.sum()
     report.section("Result")
-    report.facts({"Places": len(made.places), "Length of road, m": float(total),
-                  "Median sigma of the weakest direction, m": _median(made.ellipse.major),
-                  "Places that look like others": sum("repeats" in str(words) for words in made.status)})
+    report.facts({"Places": len(accuracy.places), "Length of road, m": float(total),
+                  "Median sigma of the weakest direction, m": _median(accuracy.ellipse.major),
+                  "Places that look like others": sum("repeats" in str(words) for words in accuracy.status)})
     report.table(["class", "length, m", "share"], [[name, length, f"{length / total:.0%}"]
-                                                   for name, length in lengths_by_class(made).items()])
+                                                   for name, length in lengths_by_class(accuracy).items()])
     report.table(["source", "places", "along, m", "across, m", "heading, degrees"], [
-        [name, int(np.isfinite(made.sigma[name][:, 0]).sum()), *map(_median, made.sigma[name].T)] for name in SOURCES])
+        [name, int(np.isfinite(accuracy.sigma[name][:, 0]).sum()), *map(_median, accuracy.sigma[name].T)]
+        for name in SOURCES])
     report.paragraph("Medians over the places of which the source tells something. A direction without evidence keeps "
                      "the sigma from before matching.")
-    report.histogram(made.ellipse.major, "sigma of the weakest direction, m", "Places by the semi-major axis of their "
-                     "error ellipse.", upper=min(2.0, np.nanmax(made.ellipse.major, initial=0.01)))
+    report.histogram(accuracy.ellipse.major, "sigma of the weakest direction, m",
+                     "Places by the semi-major axis of their error ellipse.",
+                     upper=min(2.0, np.nanmax(accuracy.ellipse.major, initial=0.01)))
 
 
-def _plan(report: Report, city: LocalisationMap, made: AccuracyMap) -> None:
-    rows = np.unique(np.linspace(0, len(made.places) - 1, min(len(made.places), _DRAWN)).astype(int))
+def _plan(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None:
+    rows = np.unique(np.linspace(0, len(accuracy.places) - 1, min(len(accuracy.places), _DRAWN)).astype(int))
     report.section("Plan")
-    report.figure(accuracy_plan(city, made, rows, 10.0), "Error ellipses, ten times enlarged, by class: green good, "
-                  "yellow usable, red poor, grey nothing can be said.")
+    report.figure(accuracy_plan(city, accuracy, rows, 10.0),
+                  "Error ellipses, ten times enlarged, by class: green good, yellow usable, red poor, "
+                  "grey nothing can be said.")
 
 
-def _statuses(report: Report, made: AccuracyMap) -> None:
+def _statuses(report: Report, accuracy: AccuracyMap) -> None:
     report.section("Status")
-    report.table(["status", "places"], Counter(map(str, made.status)).most_common(30))
+    report.table(["status", "places"], Counter(map(str, accuracy.status)).most_common(30))
 
 
-def _worst(report: Report, city: LocalisationMap, made: AccuracyMap) -> None:
+def _worst(report: Report, city: LocalisationMap, accuracy: AccuracyMap) -> None:
     report.section("Worst stretches")
-    parts = [rows for rows in stretches(made) if np.isfinite(made.ellipse.major[rows]).any()]
-    score = np.array([np.sqrt(np.nanmean(made.ellipse.major[rows] ** 2)) for rows in parts])
+    parts = [rows for rows in stretches(accuracy) if np.isfinite(accuracy.ellipse.major[rows]).any()]
+    score = np.array([np.sqrt(np.nanmean(accuracy.ellipse.major[rows] ** 2)) for rows in parts])
     worst = np.argsort(-score, kind="stable")[:_WORST]
     report.table(["street", "from, m", "to, m", "sigma of the weakest direction, m", "bearing, degrees", "status"], [
-        [int(made.places.street[rows[0]]), float(made.places.way[rows].min()), float(made.places.way[rows].max()),
-         float(score[number]), _median(made.ellipse.bearing[rows]),
-         Counter(map(str, made.status[rows])).most_common(1)[0][0]]
+        [int(accuracy.places.street[rows[0]]), float(accuracy.places.way[rows].min()),
+         float(accuracy.places.way[rows].max()), float(score[number]), _median(accuracy.ellipse.bearing[rows]),
+         Counter(map(str, accuracy.status[rows])).most_common(1)[0][0]]
         for number, rows in ((number, parts[number]) for number in worst)])
     for place, number in enumerate(worst, 1):
         rows = parts[number]
-        report.figure(accuracy_plan(city, made, rows, 5.0, 420, 40.0),
+        report.figure(accuracy_plan(city, accuracy, rows, 5.0, 420, 40.0),
                       say("{place}: street {street}, from {min:.0f} m. Ellipses five times enlarged.", place=place,
-                          street=made.places.street[rows[0]], min=made.places.way[rows].min()))
-    without = [rows for rows in stretches(made) if (made.kind[rows] == NONE).all()]
+                          street=accuracy.places.street[rows[0]], min=accuracy.places.way[rows].min()))
+    without = [rows for rows in stretches(accuracy) if (accuracy.kind[rows] == NONE).all()]
     if without:
         report.paragraph(say("Of {without_count} stretches nothing can be said: see the statuses above and the layer.",
                              without_count=len(without)))
 
 
-def _check(report: Report, made: AccuracyMap, check: PredictionCheck) -> None:
+def _check(report: Report, accuracy: AccuracyMap, check: PredictionCheck) -> None:
     report.section("Predicted against observed")
     report.paragraph("Scans were simulated at some of the places, with noise, vehicles and trees in the way, and "
                      "registered to the map with the plugin's own NDT.")
@@ -124,10 +127,10 @@ def _check(report: Report, made: AccuracyMap, check: PredictionCheck) -> None:
                   "those above the picture are drawn at its edge.")
     report.table(["street", "way, m", "predicted along, across, m", "observed along, across, m", "within 95 %",
                   "elsewhere", "status"],
-                 [[int(made.places.street[row]), float(made.places.way[row]),
+                 [[int(accuracy.places.street[row]), float(accuracy.places.way[row]),
                    "{:.2f}, {:.2f}".format(*check.predicted_parts[k, :2]),
                    "{:.2f}, {:.2f}".format(*check.observed_parts[k, :2]), f"{check.within[k]:.0%}",
-                   f"{check.elsewhere[k]:.0%}", made.status[row]] for k, row in enumerate(check.rows[:200])])
+                   f"{check.elsewhere[k]:.0%}", accuracy.status[row]] for k, row in enumerate(check.rows[:200])])
 
 
 def _median(values: np.ndarray) -> float | None:

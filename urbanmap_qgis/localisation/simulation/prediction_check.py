@@ -56,7 +56,7 @@ class PredictionCheck:
     inside: float
 
 
-def check_prediction(walls: WallMap, made: AccuracyMap, settings: LocalisationSettings, every: int, draws: int,
+def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: LocalisationSettings, every: int, draws: int,
                      seed: int, truth: WallPieces | None = None, progress: Progress = SILENT) -> PredictionCheck:
     """Register simulated scans and compare their errors with the prediction by walls.
 
@@ -65,10 +65,10 @@ def check_prediction(walls: WallMap, made: AccuracyMap, settings: LocalisationSe
     every : k, of the places of which walls tell something.  draws : scans a place.
     truth : walls of the true city; without it each draw has its own, the map displaced by its sigmas.
     """
-    rows = np.flatnonzero(np.isfinite(made.by_source["walls"][:, 0, 0]))[::every]
-    sensor = made.places.place[rows] + np.array([0.0, 0.0, settings.scanner.height])
-    heading = made.places.heading[rows]
-    maps = _maps(walls, made, rows, settings)
+    rows = np.flatnonzero(np.isfinite(accuracy.by_source["walls"][:, 0, 0]))[::every]
+    sensor = accuracy.places.place[rows] + np.array([0.0, 0.0, settings.scanner.height])
+    heading = accuracy.places.heading[rows]
+    maps = _maps(walls, accuracy, rows, settings)
     errors, hidden, elsewhere = (np.zeros((len(rows), draws, *more)) for more in ((3,), (), ()))
     azimuths = _AZIMUTHS_PLAN if settings.scanner.kind == "2D" else _AZIMUTHS_SPACE
     for draw in range(draws):
@@ -80,7 +80,7 @@ def check_prediction(walls: WallMap, made: AccuracyMap, settings: LocalisationSe
             errors[number, draw] = match_error(scan.offset, sensor[number], maps[number], settings, rng)
             hidden[number, draw] = scan.hidden
             elsewhere[number, draw] = _fits_elsewhere(maps[number], scan.offset, sensor[number], settings)
-    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), made)
+    return compared(rows, errors, hidden.mean(axis=1), elsewhere.mean(axis=1), accuracy)
 
 
 def _fits_elsewhere(city: MatchingMap, scan: np.ndarray, sensor: np.ndarray, settings: LocalisationSettings) -> bool:
@@ -93,25 +93,25 @@ def _fits_elsewhere(city: MatchingMap, scan: np.ndarray, sensor: np.ndarray, set
     return bool(alias_modes(EVIDENCE_OF_CELL * surface, APART).share.sum() > 0.5)
 
 
-def _maps(walls: WallMap, made: AccuracyMap, rows: np.ndarray, settings: LocalisationSettings) -> list[MatchingMap]:
-    field = field_of_walls(walls, made.places, settings)
+def _maps(walls: WallMap, accuracy: AccuracyMap, rows: np.ndarray, settings: LocalisationSettings) -> list[MatchingMap]:
+    field = field_of_walls(walls, accuracy.places, settings)
     if settings.scanner.kind == "2D":
         return [plan_matching_map(walls, field, settings)] * len(rows)
-    return [space_matching_map(walls, field, settings, place[:2], place[2]) for place in made.places.place[rows]]
+    return [space_matching_map(walls, field, settings, place[:2], place[2]) for place in accuracy.places.place[rows]]
 
 
-def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere: np.ndarray, made: AccuracyMap
+def compared(rows: np.ndarray, errors: np.ndarray, hidden: np.ndarray, elsewhere: np.ndarray, accuracy: AccuracyMap
              ) -> PredictionCheck:
     """Observed errors (k, draws, 3) at rows of a map of accuracy against its prediction by walls."""
-    expected = made.by_source["walls"][rows]
-    heading = made.places.heading[rows]
+    expected = accuracy.by_source["walls"][rows]
+    heading = accuracy.places.heading[rows]
     square = np.einsum("kdi,kdj->kij", errors, errors) / errors.shape[1]
     distance = np.einsum("kdi,kij,kdj->kd", errors[:, :, :2], np.linalg.inv(expected[:, :2, :2]), errors[:, :, :2])
     within = (distance <= ELLIPSE_95).mean(axis=1)
     observed, predicted = (np.sqrt(np.trace(each[:, :2, :2], axis1=1, axis2=2)) for each in (square, expected))
     parts = [np.column_stack([*along_and_across(each, heading), np.degrees(np.sqrt(each[:, 2, 2]))])
              for each in (square, expected)]
-    street = made.places.street[rows]
+    street = accuracy.places.street[rows]
     ranks = [rank_agreement(observed[street == each], predicted[street == each]) for each in np.unique(street)
              if (street == each).sum() >= 8]
     return PredictionCheck(rows, errors, observed, predicted, *parts, within, hidden, elsewhere,

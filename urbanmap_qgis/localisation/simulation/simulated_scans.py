@@ -53,7 +53,7 @@ def simulated_scans(truth: WallObstacles, sensor: np.ndarray, heading: np.ndarra
     count = len(direction)
     _, distance = truth.first_hit(np.repeat(sensor, count, axis=0), np.tile(direction, (len(sensor), 1)),
                                   scanner.max_range)
-    made = []
+    scans = []
     with np.errstate(divide="ignore"):
         ground = np.where(direction[:, 2] < 0, -scanner.height / direction[:, 2], np.inf)
     for reach, ahead in zip(distance.reshape(len(sensor), count), heading):
@@ -64,5 +64,5 @@ def simulated_scans(truth: WallObstacles, sensor: np.ndarray, heading: np.ndarra
         reach = np.minimum(reach, stopped)
         hit = np.flatnonzero(reach < scanner.max_range)
         measured = reach[hit] + rng.normal(0.0, scanner.noise, len(hit))
-        made.append(SimulatedScan(direction[hit] * measured[:, None], hidden))
-    return made
+        scans.append(SimulatedScan(direction[hit] * measured[:, None], hidden))
+    return scans

@@ -25,8 +25,8 @@ def clutter_patterns(scanner: VehicleScanner, elevation: np.ndarray, azimuths: i
     angle = np.arange(azimuths) * 2 * np.pi / azimuths
     up, round_ = (values.ravel() for values in np.meshgrid(elevation, angle, indexing="ij"))
     direction = np.column_stack([np.cos(up) * np.sin(round_), np.cos(up) * np.cos(round_), np.sin(up)])
-    made = [clutter_reach(direction, 0.0, scanner, np.random.default_rng([7, number])) for number in range(PATTERNS)]
-    return np.stack(made).reshape(PATTERNS, len(elevation), azimuths)
+    reaches = [clutter_reach(direction, 0.0, scanner, np.random.default_rng([7, number])) for number in range(PATTERNS)]
+    return np.stack(reaches).reshape(PATTERNS, len(elevation), azimuths)
 
 
 def clutter_reach(direction: np.ndarray, heading: float, scanner: VehicleScanner, rng: np.random.Generator

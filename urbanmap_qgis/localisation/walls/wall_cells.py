@@ -112,8 +112,8 @@ def _distributions(points: np.ndarray, normal: np.ndarray, sigma: np.ndarray, ce
     covariance = np.empty((len(filled), dimensions, dimensions))
     for a in range(dimensions):
         for b in range(a, dimensions):
-            own = off[:, a] * off[:, b] + sigma ** 2 * normal[:, a] * normal[:, b]
-            covariance[:, a, b] = covariance[:, b, a] = np.bincount(index, own) / count
+            scatter = off[:, a] * off[:, b] + sigma ** 2 * normal[:, a] * normal[:, b]
+            covariance[:, a, b] = covariance[:, b, a] = np.bincount(index, scatter) / count
     values, vectors = np.linalg.eigh(covariance)
     # Ends of walls are no better known than walls: a cell with little of a wall does not pin it along itself.
     least = np.maximum(np.bincount(index, sigma ** 2) / count, _LEAST ** 2)

@@ -58,9 +58,9 @@ def walls_with_heights(shapes: Sequence[shapely.Geometry | None], building: np.n
 
     Parameters as of `gnss.rays.wall_faces.building_walls`; None where no building has a height.
     """
-    kept = np.array(shapes, object)
+    with_height = np.array(shapes, object)
     without = []
-    for row, shape in enumerate(kept):
+    for row, shape in enumerate(with_height):
         if shape is None or shape.is_empty:
             continue
         known = top is not None and np.isfinite(top[row])
@@ -68,11 +68,11 @@ def walls_with_heights(shapes: Sequence[shapely.Geometry | None], building: np.n
             known = is_solid(shape) or np.isfinite(shapely.get_coordinates(shape, include_z=True)[:, 2]).all()
         if not known:
             without.append(shapely.get_coordinates(shape.centroid)[0])
-            kept[row] = None
+            with_height[row] = None
     middles = np.array(without).reshape(-1, 2)
-    if shapely.is_missing(kept).all():
+    if shapely.is_missing(with_height).all():
         return None, middles
-    return building_walls(kept, building, top, low), middles
+    return building_walls(with_height, building, top, low), middles
 
 
 def wall_sigmas(walls: WallPieces, otherwise: float, of_building: np.ndarray | None = None,
@@ -90,8 +90,8 @@ def wall_sigmas(walls: WallPieces, otherwise: float, of_building: np.ndarray | N
     table = wall_table(walls)
     sigma = np.full(len(table), float(otherwise))
     if of_building is not None:
-        own = of_building[table.building]
-        sigma = np.where(np.isfinite(own) & (own > 0), own, sigma)
+        stated = of_building[table.building]
+        sigma = np.where(np.isfinite(stated) & (stated > 0), stated, sigma)
     if measured_sigma is None or not len(measured):
         return sigma
     lines, row = _plan_lines(measured)
@@ -99,9 +99,9 @@ def wall_sigmas(walls: WallPieces, otherwise: float, of_building: np.ndarray | N
     lines, row = lines[good], row[good]
     if not len(lines):
         return sigma
-    own = shapely.linestrings(np.stack([table.start, table.end], axis=1))
+    wall_lines = shapely.linestrings(np.stack([table.start, table.end], axis=1))
     tree = shapely.STRtree(lines)
-    wall, found = tree.query(own, predicate="dwithin", distance=_NEAR)
+    wall, found = tree.query(wall_lines, predicate="dwithin", distance=_NEAR)
     ends = shapely.get_coordinates(lines).reshape(-1, 2, 2)
     direction = ends[:, 1] - ends[:, 0]
     length = np.hypot(direction[:, 0], direction[:, 1])
@@ -132,7 +132,7 @@ def _plan_lines(shapes: Sequence[shapely.Geometry | None]) -> tuple[np.ndarray, 
 def building_sigmas(building: np.ndarray, sigma: np.ndarray) -> np.ndarray:
     """(buildings,) largest sigma of the features (n,) of each building, m; NaN where none tells it."""
     rows = np.unique(building, return_inverse=True)[1].ravel()
-    made = np.full(rows.max() + 1, -np.inf)
+    largest = np.full(rows.max() + 1, -np.inf)
     known = np.isfinite(sigma)
-    np.maximum.at(made, rows[known], sigma[known])
-    return np.where(np.isfinite(made), made, np.nan)
+    np.maximum.at(largest, rows[known], sigma[known])
+    return np.where(np.isfinite(largest), largest, np.nan)

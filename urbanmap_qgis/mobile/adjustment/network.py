@@ -185,15 +185,15 @@ def _design(drives: Sequence[DriveNodes], observations: NetworkObservations) -> 
     for drive, parameter, arm, sign in ((observations.drive, observations.parameter, observations.arm, 1.0),
                                     (observations.other, observations.other_parameter, observations.other_arm, -1.0)):
         for number, nodes in enumerate(drives):
-            here = np.flatnonzero(drive == number)
-            node = np.searchsorted(0.5 * (nodes.parameter[1:] + nodes.parameter[:-1]), parameter[here])
-            ahead = parameter[here] - nodes.parameter[node]
+            of_drive = np.flatnonzero(drive == number)
+            node = np.searchsorted(0.5 * (nodes.parameter[1:] + nodes.parameter[:-1]), parameter[of_drive])
+            ahead = parameter[of_drive] - nodes.parameter[node]
             # Clockwise rotation moves what lies north to the east, and what lies east to the south.
-            terms = [(axis, axis, np.ones(len(here))) for axis in range(_DIMENSIONS)]
-            terms += [(0, heading, _RADIANS * arm[here, 1]), (1, heading, -_RADIANS * arm[here, 0])]
+            terms = [(axis, axis, np.ones(len(of_drive))) for axis in range(_DIMENSIONS)]
+            terms += [(0, heading, _RADIANS * arm[of_drive, 1]), (1, heading, -_RADIANS * arm[of_drive, 0])]
             for seen, axis, factor in terms:
                 column = 2 * ((offsets[number] + node) * _DIMENSIONS + axis)
-                rows += [here * _DIMENSIONS + seen] * 2
+                rows += [of_drive * _DIMENSIONS + seen] * 2
                 columns += [column, column + 1]
                 values += [sign * factor, sign * factor * ahead]
     size = (len(observations) * _DIMENSIONS, 2 * _DIMENSIONS * offsets[-1])
@@ -295,10 +295,10 @@ def _covariances(factors, nodes: int) -> np.ndarray:
     size = 2 * _DIMENSIONS * nodes
     at_once = max(_COLUMNS // _DIMENSIONS, 1)
     for first in range(0, nodes, at_once):
-        here = np.arange(first, min(first + at_once, nodes))
-        position = 2 * (here[:, None] * _DIMENSIONS + np.arange(_DIMENSIONS))  # (m, 4)
+        chunk = np.arange(first, min(first + at_once, nodes))
+        position = 2 * (chunk[:, None] * _DIMENSIONS + np.arange(_DIMENSIONS))  # (m, 4)
         right = np.zeros((size, position.size))
         right[position.ravel(), np.arange(position.size)] = 1.0
-        columns = factors.solve(right).reshape(size, len(here), _DIMENSIONS)
-        covariance[here] = columns[position, np.arange(len(here))[:, None], :]
+        columns = factors.solve(right).reshape(size, len(chunk), _DIMENSIONS)
+        covariance[chunk] = columns[position, np.arange(len(chunk))[:, None], :]
     return 0.5 * (covariance + np.swapaxes(covariance, 1, 2))

@@ -85,10 +85,10 @@ def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Se
     """
     patches, moved = planes.patches, planes.patches.centroid.copy()
     for number, (before, after) in enumerate(zip(reported, adjusted)):
-        here = planes.drive[patches.group] == number if len(patches) else np.zeros(0, bool)
+        of_drive = planes.drive[patches.group] == number if len(patches) else np.zeros(0, bool)
         # A mean of times may be rounded beyond the last one.
-        time = np.clip(patches.time[here], before.time[0], before.time[-1])
-        moved[here] = move_points(patches.centroid[here], time, before, after)
+        time = np.clip(patches.time[of_drive], before.time[0], before.time[-1])
+        moved[of_drive] = move_points(patches.centroid[of_drive], time, before, after)
     parameters = [path_parameters_of(trajectory, time_weight) for trajectory in reported]
     parts = []
     for first, second in group_pairs(patches.group):
@@ -114,9 +114,9 @@ class _Pair:
         normal = patches.normal[one] + np.sign(cosine)[:, None] * patches.normal[other]
         normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-9)[:, None]
         # By so much the first pass must move more than the second, along the normal.
-        apart = ((moved[other] - moved[one]) * normal).sum(axis=1)
-        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(apart) <= _APART)
-        self.normal, self.apart, self.place = normal[good], apart[good], moved[one][good]
+        gap = ((moved[other] - moved[one]) * normal).sum(axis=1)
+        good = (np.abs(cosine) >= _PARALLEL) & (np.abs(gap) <= _APART)
+        self.normal, self.gap, self.place = normal[good], gap[good], moved[one][good]
         self.time = [patches.time[some][good] for some in (one, other)]
         self.along = np.interp(self.time[0], self.reported[0].time, self.parameters[0])
 
@@ -128,16 +128,16 @@ class _Pair:
 
     def tie(self, some: np.ndarray) -> NetworkObservations | None:
         """One observation by some of the planes; None where they are too few."""
-        middle = np.median(self.apart[some])
-        scatter = max(_ROBUST * np.median(np.abs(self.apart[some] - middle)), _SIGMA)
-        normal, apart = self.normal[some], self.apart[some]
+        middle = np.median(self.gap[some])
+        scatter = max(_ROBUST * np.median(np.abs(self.gap[some] - middle)), _SIGMA)
+        normal, distance = self.normal[some], self.gap[some]
         if len(some) < _FEWEST:
             return None
         weight = np.ones(len(some))
         for _ in range(5):
             information = (normal * weight[:, None]).T @ normal / scatter**2 + np.eye(3) / _UNKNOWN**2
-            shift = np.linalg.solve(information, (normal * weight[:, None]).T @ apart / scatter**2)
-            weight = 1.0 / (1.0 + ((apart - normal @ shift) / (3.0 * scatter)) ** 2)
+            shift = np.linalg.solve(information, (normal * weight[:, None]).T @ distance / scatter**2)
+            weight = 1.0 / (1.0 + ((distance - normal @ shift) / (3.0 * scatter)) ** 2)
         covariance = np.eye(4)
         covariance[:3, :3] = np.linalg.inv(information) + np.diag(_FLOOR) ** 2
         return self._observation(some, shift, covariance)

@@ -115,12 +115,12 @@ class AdjustedSurvey:
         """By kind: name, number, number that lost its weight, RMS and largest residual in plan and in height, m."""
         rows, sizes = [], plan_residuals(self.observations, self.network.residual)
         for kind, name in enumerate(KINDS):
-            here = self.observations.kind == kind
-            if here.any():
-                plan = sizes[here]
-                up = np.abs(self.network.residual[here, 2])
+            of_kind = self.observations.kind == kind
+            if of_kind.any():
+                plan = sizes[of_kind]
+                up = np.abs(self.network.residual[of_kind, 2])
                 known = up[np.isfinite(up)]
-                rows.append((name, int(here.sum()), int((self.network.weight[here] < _KEPT).sum()),
+                rows.append((name, int(of_kind.sum()), int((self.network.weight[of_kind] < _KEPT).sum()),
                              float(np.sqrt(np.mean(plan**2))), float(plan.max()),
                              float(np.sqrt(np.mean(known**2))) if len(known) else np.nan,
                              float(known.max()) if len(known) else np.nan))
@@ -212,8 +212,8 @@ def _plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: S
     planes = planes_of(clouds, reported, progress)
     adjusted = reported
     if len(ties):
-        made = _adjusted(drives, ties, run, SILENT)
-        adjusted = [drive.corrected for drive in made.drives]
+        preliminary = _adjusted(drives, ties, run, SILENT)
+        adjusted = [drive.corrected for drive in preliminary.drives]
     found = plane_ties(planes, reported, adjusted, run.registration.correction.time_weight)
     # Beside a step the drives are not together well enough to tell which planes are the same.
     return found.take(away_from_steps(found, ties, _STEP_REACH))
@@ -236,9 +236,10 @@ def control_observations(drives: Sequence[Drive], control: ControlPoints, run: A
     n = len(control)
     parameter, arm = np.zeros(n), np.zeros((n, 2))
     for k, drive in enumerate(drives):
-        here = number == k
-        parameter[here] = np.interp(control.time[here], drive.trajectory.time, _path_parameters(drive.trajectory, run))
-        arm[here] = (control.surveyed - interpolate(drive.trajectory, control.time, "hold").place)[here, :2]
+        of_drive = number == k
+        parameter[of_drive] = np.interp(control.time[of_drive], drive.trajectory.time,
+                                        _path_parameters(drive.trajectory, run))
+        arm[of_drive] = (control.surveyed - interpolate(drive.trajectory, control.time, "hold").place)[of_drive, :2]
     value = np.column_stack([control.true - control.surveyed, np.full(n, np.nan)])
     variance = np.array([run.control_sigma, run.control_sigma, run.control_sigma_z, 1.0]) ** 2
     return NetworkObservations(number, parameter, arm, np.full(n, NONE), np.zeros(n), np.zeros((n, 2)), value,
@@ -262,21 +263,24 @@ def _adjusted(drives: Sequence[Drive], observations: NetworkObservations, run: A
     parameters = [_path_parameters(drive.trajectory, run) for drive in drives]
     nodes, times = zip(*(_nodes(drive.trajectory, parameter, number, observations)
                          for number, (drive, parameter) in enumerate(zip(drives, parameters))))
-    stepped = [drive.name for drive, made in zip(drives, nodes) if made.fast.any()]
+    stepped = [drive.name for drive, of_drive in zip(drives, nodes) if of_drive.fast.any()]
     if stepped:
         progress.warn(say("Ties change by more than drift within 20 m (a step of a trajectory): {stepped} may step "
                           "there, and control or reference says which does.", stepped=", ".join(stepped)))
     progress.message(say("Adjusting {drives_count} drives with {observations_count} observations.",
                          drives_count=len(drives), observations_count=len(observations)))
     network = adjust_network(nodes, observations, NetworkSettings(run.registration.correction.model()))
-    kept = network.weight >= _KEPT
-    placed = _networks(len(drives), observations, kept)
-    made = tuple(_drive_result(drives[k], parameters[k], nodes[k], times[k], network.state[k], network.covariance[k],
-                               _node_status(nodes[k], k, observations, kept, placed[k])) for k in range(len(drives)))
-    place = np.array([interpolate(made[d].corrected, np.interp([c], parameters[d], made[d].reported.time)).place[0]
-                      + np.append(arm, 0.0) for d, c, arm in
-                      zip(observations.drive, observations.parameter, observations.arm)]).reshape(-1, 3)
-    survey = AdjustedSurvey(made, observations, network, place, not any(item is True for item in placed))
+    inlier = network.weight >= _KEPT
+    placed = _networks(len(drives), observations, inlier)
+    results = tuple(
+        _drive_result(drives[k], parameters[k], nodes[k], times[k], network.state[k], network.covariance[k],
+                      _node_status(nodes[k], k, observations, inlier, placed[k]))
+        for k in range(len(drives)))
+    times_of = [np.interp([c], parameters[d], results[d].reported.time)
+                for d, c in zip(observations.drive, observations.parameter)]
+    place = np.array([interpolate(results[d].corrected, time).place[0] + np.append(arm, 0.0)
+                      for d, time, arm in zip(observations.drive, times_of, observations.arm)]).reshape(-1, 3)
+    survey = AdjustedSurvey(results, observations, network, place, not any(item is True for item in placed))
     _tell(survey, placed, progress)
     return survey
 
@@ -292,25 +296,25 @@ def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
                       observed_steps(observations, number, at)), time
 
 
-def _networks(count: int, observations: NetworkObservations, kept: np.ndarray) -> list[bool | None]:
+def _networks(count: int, observations: NetworkObservations, inlier: np.ndarray) -> list[bool | None]:
     """For each drive: whether its network has control or reference; None for a drive without any observation."""
     group = list(range(count))
-    for first, second in pairs_of(observations.take(kept)):
+    for first, second in pairs_of(observations.take(inlier)):
         old, new = group[first], group[second]
         group = [new if item == old else item for item in group]
-    absolute = kept & ~np.isin(observations.kind, RELATIVE_KINDS)
+    absolute = inlier & ~np.isin(observations.kind, RELATIVE_KINDS)
     placed = {group[number] for number in observations.drive[absolute].tolist()}
-    seen = set(observations.drive[kept].tolist()) | set(observations.other[kept].tolist())
+    seen = set(observations.drive[inlier].tolist()) | set(observations.other[inlier].tolist())
     return [group[number] in placed if number in seen else None for number in range(count)]
 
 
-def _node_status(nodes: DriveNodes, number: int, observations: NetworkObservations, kept: np.ndarray,
+def _node_status(nodes: DriveNodes, number: int, observations: NetworkObservations, inlier: np.ndarray,
                  placed: bool | None) -> np.ndarray:
     """(k,) status of a drive's nodes."""
     if not placed:
         return np.full(len(nodes), RELATIVE if placed is False else NOT_TIED)
-    parameter = np.concatenate([observations.parameter[kept & (observations.drive == number)],
-                            observations.other_parameter[kept & (observations.other == number)]])
+    parameter = np.concatenate([observations.parameter[inlier & (observations.drive == number)],
+                            observations.other_parameter[inlier & (observations.other == number)]])
     near = np.abs(nodes.parameter[:, None] - parameter[None, :]).min(axis=1) <= _NEAR
     return np.where(near, PLACED, BRIDGED)
 

@@ -17,11 +17,11 @@ def away_from_steps(observations: NetworkObservations, ties: NetworkObservations
     away = np.ones(len(observations), bool)
     for drive, at in ((observations.drive, observations.parameter), (observations.other, observations.other_parameter)):
         for number in np.unique(drive[drive >= 0]):
-            here = drive == number
-            nodes = np.arange(at[here].min() - reach, at[here].max() + reach + _SPACING, _SPACING)
+            of_drive = drive == number
+            nodes = np.arange(at[of_drive].min() - reach, at[of_drive].max() + reach + _SPACING, _SPACING)
             steps = nodes[:-1][observed_steps(ties, int(number), nodes) > 0]
             if len(steps):
-                away[here] &= np.abs(at[here][:, None] - steps[None] - 0.5 * _SPACING).min(axis=1) > reach
+                away[of_drive] &= np.abs(at[of_drive][:, None] - steps[None] - 0.5 * _SPACING).min(axis=1) > reach
     return away
 
 

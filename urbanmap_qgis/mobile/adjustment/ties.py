@@ -92,12 +92,12 @@ def reference_observations(drives: Sequence[Drive], reference: Reference, run: R
     found = []
     for number, drive in enumerate(drives):
         part = progress.part(number / len(drives), (number + 1) / len(drives))
-        made = _registered(drive.markings, drive.trajectory, reference, run, part)
-        if made is None:
+        registration = _registered(drive.markings, drive.trajectory, reference, run, part)
+        if registration is None:
             progress.warn(say("No marking of {drive} could be registered to the reference markings.", drive=drive.name))
             continue
-        patches = _chosen(made)
-        found.append(_observations(made, patches, number, drive, NONE, np.zeros(len(patches)),
+        patches = _chosen(registration)
+        found.append(_observations(registration, patches, number, drive, NONE, np.zeros(len(patches)),
                                    np.zeros((len(patches), 2)), REFERENCE, run.correction.time_weight))
     return NetworkObservations.joined(found)
 
@@ -115,18 +115,18 @@ def _tie(drives: Sequence[Drive], first: DrivePass, second: DrivePass, run: Regi
     """Ties of the second pass to the first."""
     drive = drives[second.drive]
     run = replace(run, windows=replace(run.windows, three_d=True))
-    made = _registered(second.markings, _cut(drive.trajectory, second.markings), PointReference.of(first.markings), run,
-                       progress)
-    if made is None:
+    registration = _registered(second.markings, _cut(drive.trajectory, second.markings),
+                               PointReference.of(first.markings), run, progress)
+    if registration is None:
         return NetworkObservations.none()
-    patches = _chosen(made)
-    place = (made.windows.place + made.correction.value[:, :3])[patches]
+    patches = _chosen(registration)
+    place = (registration.windows.place + registration.correction.value[:, :3])[patches]
     time = _times_of_passing(first.markings, place)
     patches, place, time = (values[np.isfinite(time)] for values in (patches, place, time))
     other = drives[first.drive]
     parameter = np.interp(time, other.trajectory.time, path_parameters_of(other.trajectory, run.correction.time_weight))
     arm = place[:, :2] - interpolate(other.trajectory, time).place[:, :2]
-    return _observations(made, patches, second.drive, drive, first.drive, parameter, arm, TIE,
+    return _observations(registration, patches, second.drive, drive, first.drive, parameter, arm, TIE,
                          run.correction.time_weight)
 
 
@@ -151,19 +151,19 @@ def _cut(trajectory: Trajectory, markings: MarkingPoints) -> Trajectory:
     return Trajectory(trajectory.time[part], trajectory.place[part], trajectory.angles[part])
 
 
-def _chosen(made: RegisteredSurvey) -> np.ndarray:
+def _chosen(registration: RegisteredSurvey) -> np.ndarray:
     """Numbers of registered patches, one in each `SPACING` of the path."""
-    registered = np.flatnonzero(made.correction.status == REGISTERED)
-    piece = np.floor(made.correction.chainage[registered] / SPACING).astype(int)
+    registered = np.flatnonzero(registration.correction.status == REGISTERED)
+    piece = np.floor(registration.correction.chainage[registered] / SPACING).astype(int)
     _, first, count = np.unique(piece, return_index=True, return_counts=True)
     return registered[first + count // 2]
 
 
-def _observations(made: RegisteredSurvey, patches: np.ndarray, number: int, drive: Drive, other: int,
+def _observations(registration: RegisteredSurvey, patches: np.ndarray, number: int, drive: Drive, other: int,
                   other_parameter: np.ndarray, other_arm: np.ndarray, kind: int,
                   standing: float) -> NetworkObservations:
     """Rows for patches of a registration; those of one window share markings, which widens them."""
-    correction, n = made.correction, len(patches)
+    correction, n = registration.correction, len(patches)
     value = correction.value[patches][:, _ACTIVE]
     covariance = correction.covariance[patches][:, _ACTIVE][:, :, _ACTIVE] * (_WINDOW / SPACING)
     if not correction.three_d:

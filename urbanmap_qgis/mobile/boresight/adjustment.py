@@ -125,10 +125,10 @@ def adjust_boresights(patches: PlanePatches, poses: PatchPoses, node_pass: np.nd
     value = state[:_SIZE * scanners].reshape(scanners, _SIZE) / _units()
     spread = np.sqrt(np.diag(covariance)).reshape(scanners, _SIZE) / _units()
     place = state[_SIZE * scanners:].reshape(-1, _SIZE)[:, :3]
-    apart = float(np.sqrt(np.mean(np.sum((place - place.mean(axis=0)) ** 2, axis=1))))
+    extent = float(np.sqrt(np.mean(np.sum((place - place.mean(axis=0)) ** 2, axis=1))))
     limit = np.repeat([settings.determined_arm, settings.determined_angle], 3)
     return Boresights(value, spread, spread <= limit, len(first), _weighted_rms(before, weight),
-                      _weighted_rms(after, weight), apart)
+                      _weighted_rms(after, weight), extent)
 
 
 def _units() -> np.ndarray:
@@ -153,15 +153,15 @@ def _prior(node_pass: np.ndarray, scanners: int, settings: BoresightSettings) ->
         columns.append(column)
         values.append(weights)
 
-    own = np.arange(_SIZE * scanners)
-    add(own, own, np.tile(_prior_of_scanner(settings), scanners))
+    parameters = np.arange(_SIZE * scanners)
+    add(parameters, parameters, np.tile(_prior_of_scanner(settings), scanners))
     for node, number in enumerate(node_pass):
-        here = _SIZE * (scanners + node) + np.arange(_SIZE)
+        block = _SIZE * (scanners + node) + np.arange(_SIZE)
         if node == 0 or node_pass[node - 1] != number:
-            add(here, here, start)
+            add(block, block, start)
             continue
-        for row, column, sign in ((here, here, 1), (here - _SIZE, here - _SIZE, 1), (here, here - _SIZE, -1),
-                                  (here - _SIZE, here, -1)):
+        for row, column, sign in ((block, block, 1), (block - _SIZE, block - _SIZE, 1), (block, block - _SIZE, -1),
+                                  (block - _SIZE, block, -1)):
             add(row, column, sign * walk)
     size = _SIZE * (scanners + len(node_pass))
     return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(columns))),

@@ -9,9 +9,9 @@ from ...wording import say
 from .stage import CalibratedScanners
 
 
-def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners) -> None:
+def write_boresight_report(path: str | os.PathLike, calibrated: CalibratedScanners) -> None:
     """Write the report (HTML)."""
-    found, report = made.boresights, Report("Calibration of scanners")
+    found, report = calibrated.boresights, Report("Calibration of scanners")
     determined, total = int(found.determined.sum()), found.determined.size
     text = say("{determined} of {total} values are determined and corrected; the others keep the values of the file.",
                determined=determined, total=total)
@@ -20,12 +20,12 @@ def write_boresight_report(path: str | os.PathLike, made: CalibratedScanners) ->
     if determined < total:
         text += " " + say("Drives in both directions and past walls at several angles determine more.")
     report.verdict(GOOD if determined == total else LOOK if determined else BAD, text)
-    report.facts({"Pairs of planes": found.pairs, "Passes": made.passes,
+    report.facts({"Pairs of planes": found.pairs, "Passes": calibrated.passes,
                   "Distance between planes before, RMS (mm)": 1000 * found.rms_before,
                   "Distance between planes after, RMS (mm)": 1000 * found.rms_after,
                   "Passes apart, RMS (m)": found.apart})
     report.section("Corrections")
-    report.table(("Scanner", "value", "unit", "correction", "standard deviation", "status"), made.rows())
+    report.table(("Scanner", "value", "unit", "correction", "standard deviation", "status"), calibrated.rows())
     report.paragraph("Lever arms in metres forward, right and down; angles in degrees about the body's axes. A "
                      "misalignment of the inertial unit that all passes have in common is part of the angles.")
     report.write(path)

@@ -127,14 +127,14 @@ def _poses(patches: PlanePatches, trajectories: Sequence[Trajectory], passes: Se
     for trajectory, part in zip(trajectories, passes):
         chainage = path_chainage(trajectory)
         for number in range(part.count):
-            here = survey_pass == first_pass + number
-            at = np.interp(patches.time[here], trajectory.time, chainage)
+            of_pass = survey_pass == first_pass + number
+            at = np.interp(patches.time[of_pass], trajectory.time, chainage)
             low = at.min() if len(at) else 0.0
             piece = np.floor((at - low) / settings.node_length).astype(int)
-            node[here] = len(node_pass) + piece
+            node[of_pass] = len(node_pass) + piece
             node_pass += [first_pass + number] * (int(piece.max(initial=-1)) + 1)
-            pose = interpolate(trajectory, patches.time[here])
-            place[here], rotation[here] = pose.place, rotations(pose.angles)
+            pose = interpolate(trajectory, patches.time[of_pass])
+            place[of_pass], rotation[of_pass] = pose.place, rotations(pose.angles)
         first_pass += part.count
     arm = np.array([item.lever_arm for item in calibration.scanners])[scanner]
     ray = np.einsum("nji,nj->ni", rotation, patches.centroid - place) - arm
@@ -167,14 +167,14 @@ def _tell(found: Boresights, progress: Progress) -> None:
                           "directions, and correct the trajectories first."))
 
 
-def write_calibration(path: str | os.PathLike, source: str | os.PathLike, made: CalibratedScanners) -> None:
+def write_calibration(path: str | os.PathLike, source: str | os.PathLike, calibrated: CalibratedScanners) -> None:
     """Write the calibration file with the scanners' corrected values, standard deviations and statuses.
 
     Everything else in `source`, the file that was read, is kept.
     """
     content = json.loads(Path(source).read_text(encoding="utf-8-sig"))
-    found = made.boresights
-    for number, (entry, scanner) in enumerate(zip(content["scanners"], made.calibration.scanners)):
+    found = calibrated.boresights
+    for number, (entry, scanner) in enumerate(zip(content["scanners"], calibrated.calibration.scanners)):
         entry["lever_arm_m"] = [round(float(value), 5) for value in scanner.lever_arm]
         entry.update(zip(("roll", "pitch", "heading"), (round(float(angle), 6) for angle in scanner.angles)))
         entry["calibrated"] = _statement(found, number)

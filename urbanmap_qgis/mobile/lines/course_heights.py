@@ -86,11 +86,11 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     row = _samples(trajectory)
     place = trajectory.place[row]
     below = np.asarray(ground(place[:, 0], place[:, 1]), float)
-    there = np.isfinite(below)
-    if np.count_nonzero(there) < _MIN_SAMPLES:
+    known = np.isfinite(below)
+    if np.count_nonzero(known) < _MIN_SAMPLES:
         raise InsufficientDataError(say("The ground does not reach the trajectory's course: give a ground of the "
                                         "same place and coordinate reference system."))
-    time, above = trajectory.time[row[there]], (place[:, 2] - below)[there]
+    time, above = trajectory.time[row[known]], (place[:, 2] - below)[known]
     found = sensor_height is None
     # What stands on the ground comes nearer to the vehicle: the upper quarter is the road's.
     start = float(np.percentile(above, 75)) if found else float(sensor_height)
@@ -99,17 +99,17 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
         raise InsufficientDataError(say("The trajectory lies {above:.1f} m above the ground (median), not "
                                         "{start:.1f} m: check the origin's height and both height systems.",
                                         above=np.median(above), start=start))
-    kept = np.flatnonzero(believed)[_on_the_ground(start - above[believed])]
-    height = float(np.median(above[kept])) if found else start
+    used_rows = np.flatnonzero(believed)[_on_the_ground(start - above[believed])]
+    height = float(np.median(above[used_rows])) if found else start
     error = height - above
     progress.check()
-    walk, used = _fitted(time[kept], error[kept])
-    kept = kept[used]
+    walk, used = _fitted(time[used_rows], error[used_rows])
+    used_rows = used_rows[used]
     value, variance = walk.at(trajectory.time)
-    left = error[kept] - np.interp(time[kept], trajectory.time, value)
+    left = error[used_rows] - np.interp(time[used_rows], trajectory.time, value)
     return CourseHeights(value, np.sqrt(variance), height, found,
-                         _rms(error[kept]), _rms(left), walk.sigma, len(time), len(time) - len(kept),
-                         float(there.mean()), time[kept], error[kept])
+                         _rms(error[used_rows]), _rms(left), walk.sigma, len(time), len(time) - len(used_rows),
+                         float(known.mean()), time[used_rows], error[used_rows])
 
 
 def sampled_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndarray], np.ndarray],
@@ -129,14 +129,14 @@ def sampled_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.nda
     row = np.arange(0, len(trajectory), every)
     place = trajectory.place[row]
     error = np.asarray(ground(place[:, 0], place[:, 1]), float) + sensor_height - place[:, 2]
-    there = np.isfinite(error)
-    if np.count_nonzero(there) < 2:
+    known = np.isfinite(error)
+    if np.count_nonzero(known) < 2:
         raise InsufficientDataError(say("The ground does not reach the trajectory's course: give a ground of the "
                                         "same place and coordinate reference system."))
-    time, error = trajectory.time[row[there]], error[there]
+    time, error = trajectory.time[row[known]], error[known]
     sigma = 1.4826 * float(np.median(np.abs(np.diff(error)))) / np.sqrt(2.0)
     return CourseHeights(np.interp(trajectory.time, time, error), np.full(len(trajectory), sigma), sensor_height, False,
-                         _rms(error), 0.0, sigma, len(time), 0, float(there.mean()), time, error)
+                         _rms(error), 0.0, sigma, len(time), 0, float(known.mean()), time, error)
 
 
 def _samples(trajectory: Trajectory) -> np.ndarray:
@@ -217,11 +217,11 @@ def _long_span_walk(time: np.ndarray, value: np.ndarray) -> float:
     longest = 0.5 * (time[-1] - time[0])
     for span in (item for item in _SPANS if item < longest):
         later = np.searchsorted(time, time + span)
-        there = later < len(time)
-        there[there] = time[later[there]] - time[there] < 1.5 * span
-        if there.any():
-            change = value[later[there]] - value[there]
-            walks.append(float(np.sqrt(np.mean(change**2 / (time[later[there]] - time[there])))))
+        paired = later < len(time)
+        paired[paired] = time[later[paired]] - time[paired] < 1.5 * span
+        if paired.any():
+            change = value[later[paired]] - value[paired]
+            walks.append(float(np.sqrt(np.mean(change**2 / (time[later[paired]] - time[paired])))))
     return max(walks)
 
 
@@ -256,13 +256,13 @@ def _most_likely(time: np.ndarray, error: np.ndarray) -> tuple[float, float]:
 def _inverse_bands(factor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Diagonal (k,) and first off-diagonal (k - 1,) of the inverse of U'U with a bidiagonal U (Takahashi)."""
     diagonal, above = factor[1], factor[0, 1:]
-    own, lag = np.empty(len(diagonal)), np.empty(len(above))
-    own[-1] = diagonal[-1] ** -2.0
+    variance, lag = np.empty(len(diagonal)), np.empty(len(above))
+    variance[-1] = diagonal[-1] ** -2.0
     ratio = (above / diagonal[:-1]).tolist()
     inverse = (diagonal**-2.0).tolist()
-    last = float(own[-1])
+    last = float(variance[-1])
     for k in range(len(above) - 1, -1, -1):
         lag[k] = -ratio[k] * last
         last = inverse[k] - ratio[k] * lag[k]
-        own[k] = last
-    return own, lag
+        variance[k] = last
+    return variance, lag

@@ -100,14 +100,14 @@ class RandomWalkDrift:
 
     def variances(self, time: np.ndarray) -> np.ndarray:
         """Variances (m, 3) of the drift at times (m,)."""
-        own = np.einsum("kii->ki", self.covariance)
+        at_node = np.einsum("kii->ki", self.covariance)
         before = np.clip(np.searchsorted(self.time, time, side="right") - 1, 0, len(self.time) - 2)
         length = (self.time[before + 1] - self.time[before])[:, None]
         u = np.clip((time - self.time[before])[:, None] / length, 0.0, 1.0)
         with_next = -np.einsum("kij,kji->ki", self.gain, self.covariance[1:])[before]
         bridge = length * u * (1 - u) * np.array([self.walk.position_walk, self.walk.position_walk,
                                                   self.walk.heading_walk]) ** 2
-        return (1 - u) ** 2 * own[before] + u**2 * own[before + 1] + 2 * u * (1 - u) * with_next + bridge
+        return (1 - u) ** 2 * at_node[before] + u**2 * at_node[before + 1] + 2 * u * (1 - u) * with_next + bridge
 
     def total_variances(self, time: np.ndarray) -> np.ndarray:
         """Variances (m, 3) of the drift at times (m,) with what the tie points do not tell of the walk itself.
@@ -115,13 +115,13 @@ class RandomWalkDrift:
         What they tell of it holds for as long a time as they span; farther beyond the first and the last of them
         errors are taken to walk at least twice as fast as is expected of a navigation.
         """
-        own = self.at(time)
+        drift = self.at(time)
         beyond = np.maximum(self.first - time, time - self.last) - (self.last - self.first)
-        total = np.zeros_like(own)
+        total = np.zeros_like(drift)
         for weight, other in self.alternatives:
             known = np.array([other.walk.position_walk, other.walk.position_walk, other.walk.heading_walk])
             unseen = np.maximum((_UNSEEN * np.array([POSITION_WALK, POSITION_WALK, HEADING_WALK])) ** 2 - known**2, 0.0)
-            total += weight * (other.variances(time) + (other.at(time) - own) ** 2
+            total += weight * (other.variances(time) + (other.at(time) - drift) ** 2
                                + np.maximum(beyond, 0.0)[:, None] * unseen)
         return total
 
@@ -198,17 +198,17 @@ def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.n
     residual = pairs.true - drift[:, :2] - rotated_vectors(pairs.seen, drift[:, 2])
     lever = rotated_vectors(pairs.seen, drift[:, 2] + np.pi / 2)
     for number in range(count) if count > 1 else ():
-        own = np.flatnonzero(pairs.sets == number)
-        nodes, which = np.unique(np.searchsorted(model.time, pairs.time[own]), return_inverse=True)
-        design = np.zeros((2 * len(own), 3 * len(nodes)))
-        for row, (pair, node) in enumerate(zip(own, which.ravel())):
+        members = np.flatnonzero(pairs.sets == number)
+        nodes, which = np.unique(np.searchsorted(model.time, pairs.time[members]), return_inverse=True)
+        design = np.zeros((2 * len(members), 3 * len(nodes)))
+        for row, (pair, node) in enumerate(zip(members, which.ravel())):
             design[2 * row:2 * row + 2, 3 * node:3 * node + 3] = [[1, 0, lever[pair, 0]], [0, 1, lever[pair, 1]]]
         spread = design @ model.joint_covariance(nodes).reshape(3 * len(nodes), -1) @ design.T
         share, axes = np.linalg.eigh(np.eye(len(spread)) - spread / model.walk.sigma**2)
-        mean = np.tile(np.eye(2), len(own)) / len(own)
+        mean = np.tile(np.eye(2), len(members)) / len(members)
         # What only this set determines has a share of nought: nothing is predicted there, its sigma is infinite.
         left = mean @ axes / np.maximum(share, _MIN_SHARE)
-        misfit[number] = np.hypot(*(left @ axes.T @ residual[own].ravel()))
+        misfit[number] = np.hypot(*(left @ axes.T @ residual[members].ravel()))
         sigmas[number] = misfit[number] / (model.walk.sigma * np.sqrt(np.trace(left @ axes.T @ mean.T)))
     return misfit, sigmas
 
@@ -289,13 +289,13 @@ class _System:
         """Covariances of the nodes (k, 3, 3) and gains (k - 1, 3, 3), from the factor backwards (Takahashi)."""
         factor = cholesky_banded(self.prior(walk)[0] + self.normal / walk.sigma**2)
         count = len(self.time)
-        own, beside = np.zeros((count, 3, 3)), np.zeros((count - 1, 3, 3))
+        node_covariance, beside = np.zeros((count, 3, 3)), np.zeros((count - 1, 3, 3))
         for row in range(3):
             for column in range(3):
                 if column >= row:
-                    own[:, row, column] = factor[_BAND + row - column, column::3]
+                    node_covariance[:, row, column] = factor[_BAND + row - column, column::3]
                 beside[:, row, column] = factor[_BAND + row - column - 3, 3 + column::3]
-        back = np.linalg.inv(own)
+        back = np.linalg.inv(node_covariance)
         gain = back[:-1] @ beside
         covariance = back @ back.transpose(0, 2, 1)
         for node in range(count - 2, -1, -1):

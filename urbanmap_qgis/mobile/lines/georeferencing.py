@@ -111,9 +111,9 @@ def georeference_scans(paths: Sequence[str | os.PathLike], trajectory: Trajector
           laspy.open(temporary, mode="w", header=_header(trajectory, crs_wkt),
                      do_compress=Path(output).suffix.lower() == ".laz") as writer):
         for scans in read_scans(paths, settings.radians, progress):
-            points, kept = work.place(scans)
-            if len(kept):
-                writer.write_points(_records(writer.header, points, kept))
+            points, returns = work.place(scans)
+            if len(returns):
+                writer.write_points(_records(writer.header, points, returns))
             progress.check()
         return work.placed()
 
@@ -148,17 +148,17 @@ class _Georeferencer:
         points, row, number = (np.concatenate(column) for column in zip(*parts))
         order = np.argsort(row)
         row = row[order]
-        kept = RangeScans(self._times(scans.time[row]), scans.angle[row], scans.distance[row], scans.intensity[row],
-                          number[order])
-        return points[order], kept
+        returns = RangeScans(self._times(scans.time[row]), scans.angle[row], scans.distance[row], scans.intensity[row],
+                             number[order])
+        return points[order], returns
 
     def _of_scanner(self, scans: RangeScans, number: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Points, their rows in the chunk and scanner numbers of the returns of one scanner within its range."""
         scanner = self._scanner(int(number))
-        own = np.flatnonzero(scans.scanner == number)
+        of_scanner = np.flatnonzero(scans.scanner == number)
         limit = scanner.max_range if self.settings.max_range is None else self.settings.max_range
-        near = own[scans.distance[own] <= limit]
-        self.counts["too_far"] += len(own) - len(near)
+        near = of_scanner[scans.distance[of_scanner] <= limit]
+        self.counts["too_far"] += len(of_scanner) - len(near)
         points = place_ranges(self.trajectory, scanner, self._times(scans.time[near]), scans.angle[near],
                               scans.distance[near])
         source = int(number) if scanner.point_source_id is None else scanner.point_source_id

@@ -195,8 +195,8 @@ def _seen(points: np.ndarray, index: np.ndarray, time: np.ndarray, strip: StripI
     vector = points[index] - place
     row = strip.camera.rows_of(np.arctan2(np.einsum("ni,ni->n", vector, axes[:, :, 2]),
                                           np.einsum("ni,ni->n", vector, axes[:, :, 0])))
-    kept = np.flatnonzero(strip.camera.sees(row))
-    index, time, vector, row, place = index[kept], time[kept], vector[kept], row[kept], place[kept]
+    in_view = np.flatnonzero(strip.camera.sees(row))
+    index, time, vector, row, place = index[in_view], time[in_view], vector[in_view], row[in_view], place[in_view]
     again = (np.diff(index) == 0) & (np.linalg.norm(np.diff(place, axis=0), axis=1) < STILL)
     again &= np.abs(np.diff(row)) < 1.0
     once = np.flatnonzero(np.concatenate([[True], ~again])) if len(index) else np.empty(0, int)

@@ -116,10 +116,10 @@ def _candidates(points: np.ndarray, sweep: Sweep, max_distance: float):
     centre, radius, members, bounds = _cells(points)
     cell, interval = _all_pairs(len(centre), len(sweep.levels[-1].moved))
     for power in range(_COARSEST, _CELL_LEVEL, -1):
-        kept = _possible(centre[cell], radius[cell], sweep.levels[power - 1], interval, max_distance)
-        cell, interval = _children(cell[kept], interval[kept], len(sweep.levels[power - 2].moved))
-    kept = _possible(centre[cell], radius[cell], sweep.levels[_CELL_LEVEL - 1], interval, max_distance)
-    cell, interval = cell[kept], interval[kept]
+        possible = _possible(centre[cell], radius[cell], sweep.levels[power - 1], interval, max_distance)
+        cell, interval = _children(cell[possible], interval[possible], len(sweep.levels[power - 2].moved))
+    possible = _possible(centre[cell], radius[cell], sweep.levels[_CELL_LEVEL - 1], interval, max_distance)
+    cell, interval = cell[possible], interval[possible]
     size = np.diff(bounds)[cell]
     piece = np.cumsum(size) // _PAIRS_AT_ONCE
     for some in np.split(np.arange(len(cell)), np.flatnonzero(np.diff(piece)) + 1):
@@ -133,9 +133,9 @@ def _steps(points: np.ndarray, index: np.ndarray, interval: np.ndarray, sweep: S
            max_distance: float) -> tuple[np.ndarray, np.ndarray]:
     """Of places and intervals the steps within which the plane may sweep over the place."""
     for power in range(_CELL_LEVEL, 0, -1):
-        kept = _possible(points[index], 0.0, sweep.levels[power - 1], interval, max_distance)
+        possible = _possible(points[index], 0.0, sweep.levels[power - 1], interval, max_distance)
         limit = len(sweep.levels[power - 2].moved) if power > 1 else len(sweep.time) - 1
-        index, interval = _children(index[kept], interval[kept], limit)
+        index, interval = _children(index[possible], interval[possible], limit)
     used = sweep.step_used[interval]
     return index[used], interval[used]
 
@@ -174,8 +174,8 @@ def _all_pairs(first: int, second: int) -> tuple[np.ndarray, np.ndarray]:
 def _children(index: np.ndarray, interval: np.ndarray, limit: int) -> tuple[np.ndarray, np.ndarray]:
     """Every pair with each of the four parts of its interval."""
     part = (_FAN * interval[:, None] + np.arange(_FAN)).ravel()
-    there = np.flatnonzero(part < limit)
-    return np.repeat(index, _FAN)[there], part[there]
+    existing = np.flatnonzero(part < limit)
+    return np.repeat(index, _FAN)[existing], part[existing]
 
 
 def _cells(points: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

@@ -126,9 +126,9 @@ def _columns(names: Sequence[str], file: str, needed: Sequence[str] = NEEDED) ->
     lower = [str(name).strip().strip('"').lower() for name in names]
     found = {}
     for column, aliases in NAMES.items():
-        there = [lower.index(alias) for alias in aliases if alias in lower]
-        if there:
-            found[column] = there[0]
+        present = [lower.index(alias) for alias in aliases if alias in lower]
+        if present:
+            found[column] = present[0]
     missing = [column for column in needed if column not in found]
     if missing:
         raise InputError(say("{file} has no column {missing}: range scans need time, angle and range, and may have "
@@ -208,7 +208,7 @@ def _read_parquet(path: Path, progress: Progress) -> Iterator[RangeScans]:
         for batch in file.iter_batches(_CHUNK_ROWS, columns=list(known.values())):
             progress.step(done / total)
             done += len(batch)
-            table = {name: batch.column(own).to_numpy(zero_copy_only=False) for name, own in known.items()}
+            table = {name: batch.column(source).to_numpy(zero_copy_only=False) for name, source in known.items()}
             yield _scans(table, len(batch))
     except (pyarrow.ArrowException, OSError) as error:
         raise InputError(say("{path} cannot be read as Parquet ({error}): check the file.", path=path.name,
@@ -221,4 +221,4 @@ def _read_cloud(path: Path, progress: Progress) -> Iterator[RangeScans]:
     names = list(cloud.headers[0].point_format.dimension_names)
     known = {name: names[number] for name, number in _columns(names, path.name).items()}
     for chunk in iter_chunks(cloud, progress):
-        yield _scans({name: np.asarray(chunk[own], float) for name, own in known.items()}, len(chunk))
+        yield _scans({name: np.asarray(chunk[source], float) for name, source in known.items()}, len(chunk))

@@ -184,7 +184,7 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     progress.step(0.5)
     status[_weak(ties, number, place, keep, status, model.walk)] = POSITION_ONLY
     _warn_of_jumps(ties, number, keep, status, names, progress)
-    made = _corrected(trajectory, ties, number, place, keep, model, settings)
+    corrected = _corrected(trajectory, ties, number, place, keep, model, settings)
     _warn_of_extent(trajectory, model, progress)
     if settings.tie_sigma is None and len(np.unique(number[keep])) < _MIN_SETS_FOR_SIGMA:
         progress.warn(say("{unique_count} sets do not tell how good the tie points are: give their sigma, or add "
@@ -192,19 +192,20 @@ def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = Non
     progress.step(0.7)
     heights = None
     if ground is not None:
-        heights = (sampled_heights(made, ground, settings.sensor_height) if paper
-                   else course_heights(made, ground, settings.sensor_height, progress))
+        heights = (sampled_heights(corrected, ground, settings.sensor_height) if paper
+                   else course_heights(corrected, ground, settings.sensor_height, progress))
         if heights.left_out > 0.5 * heights.samples:
             progress.warn(say("{left_out} of {samples} samples of the ground along the course stand out and are left "
                               "out: check that it is the ground that was driven on.", left_out=heights.left_out,
                               samples=heights.samples))
-        made = Trajectory(made.time, made.place + np.outer(heights.error, [0.0, 0.0, 1.0]), made.angles)
-    variance = model.total_variances(trajectory.time) + _difference(trajectory, made, model) ** 2
+        raised = corrected.place + np.outer(heights.error, [0.0, 0.0, 1.0])
+        corrected = Trajectory(corrected.time, raised, corrected.angles)
+    variance = model.total_variances(trajectory.time) + _difference(trajectory, corrected, model) ** 2
     sigma, factor = np.sqrt(variance), _sigma_factor(ties, number, place, keep, model)
     between = (trajectory.time >= model.first) & (trajectory.time <= model.last)
-    sets = _sets(trajectory, made, ties, names, number, place, keep, status, model)
+    sets = _sets(trajectory, corrected, ties, names, number, place, keep, status, model)
     progress.step(1.0)
-    return Rectified(made, sets, model, factor * np.sqrt((sigma[:, :2] ** 2).mean(axis=1)),
+    return Rectified(corrected, sets, model, factor * np.sqrt((sigma[:, :2] ** 2).mean(axis=1)),
                      factor * np.degrees(sigma[:, 2]), factor, np.where(between, BETWEEN, EXTRAPOLATED), heights,
                      settings)
 
@@ -215,13 +216,13 @@ def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np
     keep = np.ones(len(ties), bool)
     status = np.full(len(names), USED, dtype=object)
     limit = _misfit_limit(ties, number, place, settings)
-    for own in (np.flatnonzero(number == k) for k in range(len(names))):
-        name = names[number[own[0]]]
-        left, fit = _without_outliers(ties, place, own, limit)
-        if len(left) < len(own) and fit <= limit:
+    for members in (np.flatnonzero(number == k) for k in range(len(names))):
+        name = names[number[members[0]]]
+        left, fit = _without_outliers(ties, place, members, limit)
+        if len(left) < len(members) and fit <= limit:
             progress.warn(say("Set {name}: {own_count} of {own_count_2} pairs contradict the others and are left out.",
-                              name=name, own_count=len(own) - len(left), own_count_2=len(own)))
-            keep[np.setdiff1d(own, left)] = False
+                              name=name, own_count=len(members) - len(left), own_count_2=len(members)))
+            keep[np.setdiff1d(members, left)] = False
         reason = say("its pairs do not fit each other by {fit:.2f} m", fit=fit) if fit > limit else ""
         rotation = _set_rotation(ties, place, left, settings)
         if not reason and abs(rotation) > _MAX_ROTATION + 3 * np.radians(settings.heading_sigma):
@@ -229,7 +230,7 @@ def _consistent(ties: TiePoints, names: list[str], number: np.ndarray, place: np
                          rotation=np.degrees(rotation))
         if reason:
             progress.warn(say("Set {name} contradicts itself and is left out: {reason}.", name=name, reason=reason))
-            keep[own], status[number[own[0]]] = False, CONTRADICTING
+            keep[members], status[number[members[0]]] = False, CONTRADICTING
     if not keep.any():
         raise InsufficientDataError(say("All {names_count} sets of tie points contradict themselves: check which "
                                         "place belongs to which, and the coordinate reference system.",
@@ -244,17 +245,17 @@ def _first_two(ties: TiePoints, names: list[str], number: np.ndarray, place: np.
     status = np.full(len(names), USED, dtype=object)
     limit = _misfit_limit(ties, number, place, settings)
     for k, name in enumerate(names):
-        own = np.flatnonzero(number == k)
-        if len(own) < 2:
+        members = np.flatnonzero(number == k)
+        if len(members) < 2:
             progress.warn(say("Set {name} has one pair and is left out: the paper's method needs two.", name=name))
             status[k] = ONE_PAIR
             continue
-        if len(own) > 2:
+        if len(members) > 2:
             progress.warn(say("Set {name} has {own_count} pairs: the paper's method takes the first two.", name=name,
-                              own_count=len(own)))
-        own = own[:2]
-        keep[own] = True
-        fit = float(misfit(place[own], ties.measured[own], ties.reference[own]).max())
+                              own_count=len(members)))
+        members = members[:2]
+        keep[members] = True
+        fit = float(misfit(place[members], ties.measured[members], ties.reference[members]).max())
         if fit > limit:
             progress.warn(say("Set {name} contradicts itself by {fit:.2f} m; the paper's method uses it all the same.",
                               name=name, fit=fit))

@@ -119,8 +119,8 @@ def _at_border(start: InitialShifts, search: float) -> bool:
 
 def _sure_share(start: InitialShifts) -> float:
     """Share of the blocks with markings whose place beats all others."""
-    there = start.scores.any(axis=(1, 2))
-    return float((path_margins(start)[there] >= _PROOF).mean()) if there.any() else 0.0
+    with_markings = start.scores.any(axis=(1, 2))
+    return float((path_margins(start)[with_markings] >= _PROOF).mean()) if with_markings.any() else 0.0
 
 
 def _correlated(points: PatchPoints, patches: Patches, reference: Reference, settings: RegistrationSettings,
@@ -192,8 +192,8 @@ def _sections(points: PatchPoints, patches: Patches, windows: Windows, start: In
         core = slice(core_first, core_last + 1)
         first = max(int(windows.first[core].min()) - _AROUND, 0)
         last = min(int(windows.last[core].max()) + _AROUND, len(patches) - 1)
-        here = np.arange(first, last + 1)
-        yield PathSection(first, core_first - first, core_last - first, patches.chainage[here], patches.stop_time[here],
-                      patches.place[here],
-                      start.shift_at(here), fast[here], windows.first[core] - first, windows.last[core] - first,
+        rows = np.arange(first, last + 1)
+        yield PathSection(first, core_first - first, core_last - first, patches.chainage[rows], patches.stop_time[rows],
+                      patches.place[rows],
+                      start.shift_at(rows), fast[rows], windows.first[core] - first, windows.last[core] - first,
                       points.of_patches(first, last))

@@ -26,7 +26,7 @@ _SHADES = {STATUS_NAMES[BRIDGED]: "#e09a2b", STATUS_NAMES[DISTRUSTED]: "#d7263d"
 _BEFORE, _AFTER = (60, 60, 235), (60, 200, 40)  # blue, green, red
 
 
-def write_registration_report(path: str | os.PathLike, made: RegisteredSurvey, reference: Reference,
+def write_registration_report(path: str | os.PathLike, survey: RegisteredSurvey, reference: Reference,
                               image: str | os.PathLike | None = None) -> None:
     """Write the report (HTML).
 
@@ -35,22 +35,22 @@ def write_registration_report(path: str | os.PathLike, made: RegisteredSurvey, r
     image : aerial image behind the pictures (1 or 3 bands of 8 or 16 bits); without it the reference markings.
     """
     report = Report("Registration of a mobile survey")
-    _verdict(report, made)
-    _distrust(report, made)
-    _summary(report, made)
-    _profiles(report, made)
-    _before_and_after(report, made, reference, image)
+    _verdict(report, survey)
+    _distrust(report, survey)
+    _summary(report, survey)
+    _profiles(report, survey)
+    _before_and_after(report, survey, reference, image)
     report.write(path)
 
 
-def _verdict(report: Report, made: RegisteredSurvey) -> None:
+def _verdict(report: Report, survey: RegisteredSurvey) -> None:
     """What was reached along the path, and whether it can be used."""
-    registered, distrusted = made.share(REGISTERED), made.share(DISTRUSTED)
+    registered, distrusted = survey.share(REGISTERED), survey.share(DISTRUSTED)
     if not registered:
         report.verdict(BAD, "No part of the path is registered: the result is as reported. Check that the reference is "
                        "of the same place, and its date.")
         return
-    sigma = made.correction.plan_sigma()[made.correction.status == REGISTERED]
+    sigma = survey.correction.plan_sigma()[survey.correction.status == REGISTERED]
     text = (say("{registered:.0f} % of the path is registered, with a median standard deviation of {sigma:.1f} cm in "
                 "plan.", registered=100 * registered, sigma=100 * np.median(sigma)))
     if distrusted:
@@ -60,13 +60,13 @@ def _verdict(report: Report, made: RegisteredSurvey) -> None:
     report.verdict(LOOK if distrusted or registered < _MOSTLY else GOOD, text)
 
 
-def _summary(report: Report, made: RegisteredSurvey) -> None:
-    correction = made.correction
+def _summary(report: Report, survey: RegisteredSurvey) -> None:
+    correction = survey.correction
     plan, sigma = np.hypot(correction.value[:, 0], correction.value[:, 1]), correction.plan_sigma()
     facts = {"Path length (m)": float(correction.chainage[-1]), "Patches": len(correction),
-             "Marking points": len(made.markings),
-             "Registered (% of the path)": 100 * made.share(REGISTERED), "Bridged (%)": 100 * made.share(BRIDGED),
-             "Not to be trusted (%)": 100 * made.share(DISTRUSTED),
+             "Marking points": len(survey.markings),
+             "Registered (% of the path)": 100 * survey.share(REGISTERED), "Bridged (%)": 100 * survey.share(BRIDGED),
+             "Not to be trusted (%)": 100 * survey.share(DISTRUSTED),
              "Correction in plan, mean and maximum (m)": f"{plan.mean():.3f}, {plan.max():.3f}",
              "Standard deviation in plan, median and maximum (m)": _middle_and_largest(sigma)}
     if correction.three_d:
@@ -93,10 +93,10 @@ def _middle_and_largest(sigma: np.ndarray) -> str:
     return f"{np.median(known):.3f}, {known.max():.3f}" if len(known) else "not known"
 
 
-def _profiles(report: Report, made: RegisteredSurvey) -> None:
-    correction, windows = made.correction, made.windows
+def _profiles(report: Report, survey: RegisteredSurvey) -> None:
+    correction, windows = survey.correction, survey.windows
     shades = [ShadedInterval(item.start, item.end, _SHADES[item.status], item.status)
-              for item in unregistered_sections(made)]
+              for item in unregistered_sections(survey)]
     chainage, sigma = correction.chainage, correction.sigma()
     report.section("Correction along the path")
     names = ("east", "north", "up") if correction.three_d else ("east", "north")
@@ -128,8 +128,8 @@ def _profiles(report: Report, made: RegisteredSurvey) -> None:
                       "changed or the match is wrong."))
 
 
-def _distrust(report: Report, made: RegisteredSurvey) -> None:
-    found = unregistered_sections(made)
+def _distrust(report: Report, survey: RegisteredSurvey) -> None:
+    found = unregistered_sections(survey)
     if not found:
         return
     report.section("What to distrust")
@@ -138,40 +138,40 @@ def _distrust(report: Report, made: RegisteredSurvey) -> None:
                    item.status, item.reason, item.sigma) for item in found])
 
 
-def _before_and_after(report: Report, made: RegisteredSurvey, reference: Reference,
+def _before_and_after(report: Report, survey: RegisteredSurvey, reference: Reference,
                       image: str | os.PathLike | None) -> None:
-    places = _places(made)
+    places = _places(survey)
     if not len(places):
         return
     report.section("Markings before and after")
     report.paragraph("Marking points of the survey over the " + ("aerial image" if image else "reference markings")
                      + say(": left as reported (red), right corrected (green). A picture is {side:.0f} m wide.",
                            side=_SIDE))
-    moved = correction_between(made.reported, made.trajectory)
+    moved = correction_between(survey.reported, survey.trajectory)
     with tempfile.TemporaryDirectory() as folder:
         for number, patch in enumerate(places):
-            picture = _picture(made, patch, moved, reference, image)
+            picture = _picture(survey, patch, moved, reference, image)
             file = Path(folder) / f"{number}.png"
             file.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
-            status = STATUS_NAMES[made.correction.status[patch]]
-            report.picture(file, f"{made.correction.chainage[patch]:.0f} m: {status}")
+            status = STATUS_NAMES[survey.correction.status[patch]]
+            report.picture(file, f"{survey.correction.chainage[patch]:.0f} m: {status}")
 
 
-def _places(made: RegisteredSurvey) -> np.ndarray:
+def _places(survey: RegisteredSurvey) -> np.ndarray:
     """Patches to show: in each quarter of the way the one with the most markings around, and the least sure one."""
-    points = made.windows.points * (made.windows.overlap > 0)
+    points = survey.windows.points * (survey.windows.overlap > 0)
     if not points.any():
         return np.zeros(0, int)
     parts = np.array_split(np.arange(len(points)), min(_PICTURES, len(points)))
     chosen = [int(part[np.argmax(points[part])]) for part in parts]
-    chosen.append(int(np.argmax(made.correction.plan_sigma())))
+    chosen.append(int(np.argmax(survey.correction.plan_sigma())))
     return np.unique(chosen)
 
 
-def _picture(made: RegisteredSurvey, patch: int, moved, reference: Reference,
+def _picture(survey: RegisteredSurvey, patch: int, moved, reference: Reference,
              image: str | os.PathLike | None) -> np.ndarray:
     """Two views side by side (rows, columns, 3) uint8: points of the window before and after over the background."""
-    correction, windows, markings = made.correction, made.windows, made.markings
+    correction, windows, markings = survey.correction, survey.windows, survey.markings
     x, y = (windows.place + correction.value[:, :3])[patch, :2]
     box = (x - _SIDE / 2, y - _SIDE / 2, x + _SIDE / 2, y + _SIDE / 2)
     ground = _background(box, reference, image)

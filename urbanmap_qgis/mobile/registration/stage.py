@@ -119,13 +119,13 @@ def register_markings(markings: MarkingPoints, trajectory: Trajectory, reference
     else:
         correction = patchwise_correction(windows, run.correction)
         corrected = correct_patchwise(trajectory, windows, run.windows.patch_length)
-    made = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
-    if not made.share(REGISTERED):
+    survey = RegisteredSurvey(corrected, trajectory, markings, windows, correction)
+    if not survey.share(REGISTERED):
         raise InsufficientDataError(say("No part of the survey could be registered to the reference markings, so "
                                         "that there is no result: check that both show the same roads, and the "
                                         "maximum error."))
-    _tell(made, progress)
-    return made
+    _tell(survey, progress)
+    return survey
 
 
 def _smooth_correction(windows: WindowResults, markings: MarkingPoints, trajectory: Trajectory, reference: Reference,
@@ -168,31 +168,31 @@ def _read_markings(cloud: PointCloud, trajectory: Trajectory, progress: Progress
     return MarkingPoints(x, y, z, time + shift, weight, source.astype(np.int64))
 
 
-def _tell(made: RegisteredSurvey, progress: Progress) -> None:
+def _tell(survey: RegisteredSurvey, progress: Progress) -> None:
     """Say what was reached, and warn of what must not be trusted."""
-    correction = made.correction
+    correction = survey.correction
     sigma = correction.plan_sigma()
     known = sigma[np.isfinite(sigma)]
     spread = (say("standard deviation {known:.1f} cm (median)", known=100 * np.median(known)) if len(known) else
               say("how accurate it is is not known"))
     progress.message(say("{share:.0f} % of the path is registered, {share_2:.0f} % bridged; {spread}.",
-                         share=100 * made.share(REGISTERED), share_2=100 * made.share(BRIDGED), spread=spread))
+                         share=100 * survey.share(REGISTERED), share_2=100 * survey.share(BRIDGED), spread=spread))
     if correction.heading_factor > 1.0:
         progress.warn(say("The reported heading contradicts the markings by {correction:.1f} degrees (median), much "
                           "more than its accuracy: it was corrected; check the calibration and the trajectory.",
                           correction=abs(np.median(correction.value[:, 5]))))
-    if made.share(DISTRUSTED) > 0:
-        spans = [item for item in unregistered_sections(made) if item.status == STATUS_NAMES[DISTRUSTED]]
+    if survey.share(DISTRUSTED) > 0:
+        spans = [item for item in unregistered_sections(survey) if item.status == STATUS_NAMES[DISTRUSTED]]
         longest = max(spans, key=lambda item: item.end - item.start)
         progress.warn(say("{share:.0f} % of the path is not to be trusted, the longest section from "
                           "{longest_start:.0f} to {end:.0f} m ({reason}): see the patches' layer.",
-                          share=100 * made.share(DISTRUSTED), longest_start=longest.start, end=longest.end,
+                          share=100 * survey.share(DISTRUSTED), longest_start=longest.start, end=longest.end,
                           reason=longest.reason))
 
 
-def unregistered_sections(made: RegisteredSurvey) -> list[UnregisteredSection]:
+def unregistered_sections(survey: RegisteredSurvey) -> list[UnregisteredSection]:
     """Parts of the path that are not registered, in the order driven."""
-    correction, sigma = made.correction, made.correction.plan_sigma()
+    correction, sigma = survey.correction, survey.correction.plan_sigma()
     half = 0.5 * float(np.median(np.diff(correction.chainage))) if len(correction) > 1 else 0.0
     label = np.where(correction.status == REGISTERED, -1, correction.status)
     code = np.array([f"{number}{reason}" if number >= 0 else "" for number, reason in zip(label, correction.reason)])
@@ -209,9 +209,9 @@ def unregistered_sections(made: RegisteredSurvey) -> list[UnregisteredSection]:
     return found
 
 
-def patch_table(made: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]:
+def patch_table(survey: RegisteredSurvey) -> tuple[dict[str, object], np.ndarray]:
     """Columns of the patches' layer, and their corrected places (n, 3)."""
-    correction, windows = made.correction, made.windows
+    correction, windows = survey.correction, survey.windows
     sigma = correction.sigma()
     estimated = np.isfinite(sigma)
     value = np.where(estimated, correction.value, np.nan)

@@ -49,9 +49,9 @@ def survey_corners(markings: MarkingPoints) -> SurveyCorners:
         rows = np.flatnonzero((markings.time >= first) & (markings.time < first + 30.0))
         if len(rows):
             found = _corners_of_piece(markings.take(rows), cell[rows])
-            own = (found.time >= first + 5.0) & (found.time < first + 25.0)
-            places.append(found.place[own])
-            times.append(found.time[own])
+            of_pass = (found.time >= first + 5.0) & (found.time < first + 25.0)
+            places.append(found.place[of_pass])
+            times.append(found.time[of_pass])
     return SurveyCorners(np.concatenate(places), np.concatenate(times))
 
 

@@ -151,9 +151,9 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     noise = np.where(chain.fast_near(chain.normals.path_parameter, _AROUND_STEP), max(fit.found_noise, 1.0),
                      max(fit.found_noise, least))
     quiet = chain.solve(model, fit.weight / noise)[1]
-    made = _result(windows, chain, replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet)), at_patches,
-                   doubtful, settings)
-    return _distrusted(made, trajectory, windows.beyond, settings)
+    fit = replace(fit, covariance=_scaled_in_plan(chain, fit.covariance, quiet))
+    correction = _result(windows, chain, fit, at_patches, doubtful, settings)
+    return _distrusted(correction, trajectory, windows.beyond, settings)
 
 
 def _scaled_in_plan(chain: NodeChain, covariance: np.ndarray, found: np.ndarray) -> np.ndarray:
@@ -183,14 +183,14 @@ def _onto_points(points: Evaluate, chain: NodeChain, fit: Fit, model: PoseErrorM
         progress.step(number / len(settings.blurs))
         last, normals = fit.state, points(_Curve(chain, fit.state), blur)
         chain = chain.with_normals(normals)
-        here = np.interp(normals.path_parameter, chain.nodes, allowed) > 0.5
-        if not (here & normals.present).any():
-            here = np.ones(len(here), bool)
+        trusted = np.interp(normals.path_parameter, chain.nodes, allowed) > 0.5
+        if not (trusted & normals.present).any():
+            trusted = np.ones(len(trusted), bool)
         if number in _SEARCHED:
-            fit = robust_fit(chain, model, here.astype(float), settings, SILENT)
+            fit = robust_fit(chain, model, trusted.astype(float), settings, SILENT)
         else:
             likely = model.scaled(fit.drift_factor).with_heading(fit.heading_factor)
-            fit = replace(reweighted_fit(chain, likely, here.astype(float), settings)[0],
+            fit = replace(reweighted_fit(chain, likely, trusted.astype(float), settings)[0],
                           drift_factor=fit.drift_factor, heading_factor=fit.heading_factor)
         if blur == settings.blurs[-1] and np.abs(fit.state - last)[:, :2, 0].max() < _CONVERGED:
             break
@@ -221,8 +221,8 @@ def _only_own_mode_fits(windows: WindowResults, value: np.ndarray, covariance: n
 
     others = [away(windows.modes[:, k]) for k in range(1, windows.modes.shape[1])]
     nearest = np.min([np.where(np.isfinite(item), item, np.inf) for item in others], axis=0)
-    own = away(windows.correction[:, :2])
-    return (own < 9.0) & (nearest - own > 2 * 3.0 * settings.min_margin)
+    own_distance = away(windows.correction[:, :2])
+    return (own_distance < 9.0) & (nearest - own_distance > 2 * 3.0 * settings.min_margin)
 
 
 def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.ndarray, doubtful: np.ndarray,
@@ -241,8 +241,8 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
     opposed = contradicted(residual[:, :2], covariance[:, :2, :2], windows.covariance[:, :2, :2], windows.usable)
     covariance[:, :2, :2] += opposing_spread(residual[:, :2], opposed)
     support = np.where(chain.fast_near(at_patches, _ON_STEP), _STEP_SUPPORT, settings.support_length)
-    own = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, support)
-    status, reason = patch_statuses(own, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
+    by_own_windows = own_sigma(normals, fit.weight / fit.noise_factor, at_patches, support)
+    status, reason = patch_statuses(by_own_windows, weight, plan_sigma(covariance), doubtful, settings.registered_sigma,
                                     settings.trusted_sigma)
     wide = evidence_spans(normals, fit.weight, at_patches) > MOST_SPAN
     status, reason = _bridged(status, reason, wide, say("no markings just before or after the patch"))
@@ -261,16 +261,17 @@ def _bridged(status: np.ndarray, reason: np.ndarray, mask: np.ndarray, why: str)
     return np.where(changed, BRIDGED, status).astype(np.int8), np.where(changed, why, reason)
 
 
-def _distrusted(made: Correction, trajectory: Trajectory, beyond: bool, settings: CorrectionSettings) -> Correction:
+def _distrusted(correction: Correction, trajectory: Trajectory, beyond: bool,
+                settings: CorrectionSettings) -> Correction:
     """The correction with patches distrusted where the trajectory is broken, or all of them beyond the search."""
-    status, reason = made.status.copy(), made.reason.copy()
+    status, reason = correction.status.copy(), correction.reason.copy()
     for spans, extent, why in ((gaps(trajectory), 2 * settings.node_length, say("the trajectory has a gap here")),
                               (jumps(trajectory), settings.support_length, say("the trajectory jumps here"))):
         for start, end in spans:
-            ends = np.interp([start, end], made.time, made.chainage) + np.array([-extent, extent])
-            broken = (made.chainage >= ends[0]) & (made.chainage <= ends[1])
+            ends = np.interp([start, end], correction.time, correction.chainage) + np.array([-extent, extent])
+            broken = (correction.chainage >= ends[0]) & (correction.chainage <= ends[1])
             status[broken], reason[broken] = DISTRUSTED, why
-    reached = (np.abs(made.value[:, :2]) > settings.search - _SEARCH_MARGIN).any(axis=1)
+    reached = (np.abs(correction.value[:, :2]) > settings.search - _SEARCH_MARGIN).any(axis=1)
     if beyond or reached.mean() > _SEARCH_SHARE:
         status[:], reason[:] = DISTRUSTED, say("the correction reaches the largest error looked for")
-    return replace(made, status=status, reason=reason)
+    return replace(correction, status=status, reason=reason)

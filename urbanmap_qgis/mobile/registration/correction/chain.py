@@ -94,14 +94,14 @@ class NodeChain:
         k, d = len(self.nodes), self.size
         diagonal, ahead = np.zeros((k, d, 2, d, 2)), np.zeros((k - 1, d, 2, d, 2))
         transition, precision = model.steps(self.nodes, self.stopped, self.jump, self.normals.active, self.fast)
-        own = np.arange(d)
+        axis = np.arange(d)
         carried = np.einsum("kdji,kdjl->kdil", transition, precision)  # F' P
-        diagonal[1:, own, :, own, :] += np.moveaxis(precision, 1, 0)
-        diagonal[:-1, own, :, own, :] += np.moveaxis(np.einsum("kdil,kdlm->kdim", carried, transition), 1, 0)
-        ahead[:, own, :, own, :] -= np.moveaxis(carried, 1, 0)
+        diagonal[1:, axis, :, axis, :] += np.moveaxis(precision, 1, 0)
+        diagonal[:-1, axis, :, axis, :] += np.moveaxis(np.einsum("kdil,kdlm->kdim", carried, transition), 1, 0)
+        ahead[:, axis, :, axis, :] -= np.moveaxis(carried, 1, 0)
         start = 1.0 / model.start(self.normals.active)
-        diagonal[0, own, 0, own, 0] += start[:, 0]
-        diagonal[0, own, 1, own, 1] += start[:, 1]
+        diagonal[0, axis, 0, axis, 0] += start[:, 0]
+        diagonal[0, axis, 1, axis, 1] += start[:, 1]
         determinant = float(np.log(np.linalg.det(precision)).sum() + np.log(start).sum())
         self._held = model, _Prior(diagonal, ahead, determinant)
         return self._held[1]
@@ -116,12 +116,12 @@ class NodeChain:
         np.add.at(information, self.node, self.normals.information * weight[:, None, None])
         np.add.at(gradient, self.node, self.normals.normal_vector * weight[:, None])
         values, vectors = np.linalg.eigh(information)
-        there = values > _SINGULAR * np.maximum(values[:, -1:], 1e-12)
+        determined = values > _SINGULAR * np.maximum(values[:, -1:], 1e-12)
         along = np.einsum("kji,kj->ki", vectors, gradient)
-        best = 0.5 * (np.where(there, along**2, 0.0) / np.where(there, values, 1.0)).sum()
+        best = 0.5 * (np.where(determined, along**2, 0.0) / np.where(determined, values, 1.0)).sum()
         count = np.bincount(self.node, allowed, k)
         mean = np.bincount(self.node, allowed * weight, k) / np.maximum(count, 1)
-        rank = np.where(mean > 0, there.sum(axis=1), self.size) * (count > 0)
+        rank = np.where(mean > 0, determined.sum(axis=1), self.size) * (count > 0)
         return float(best) - 0.5 * float((rank * np.log(np.maximum(mean, _NO_WEIGHT))).sum())
 
     def at(self, state: np.ndarray, covariance: np.ndarray,

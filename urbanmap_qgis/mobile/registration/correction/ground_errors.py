@@ -40,15 +40,15 @@ def ground_sigma(differences: HeightDifferences) -> float:
     offset, off, first, second = _pairs(differences)
     if not len(first):
         return _UNKNOWN
-    apart = np.hypot(*(offset[first] - offset[second]).T)
+    distance = np.hypot(*(offset[first] - offset[second]).T)
     turn, step = offset[first] - offset[second], off[first] - off[second]
-    near, far = ((apart > low) & (apart < high) for low, high in (_NEAR, _FAR))
+    near, far = ((distance > low) & (distance < high) for low, high in (_NEAR, _FAR))
     if near.sum() < _FEWEST or far.sum() < _FEWEST:
         return _UNKNOWN
     step = step - turn @ np.linalg.lstsq(turn[far], step[far], rcond=None)[0]
     squares = [(1.4826 * np.median(np.abs(step[mask]))) ** 2 for mask in (near, far)]
-    kept = [np.exp(-0.5 * (np.mean(apart[mask]) / LENGTH) ** 2) for mask in (near, far)]
-    return float(np.clip(np.sqrt(max(squares[1] - squares[0], 0.0) / (2 * (kept[0] - kept[1]))), _LEAST, _MOST))
+    shared = [np.exp(-0.5 * (np.mean(distance[mask]) / LENGTH) ** 2) for mask in (near, far)]
+    return float(np.clip(np.sqrt(max(squares[1] - squares[0], 0.0) / (2 * (shared[0] - shared[1]))), _LEAST, _MOST))
 
 
 def _pairs(differences: HeightDifferences) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

@@ -55,10 +55,10 @@ class NormalEquations:
         """(n,) reduced chi square in plan of corrections (n, d): how far each piece's observations lie from them."""
         plan = self.in_plan()
         sizes, axes = np.linalg.eigh(self.information[:, plan][:, :, plan])
-        there = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
+        determined = sizes > 1e-3 * np.maximum(sizes[:, -1:], 1e-12)
         along = np.einsum("nji,nj->ni", axes, self.gradient_at(value)[:, plan])
-        pulls = np.where(there, along**2, 0.0) / np.where(there, sizes, 1.0)
-        return pulls.sum(axis=1) / np.maximum(there.sum(axis=1), 1)
+        pulls = np.where(determined, along**2, 0.0) / np.where(determined, sizes, 1.0)
+        return pulls.sum(axis=1) / np.maximum(determined.sum(axis=1), 1)
 
 
 def normal_equations_of(windows: WindowResults, path_parameter: np.ndarray) -> NormalEquations:

@@ -24,8 +24,8 @@ LEAST_MET = 0.2
 _REJECTED = 0.2  # weight below which a piece's own evidence counts as contradicted
 
 
-def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray, registered: float,
-          trusted: float) -> tuple[np.ndarray, np.ndarray]:
+def patch_statuses(window_sigma: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubtful: np.ndarray,
+                   registered: float, trusted: float) -> tuple[np.ndarray, np.ndarray]:
     """Status (n,) and its reason (n,) of each patch.
 
     Parameters
@@ -35,22 +35,23 @@ def patch_statuses(own: np.ndarray, weight: np.ndarray, sigma: np.ndarray, doubt
     doubtful : (n,) mask of patches for which another place fits as well.
     registered, trusted : sigma in plan that a registered patch, and one that is to be trusted, has at most, m.
     """
-    n = len(own)
+    n = len(window_sigma)
     reason = np.full(n, "", dtype=object)
-    status = np.where((own <= registered) & (sigma <= registered), REGISTERED, BRIDGED).astype(np.int8)
+    status = np.where((window_sigma <= registered) & (sigma <= registered), REGISTERED, BRIDGED).astype(np.int8)
     reason[sigma > registered] = say("the markings do not fix the position well")
-    reason[own > registered] = say("the markings around do not fix the position in all directions")
-    reason[~np.isfinite(own)] = say("no markings registered around the patch")
+    reason[window_sigma > registered] = say("the markings around do not fix the position in all directions")
+    reason[~np.isfinite(window_sigma)] = say("no markings registered around the patch")
     rejected = weight <= _REJECTED
     status[rejected], reason[rejected] = BRIDGED, say("the markings here contradict those around")
     status[doubtful], reason[doubtful] = BRIDGED, say("another position of the markings fits as well")
     status[sigma > trusted] = DISTRUSTED
-    if not (np.isfinite(own) & ~doubtful).any():
+    if not (np.isfinite(window_sigma) & ~doubtful).any():
         status[:] = DISTRUSTED
     return status, reason
 
 
-def contradicted(residual: np.ndarray, covariance: np.ndarray, own: np.ndarray, usable: np.ndarray) -> np.ndarray:
+def contradicted(residual: np.ndarray, covariance: np.ndarray, window_covariance: np.ndarray,
+                 usable: np.ndarray) -> np.ndarray:
     """(n,) mask of patches whose own window lies farther from the correction than both covariances allow.
 
     Parameters
@@ -58,11 +59,11 @@ def contradicted(residual: np.ndarray, covariance: np.ndarray, own: np.ndarray, 
     residual : (n, 2) m, window less correction in plan. covariance, own : (n, 2, 2) of the correction and the window.
     usable : (n,) windows that carry a correction.
     """
-    there = usable & np.isfinite(residual).all(axis=1) & np.isfinite(own).all(axis=(1, 2))
-    inverse = np.linalg.inv(np.where(there[:, None, None], covariance + own, np.eye(2)))
-    off = np.where(there[:, None], residual, 0.0)
+    comparable = usable & np.isfinite(residual).all(axis=1) & np.isfinite(window_covariance).all(axis=(1, 2))
+    inverse = np.linalg.inv(np.where(comparable[:, None, None], covariance + window_covariance, np.eye(2)))
+    off = np.where(comparable[:, None], residual, 0.0)
     distance = np.einsum("ni,nij,nj->n", off, inverse, off)
-    return there & (distance > _CONTRADICTION) & (np.hypot(*off.T) > _MIN_CONTRADICTION)
+    return comparable & (distance > _CONTRADICTION) & (np.hypot(*off.T) > _MIN_CONTRADICTION)
 
 
 def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
@@ -73,11 +74,11 @@ def opposing_spread(residual: np.ndarray, opposed: np.ndarray) -> np.ndarray:
 
 def evidence_spans(normals: NormalEquations, weight: np.ndarray, path_parameter: np.ndarray) -> np.ndarray:
     """(n,) m from the last piece of evidence before each path parameter to the next after it; infinite at an end."""
-    there = normals.path_parameter[normals.present & (weight > _REJECTED)]
+    evidence = normals.path_parameter[normals.present & (weight > _REJECTED)]
     half = 0.5 * float(np.median(np.diff(normals.path_parameter))) if len(normals.path_parameter) > 1 else 0.0
-    ends = np.concatenate([[-np.inf], there, [np.inf]])
-    before = ends[np.searchsorted(there, path_parameter + half, side="right")]
-    after = ends[np.searchsorted(there, path_parameter - half, side="left") + 1]
+    ends = np.concatenate([[-np.inf], evidence, [np.inf]])
+    before = ends[np.searchsorted(evidence, path_parameter + half, side="right")]
+    after = ends[np.searchsorted(evidence, path_parameter - half, side="left") + 1]
     return np.maximum(after - before, 0.0)
 
 

@@ -120,30 +120,30 @@ class PointObservations:
         return _Moved(piece, points.place + correction[:, :3] + (lever_arm - points.lever_arm), lever_arm,
                       points.weight * self.settings.subsampling ** 2 / OBSERVATION_AREA)
 
-    def _section(self, points: PatchPoints, made: _Moved, blur: float) -> tuple[PatchSums, np.ndarray]:
+    def _section(self, points: PatchPoints, transformed: _Moved, blur: float) -> tuple[PatchSums, np.ndarray]:
         """Sums in plan of some points by piece, and how many there are and lie on reference markings (n, 2)."""
-        count, moved, point_weight = len(self.path_parameter), made.place, made.weight
+        count, moved, point_weight = len(self.path_parameter), transformed.place, transformed.weight
         low, high = moved[:, :2].min(axis=0) - _AROUND - 3 * blur, moved[:, :2].max(axis=0) + _AROUND + 3 * blur
         field = MarkingField.of(self.reference.coverage(*low, *high), blur, self.settings.background)
         terms = field_terms(field, moved[:, 0], moved[:, 1])
         gradient = (terms.gx * point_weight, terms.gy * point_weight, None)
         hessian = {(0, 0): terms.hxx * point_weight, (0, 1): terms.hxy * point_weight, (1, 1): terms.hyy * point_weight}
-        counted = by_patch(np.column_stack([np.ones(len(points)), terms.on_marking]), made.piece, count)
-        return sum_points(made.lever_arm, gradient, hessian, made.piece, count), counted
+        counted = by_patch(np.column_stack([np.ones(len(points)), terms.on_marking]), transformed.piece, count)
+        return sum_points(transformed.lever_arm, gradient, hessian, transformed.piece, count), counted
 
-    def _heights(self, points: PatchPoints, made: _Moved, differences: list[HeightDifferences]) -> PatchSums:
+    def _heights(self, points: PatchPoints, transformed: _Moved, differences: list[HeightDifferences]) -> PatchSums:
         """Sums in height of some points by piece; their differences to the ground are appended."""
-        moved = made.place
+        moved = transformed.place
         box = (*(moved[:, :2].min(axis=0) - _AROUND), *(moved[:, :2].max(axis=0) + _AROUND))
         off = self.reference.ground_part(*box).at(moved[:, 0], moved[:, 1]) - moved[:, 2]
-        gradient, hessian = _height_terms(off, made.weight, self.settings)
+        gradient, hessian = _height_terms(off, transformed.weight, self.settings)
         known = np.abs(off) < 3 * self.settings.height_robust
-        heading = np.radians(self.heading[made.piece[known]])
-        east, north = made.lever_arm[known, :2].T
+        heading = np.radians(self.heading[transformed.piece[known]])
+        east, north = transformed.lever_arm[known, :2].T
         offset = np.column_stack([east * np.sin(heading) + north * np.cos(heading),
                                   east * np.cos(heading) - north * np.sin(heading)])
-        differences.append(HeightDifferences(made.piece[known], offset, off[known]))
-        return sum_points(made.lever_arm, (None, None, gradient), {(2, 2): hessian}, made.piece,
+        differences.append(HeightDifferences(transformed.piece[known], offset, off[known]))
+        return sum_points(transformed.lever_arm, (None, None, gradient), {(2, 2): hessian}, transformed.piece,
                           len(self.path_parameter))
 
     def _trusted(self, heights: PatchSums, differences: list[HeightDifferences]) -> PatchSums:

@@ -121,23 +121,24 @@ def _block_tests(normals: NormalEquations, value: np.ndarray, covariance: np.nda
     middle = np.minimum((ends[:-1] + ends[1:]) // 2, len(block) - 1)
     test = np.full(count, np.nan)
     for b in np.flatnonzero(information.any(axis=(1, 2))):
-        own = information[b]
-        spread = _spread_of_others(covariance[middle[b]], share[b] * own)
-        apart = lean[b] + share[b] * own @ (spread @ lean[b])
-        scatter = own + own @ spread @ own
+        block_information = information[b]
+        spread = _spread_of_others(covariance[middle[b]], share[b] * block_information)
+        disagreement = lean[b] + share[b] * block_information @ (spread @ lean[b])
+        scatter = block_information + block_information @ spread @ block_information
         sizes, axes = np.linalg.eigh(0.5 * (scatter + scatter.T))
-        there = sizes > 1e-8 * sizes.max()
-        test[b] = float(((axes[:, there].T @ apart) ** 2 / sizes[there]).sum()) / max(int(there.sum()), 1)
+        determined = sizes > 1e-8 * sizes.max()
+        square = (axes[:, determined].T @ disagreement) ** 2 / sizes[determined]
+        test[b] = float(square.sum()) / max(int(determined.sum()), 1)
     return test
 
 
-def _spread_of_others(covariance: np.ndarray, own: np.ndarray) -> np.ndarray:
+def _spread_of_others(covariance: np.ndarray, block_information: np.ndarray) -> np.ndarray:
     """Covariance (p, p) that is left of a block's place without its own information (p, p).
 
     A block is no rigid body: what its pieces say is not all said of its middle, so that the others' share has a floor.
     """
     root = np.linalg.cholesky(covariance)
-    values, vectors = np.linalg.eigh(root.T @ own @ root)
+    values, vectors = np.linalg.eigh(root.T @ block_information @ root)
     axes = root @ vectors
     return (axes / (1.0 - np.clip(values, 0.0, _MOST_OWN))) @ axes.T
 

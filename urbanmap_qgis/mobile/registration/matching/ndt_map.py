@@ -66,9 +66,9 @@ class NdtMap:
         flat, last = self.cells_of(local), len(self.number) - 1
         for step in self._neighbour_steps() if cells == "neighbours" else (0,):
             number = self.number[np.clip(flat + step, 0, last)]
-            here = np.flatnonzero(number >= 0)
-            if len(here):
-                yield here, number[here]
+            rows = np.flatnonzero(number >= 0)
+            if len(rows):
+                yield rows, number[rows]
 
     def _neighbour_steps(self) -> np.ndarray:
         """Steps from a flat cell to itself and to the 8 (26) around it."""

@@ -27,10 +27,10 @@ class Mixture:
     def of(cls, outlier_share: float, cell: float, dimensions: int) -> Mixture:
         """For an expected share of outliers and cells of a side, m."""
         inlier, outlier = 10.0 * (1.0 - outlier_share), outlier_share / cell ** dimensions
-        floor = -math.log(outlier)
-        height = -math.log(inlier + outlier) - floor
-        middle = -math.log(inlier * math.exp(-0.5) + outlier) - floor
-        return cls(-height, -2.0 * math.log(middle / height))
+        d3 = -math.log(outlier)
+        d1 = -math.log(inlier + outlier) - d3
+        d2 = -2.0 * math.log((-math.log(inlier * math.exp(-0.5) + outlier) - d3) / d1)
+        return cls(-d1, d2)
 
 
 @dataclass(frozen=True)
@@ -63,19 +63,19 @@ def ndt_terms(ndt: NdtMap, points: np.ndarray, mixture: Mixture, cells: str = "n
     hessian = {pair: np.zeros(len(points)) for pair in pairs}
     if not len(ndt):
         return _terms(value, gradient, hessian)
-    sharp = mixture.sharpness
-    for here, number in ndt.distributions(local, cells):
-        off = [local[here, a] - ndt.mean[number, a] for a in range(d)]
+    d2 = mixture.sharpness
+    for rows, number in ndt.distributions(local, cells):
+        off = [local[rows, a] - ndt.mean[number, a] for a in range(d)]
         inverse = {pair: ndt.inverse[number, pair[0], pair[1]] for pair in pairs}
         weighted = [sum(inverse[min(a, b), max(a, b)] * off[b] for b in range(d)) for a in range(d)]
         distance = sum(off[a] * weighted[a] for a in range(d))
-        weight = mixture.height * np.exp(-0.5 * sharp * distance)
-        value[here] += weight
-        weight *= sharp
+        weight = mixture.height * np.exp(-0.5 * d2 * distance)
+        value[rows] += weight
+        weight *= d2
         for a in range(d):
-            gradient[a, here] -= weight * weighted[a]
+            gradient[a, rows] -= weight * weighted[a]
         for a, b in pairs:
-            hessian[a, b][here] += weight * ((0.0 if bound else sharp * weighted[a] * weighted[b]) - inverse[a, b])
+            hessian[a, b][rows] += weight * ((0.0 if bound else d2 * weighted[a] * weighted[b]) - inverse[a, b])
     return _terms(value, gradient, hessian)
 
 
@@ -108,22 +108,22 @@ def rigid_derivatives(points: np.ndarray, centre: np.ndarray, terms: PointTerms)
     g, h = terms.gradient, terms.hessian
     if points.shape[1] == 2:
         rotation = np.stack([-r[:, 1], r[:, 0]], axis=1)
-        bent = np.einsum("nij,nj->ni", h, rotation)
+        rotated_hessian = np.einsum("nij,nj->ni", h, rotation)
         gradient = np.concatenate([g.sum(axis=0), [np.einsum("ni,ni->", g, rotation)]])
         hessian = np.zeros((3, 3))
         hessian[:2, :2] = h.sum(axis=0)
-        hessian[:2, 2] = hessian[2, :2] = bent.sum(axis=0)
-        hessian[2, 2] = np.einsum("ni,ni->", bent, rotation) - np.einsum("ni,ni->", g, r)
+        hessian[:2, 2] = hessian[2, :2] = rotated_hessian.sum(axis=0)
+        hessian[2, 2] = np.einsum("ni,ni->", rotated_hessian, rotation) - np.einsum("ni,ni->", g, r)
         return Derivatives(float(terms.value.sum()), gradient, hessian)
     rotation = cross_matrices(r)
-    bent = np.einsum("nij,njk->nik", h, rotation)
+    rotated_hessian = np.einsum("nij,njk->nik", h, rotation)
     gradient = np.concatenate([g.sum(axis=0), np.einsum("ni,nij->j", g, rotation)])
     hessian = np.zeros((6, 6))
     hessian[:3, :3] = h.sum(axis=0)
-    hessian[:3, 3:] = bent.sum(axis=0)
+    hessian[:3, 3:] = rotated_hessian.sum(axis=0)
     hessian[3:, :3] = hessian[:3, 3:].T
     outer = np.einsum("na,nb->ab", g, r)
-    hessian[3:, 3:] = (np.einsum("nji,njk->ik", rotation, bent) + (outer + outer.T) / 2
+    hessian[3:, 3:] = (np.einsum("nji,njk->ik", rotation, rotated_hessian) + (outer + outer.T) / 2
                        - np.trace(outer) * np.eye(3))
     return Derivatives(float(terms.value.sum()), gradient, hessian)
 
@@ -204,30 +204,30 @@ def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: M
     tolerance = _TOLERANCE[[0, 1, 3]] if count == 3 else _TOLERANCE
     extent = max(float(np.sqrt(((points - start.centre) ** 2).sum(axis=1).mean())), 1.0) if len(points) else 1.0
 
-    def at(pose: RigidMotion) -> Derivatives:
+    def derivatives_at(pose: RigidMotion) -> Derivatives:
         moved = pose.moved(points)
         return rigid_derivatives(moved, pose.centre + pose.translation, ndt_terms(ndt, moved, mixture, cells))
 
-    now = at(pose)
+    now = derivatives_at(pose)
     for done in range(iterations):
-        step = uphill_step(now.gradient, now.hessian, extent)
+        step = newton_step(now.gradient, now.hessian, extent)
         largest = np.abs(step[:-1] if count == 3 else step[:3]).max()
         step *= min(1.0, _STEP_LIMIT * ndt.cell / max(largest, 1e-12))
         for _ in range(6):
             trial = pose.after(step)
-            there = at(trial)
-            if there.value >= now.value:
+            candidate = derivatives_at(trial)
+            if candidate.value >= now.value:
                 break
             step = step / 2
         else:
             return Match(pose, now, done, bool((np.abs(step) < 64 * tolerance).all()))
-        pose, now = trial, there
+        pose, now = trial, candidate
         if (np.abs(step) < tolerance).all():
             return Match(pose, now, done + 1, True)
     return Match(pose, now, iterations, False)
 
 
-def uphill_step(gradient: np.ndarray, hessian: np.ndarray, extent: float = 1.0) -> np.ndarray:
+def newton_step(gradient: np.ndarray, hessian: np.ndarray, extent: float = 1.0) -> np.ndarray:
     """Newton's step towards a maximum; where the score is not curved downwards, absolute curvatures are taken.
 
     `extent` : m, size of the point set, which makes rotations and translations comparable.

@@ -297,11 +297,11 @@ def _windows_about(curve: CorrectionCurve, converged: bool, contradiction: np.nd
                    scene: _Scene) -> AdjustedSection:
     """Each window as a rigid body about the curve, and what the patches say on their own."""
     section, points, active = scene.section, scene.section.points, list(scene.active)
-    window, scatter, (own, terms) = _normals_about(curve, scene)
+    window, scatter, (patchwise, terms) = _normals_about(curve, scene)
     step, covariance, excess = _solve(window, scatter, active)
     core = slice(section.core_first, section.core_last + 1)
     counted = max(float(np.median(excess)), _MIN_EXCESS)
-    covariance += curve_covariance(curve, _evened(own.information) / counted, scene.active)[core]
+    covariance += curve_covariance(curve, _evened(patchwise.information) / counted, scene.active)[core]
     covariance *= np.maximum(contradiction[core] / _CONSISTENT, 1.0)[:, None, None] ** 2
     shares = by_patch(np.column_stack([np.ones(len(points)), terms.share, terms.on_marking]), scene.patch,
                       scene.patches)
@@ -310,8 +310,8 @@ def _windows_about(curve: CorrectionCurve, converged: bool, contradiction: np.nd
     with np.errstate(invalid="ignore"):
         score, overlap = counted[:, 1] / counted[:, 0], counted[:, 2] / counted[:, 0]
     return AdjustedSection(results.translation[core], results.rotation[core], covariance,
-                           np.column_stack([curve.translation, curve.rotation])[core], own.information[core],
-                           own.gradient[core], score, overlap, counted[:, 0].astype(np.int64),
+                           np.column_stack([curve.translation, curve.rotation])[core], patchwise.information[core],
+                           patchwise.gradient[core], score, overlap, counted[:, 0].astype(np.int64),
                            np.full(core.stop - core.start, converged))
 
 

@@ -73,25 +73,25 @@ def alternative_positions(start: InitialShifts, windows: Windows, patches: int) 
     running = np.concatenate([np.zeros((1, *start.scores.shape[1:])),
                               np.cumsum(start.scores, axis=0, dtype=np.float64)])
     middle = start.scores.shape[1] // 2
-    ratio, own = np.zeros(patches), np.zeros(patches)
+    ratio, peak = np.zeros(patches), np.zeros(patches)
     offsets, scores = np.full((patches, MODES - 1, 2), np.nan), np.full((patches, MODES - 1), np.nan)
     seen: dict[tuple[int, int], int] = {}
     for patch in range(patches):
         span = (windows.first[patch] // start.block, windows.last[patch] // start.block)
         if span in seen:
             same = seen[span]
-            ratio[patch], own[patch] = ratio[same], own[same]
+            ratio[patch], peak[patch] = ratio[same], peak[same]
             offsets[patch], scores[patch] = offsets[same], scores[same]
             continue
         seen[span] = patch
         surface = (running[span[1] + 1] - running[span[0]]).astype(np.float32)
-        own[patch] = surface[middle - 1:middle + 2, middle - 1:middle + 2].max()
+        peak[patch] = surface[middle - 1:middle + 2, middle - 1:middle + 2].max()
         alternatives, heights = peaks(surface, _APART, MODES - 1)
         offsets[patch, :len(alternatives)], scores[patch, :len(alternatives)] = alternatives * CELL, heights
-        if len(heights) and own[patch] > 0:
-            ratio[patch] = heights[0] / own[patch]
+        if len(heights) and peak[patch] > 0:
+            ratio[patch] = heights[0] / peak[patch]
     margin = path_margins(start)[np.arange(patches) // start.block]
-    return AlternativePositions(ratio, margin, offsets, scores, own)
+    return AlternativePositions(ratio, margin, offsets, scores, peak)
 
 
 def path_margins(start: InitialShifts) -> np.ndarray:
@@ -152,8 +152,8 @@ def _chance_variance(overlap: np.ndarray) -> np.ndarray:
 
 def _modes(correction: np.ndarray, alternatives: AlternativePositions,
            status: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    own = correction[:, None, :2]
-    modes = np.concatenate([own, own + alternatives.offsets], axis=1)
+    position = correction[:, None, :2]
+    modes = np.concatenate([position, position + alternatives.offsets], axis=1)
     scores = np.column_stack([alternatives.own, alternatives.scores])
     scores[status == NO_MARKINGS] = np.nan
     return modes, scores

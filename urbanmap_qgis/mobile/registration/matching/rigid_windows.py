@@ -40,8 +40,8 @@ def register_rigid_windows(markings: MarkingPoints, patches: Patches, windows: W
         part, motion = _tile(first, last, points, patches, windows, start, reference, settings, motion,
                              progress.part(first / len(patches), (last + 1) / len(patches)))
         parts.append(part)
-    made = assemble(patches, windows, start, parts, settings)
-    return _kept_motions(_against_correlation(made, start), parts, settings)
+    results = assemble(patches, windows, start, parts, settings)
+    return _kept_motions(_against_correlation(results, start), parts, settings)
 
 
 def subsample(points: np.ndarray, cell: float) -> np.ndarray:
@@ -92,16 +92,16 @@ def _tile(first: int, last: int, points: _Sorted, patches: Patches, windows: Win
                            settings.subsampling)
         size[row] = len(window)
         centre = patches.place[patch, :dimensions]
-        here = _carried(motion, centre, start.shift_at(np.array([patch]))[0])
+        pose = _carried(motion, centre, start.shift_at(np.array([patch]))[0])
         if len(window) and on_markings is not None:
-            match = _match(window, here, maps, settings)
-            here, converged[row] = match.pose, match.converged
-            overlap[row] = on_markings(here.moved(window))
+            match = _match(window, pose, maps, settings)
+            pose, converged[row] = match.pose, match.converged
+            overlap[row] = on_markings(pose.moved(window))
             score[row] = match.derivatives.value / (len(window) * maps[-1][1].height)
             covariance[row] = _covariance(match, settings)
-        motion = here
-        translation[row, :dimensions] = here.translation
-        rotation[row] = _vector(here.rotation)
+        motion = pose
+        translation[row, :dimensions] = pose.translation
+        rotation[row] = _vector(pose.rotation)
     curve = np.concatenate([translation, rotation], axis=1)
     return AdjustedSection(translation, rotation, covariance, curve, np.zeros((count, 6, 6)), np.zeros((count, 6)),
                            score, overlap, size, converged), motion
@@ -161,27 +161,28 @@ def _covariance(match: Match, settings: RegistrationSettings) -> np.ndarray:
     return np.full((6, 6), np.nan)
 
 
-def _against_correlation(made: WindowResults, start: InitialShifts) -> WindowResults:
+def _against_correlation(results: WindowResults, start: InitialShifts) -> WindowResults:
     """Rows that lie elsewhere than the best path through all correlation scores become ambiguous."""
-    best = CELL * start.best[np.arange(len(made)) // start.block]
+    best = CELL * start.best[np.arange(len(results)) // start.block]
     with np.errstate(invalid="ignore"):
-        away = np.abs(made.correction[:, :2] - best).max(axis=1) >= _ELSEWHERE * CELL
-    made.status[away & np.isin(made.status, (REGISTERED, WEAK))] = AMBIGUOUS
-    return made
+        away = np.abs(results.correction[:, :2] - best).max(axis=1) >= _ELSEWHERE * CELL
+    results.status[away & np.isin(results.status, (REGISTERED, WEAK))] = AMBIGUOUS
+    return results
 
 
-def _kept_motions(made: WindowResults, parts: list[AdjustedSection], settings: RegistrationSettings) -> WindowResults:
+def _kept_motions(results: WindowResults, parts: list[AdjustedSection],
+                  settings: RegistrationSettings) -> WindowResults:
     """Rows without markings with the motion of the window before, which the paper's method goes on with."""
-    empty = ~np.isfinite(made.correction[:, 0])
+    empty = ~np.isfinite(results.correction[:, 0])
     translation = np.concatenate([part.translation for part in parts])
     rows = np.flatnonzero(empty)
     if len(rows):
-        made.correction[rows, :3] = translation[rows]
-        made.correction[rows, 3:] = angle_changes(made.angles[rows],
-                                                  np.concatenate([part.rotation for part in parts])[rows])
+        results.correction[rows, :3] = translation[rows]
+        results.correction[rows, 3:] = angle_changes(results.angles[rows],
+                                                     np.concatenate([part.rotation for part in parts])[rows])
         if not settings.three_d:
-            made.correction[rows, 2:5] = np.nan
-    return made
+            results.correction[rows, 2:5] = np.nan
+    return results
 
 
 def _vector(rotation: np.ndarray) -> np.ndarray:

@@ -142,15 +142,15 @@ def best_path(scores: np.ndarray, step_variance: np.ndarray, prior_sigma: float)
     return BestPath(np.stack([best % size, best // size], axis=1) - size // 2, deficit)
 
 
-def alternative_spread(path: BestPath, apart: float) -> np.ndarray:
-    """(b, 2, 2) m2: how far the best path may be off because others, more than `apart` m away, fit nearly as well."""
+def alternative_spread(path: BestPath, separation: float) -> np.ndarray:
+    """(b, 2, 2) m2: how far the best path may be off because others over `separation` m away fit nearly as well."""
     offset = np.arange(path.deficit.shape[1]) - path.deficit.shape[1] // 2
     spread = np.zeros((len(path.deficit), 2, 2))
     for block, (east, north) in enumerate(path.shift):
         probability = np.exp(-path.deficit[block].astype(np.float64))
         probability /= probability.sum()
         to_east, to_north = np.meshgrid((offset - east) * CELL, (offset - north) * CELL)
-        probability[np.maximum(np.abs(to_east), np.abs(to_north)) < apart] = 0.0  # that is the place itself
+        probability[np.maximum(np.abs(to_east), np.abs(to_north)) < separation] = 0.0  # that is the place itself
         cross = (probability * to_east * to_north).sum()
         spread[block] = [[(probability * to_east ** 2).sum(), cross], [cross, (probability * to_north ** 2).sum()]]
     return spread
@@ -180,10 +180,10 @@ def centred(scores: np.ndarray, shift: np.ndarray) -> np.ndarray:
     return result
 
 
-def peaks(surface: np.ndarray, apart: int, most: int) -> tuple[np.ndarray, np.ndarray]:
+def peaks(surface: np.ndarray, separation: int, most: int) -> tuple[np.ndarray, np.ndarray]:
     """Highest local maxima of a surface (s, s): offsets (k, 2) from its middle (east, north, cells) and heights (k,).
 
-    Maxima less than `apart` cells from the middle or from a higher one are left out.
+    Maxima less than `separation` cells from the middle or from a higher one are left out.
     """
     size = surface.shape[0]
     middle = size // 2
@@ -194,9 +194,9 @@ def peaks(surface: np.ndarray, apart: int, most: int) -> tuple[np.ndarray, np.nd
     chosen: list[tuple[int, int]] = []
     heights = []
     for k in order:
-        here = (int(column[k]) - middle, int(row[k]) - middle)
-        if all(max(abs(here[0] - a), abs(here[1] - b)) >= apart for a, b in [(0, 0), *chosen]):
-            chosen.append(here)
+        offset = (int(column[k]) - middle, int(row[k]) - middle)
+        if all(max(abs(offset[0] - a), abs(offset[1] - b)) >= separation for a, b in [(0, 0), *chosen]):
+            chosen.append(offset)
             heights.append(float(height[k]))
             if len(chosen) == most:
                 break

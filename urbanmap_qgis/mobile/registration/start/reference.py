@@ -219,7 +219,7 @@ def _heights_of_polygons(polygons: np.ndarray, x: np.ndarray, y: np.ndarray) -> 
         if not len(part):
             continue
         corners = shapely.get_coordinates(polygons[nearest[part[0]]], include_z=True)
-        here = points[part]
-        near = 1.0 / ((x[here, None] - corners[:, 0]) ** 2 + (y[here, None] - corners[:, 1]) ** 2 + 1e-4)
-        height[here] = (near @ corners[:, 2]) / near.sum(axis=1)
+        nearby = points[part]
+        near = 1.0 / ((x[nearby, None] - corners[:, 0]) ** 2 + (y[nearby, None] - corners[:, 1]) ** 2 + 1e-4)
+        height[nearby] = (near @ corners[:, 2]) / near.sum(axis=1)
     return height
