@@ -1,4 +1,5 @@
 # make demo    the main job on an example, with a result to look at
+# make quick   the core's tests without the slow ones, for every step of work
 # make test    all tests (make test-core, -algorithms, -cli, -gui and -real run a part)
 # make lint    check the style of the code
 # make judges  programs of others that judge lane maps, into build/judges
@@ -10,12 +11,16 @@
 
 PYTHON := .venv/bin/python
 PARTS := core algorithms cli gui real
+# Processes that share the tests of a part by files: 0 runs them one after another. Two virtual screens that start at
+# once can take the same number, so tests/gui stays in one.
+WORKERS := 2
+PYTEST = $(PYTHON) -m pytest --dist loadfile -n
 
 # QGIS takes the home of its Python from the first python3 on the path, which may be another one.
 export PATH := /usr/bin:/bin:$(PATH)
 export QGIS_NO_OVERRIDE_IMPORT := 1
 
-.PHONY: setup judges demo test lint package docs translations bench clean $(PARTS:%=test-%)
+.PHONY: setup judges demo quick test lint package docs translations bench clean $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
@@ -31,11 +36,15 @@ demo: setup
 # Parts in processes of their own: the core must work without QGIS. Exit code 5: a part has no tests.
 test: setup
 	@status=0; for part in $(PARTS); do \
-	    echo "== tests/$$part"; $(PYTHON) -m pytest tests/$$part || [ $$? -eq 5 ] || status=1; \
+	    echo "== tests/$$part"; if [ $$part = gui ]; then workers=0; else workers=$(WORKERS); fi; \
+	    $(PYTEST) $$workers tests/$$part || [ $$? -eq 5 ] || status=1; \
 	done; exit $$status
 
 $(PARTS:%=test-%): test-%: setup
-	$(PYTHON) -m pytest tests/$*
+	$(PYTEST) $(if $(filter gui,$*),0,$(WORKERS)) tests/$*
+
+quick: setup
+	$(PYTEST) $(WORKERS) -q -m "not slow" tests/core
 
 lint: setup
 	$(PYTHON) -m ruff check .

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
 import importlib
 import importlib.util
-import os
-import shutil
 import sys
 from pathlib import Path
 
@@ -14,6 +11,8 @@ import laspy
 import numpy as np
 import pytest
 from pyproj import CRS
+
+from tests.stored import stored
 
 ROOT = Path(__file__).resolve().parents[1]
 SHARED_DATA = ROOT.parent / "shared" / "data"
@@ -31,18 +30,8 @@ def real_data() -> Path:
 def small_city() -> Path:
     """Folder of a sample city of 100 m, made once for all parts of the tests and kept until its code changes."""
     write = importlib.import_module("urbanmap_qgis.samplecity.write")
-    source = sorted(Path(write.__file__).parent.rglob("*.py"))
-    key = hashlib.sha256(b"".join(path.read_bytes() for path in source)).hexdigest()[:12]
-    folder = ROOT / "build" / "test_cities" / key
-    if not folder.is_dir():
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        beside = folder.with_name(f"{key}-{os.getpid()}")
-        write.make_city(beside, 100, seed=1)
-        if folder.is_dir():
-            shutil.rmtree(beside)
-        else:
-            beside.rename(folder)
-    return folder
+    sources = Path(write.__file__).parent.rglob("*.py")
+    return stored("small", sources, lambda folder: write.make_city(folder, 100, seed=1))
 
 
 @pytest.fixture(scope="session")

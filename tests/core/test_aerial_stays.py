@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from tests.figures import stays
+from tests.stored import stored
 from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.frames.frame_images import find_frames
 from urbanmap_qgis.aerial.frames.occlusion import PAPER_OCCLUSION, OcclusionSettings, occlusion_map
@@ -24,16 +27,18 @@ ROUNDED = 2e-3  # grey values are rounded to whole numbers
 
 
 @pytest.fixture(scope="module")
-def city(tmp_path_factory):
+def city():
     """Aerial frames, not JPEG as elsewhere (GDAL's releases round it differently), and laser points of a city."""
-    folder = tmp_path_factory.mktemp("city")
     write_tiff = geotiff._write
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(geotiff, "_write", lambda path, bands, place, _: write_tiff(path, bands, place,
-                                                                                  {"compress": "deflate"}))
-        for sensor in ("aerial", "als"):
-            write._run(sensor, folder, (60.0, "canyon", 1), SILENT)
-    return folder
+
+    def make(folder):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(geotiff, "_write", lambda path, bands, place, _: write_tiff(path, bands, place,
+                                                                                      {"compress": "deflate"}))
+            for sensor in ("aerial", "als"):
+                write._run(sensor, folder, (60.0, "canyon", 1), SILENT)
+
+    return stored("frames", [Path(__file__), *Path(write.__file__).parent.rglob("*.py")], make)
 
 
 @pytest.fixture(scope="module")

@@ -49,6 +49,7 @@ def peak(folder, make_cloud, side):
     return json.loads(done.stdout)
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="peak memory is read from Linux's /proc")
 def test_peak_memory_does_not_grow_with_the_file(make_cloud, tmp_path):
     small, buildings_small, *_ = peak(tmp_path, make_cloud, 180)

@@ -85,6 +85,7 @@ def test_polygons_of_other_methods_stay(small_city, outlines, tmp_path, method):
     stays(f"buildings_polygons_{method}", {"segmented": found, "polygons": drawn})
 
 
+@pytest.mark.slow
 def test_meshes_stay(small_city, outlines, tmp_path):
     found = segment_buildings(open_cloud([small_city / "als" / "als.laz"]), outlines, tmp_path / "b.laz")
     placed = Footprints(outlines.ids, found.outlines, outlines.notes)

@@ -126,6 +126,7 @@ def test_gross_stretch_loses_its_weight():
     assert (made.status[there] == BRIDGED).mean() > 0.5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("change", "most"), [({}, 0.3), ({"margin": 1.0, "with_truth": True}, 0.1)])
 def test_slip_by_a_dash_is_not_followed(change, most):
     drive = simulate(1)
@@ -145,6 +146,7 @@ def test_a_step_that_lasts_is_followed():
     assert (off[(made.status == REGISTERED)] < 0.3).all()
 
 
+@pytest.mark.slow
 def test_sure_place_resolves_a_doubt():
     drive = simulate(1, crossings=25.0)
     doubted = shifted(drive, 100.0, 130.0, (0.0, 0.0), margin=1.0)
@@ -165,6 +167,7 @@ def test_rigid_windows_count_by_their_share():
     assert within_two_sigma(drive, made) >= 0.9
 
 
+@pytest.mark.slow
 def test_fast_drift_is_noticed():
     made = adjust_correction(simulate(0, drift_length=40.0).windows, simulate(0, drift_length=40.0).reported)
     slow = adjust_correction(simulate(0, drift_length=300.0).windows, simulate(0, drift_length=300.0).reported)
@@ -186,6 +189,7 @@ def test_waiting_counts_in_the_clock():
     assert CorrectionSettings().model().time_weight > 0
 
 
+@pytest.mark.slow
 def test_correction_at_the_limit_of_the_search_is_not_to_be_trusted():
     drive = simulate(0, length=100.0)
     largest = np.abs(drive.error[:, :2]).max()
@@ -196,6 +200,7 @@ def test_correction_at_the_limit_of_the_search_is_not_to_be_trusted():
     assert (far.status != DISTRUSTED).all()
 
 
+@pytest.mark.slow
 def test_gap_and_jump_of_the_trajectory_are_not_to_be_trusted():
     drive = simulate(0, length=200.0)
     since = drive.reported.time
@@ -209,6 +214,7 @@ def test_gap_and_jump_of_the_trajectory_are_not_to_be_trusted():
     assert "the trajectory jumps here" in set(jump.reason[np.abs(jump.time - 15.0) < 1.0])
 
 
+@pytest.mark.slow
 def test_angles_stay_within_the_reported_accuracy():
     """Evidence that contradicts itself does not turn the body by more than its inertial unit may be wrong."""
     drive = simulate(1, three_d=True, crossings=25.0)
@@ -218,6 +224,7 @@ def test_angles_stay_within_the_reported_accuracy():
     assert made.sigma()[:, 3:].max() <= 0.0011
 
 
+@pytest.mark.slow
 def test_grossly_wrong_heading_is_found_all_the_same():
     drive = simulate(0, crossings=25.0)
     turned = np.array([0, 0, 0, 0, 0, 2.0])

@@ -152,6 +152,7 @@ def test_python_is_found_where_qgis_hides_it(tmp_path, monkeypatch, system, exec
     assert dependencies.python_executable() == str(tmp_path / expected)
 
 
+@pytest.mark.slow
 def test_installs_without_numpy_and_finds_it_last(tmp_path, offline):
     folder = packages_folder(tmp_path / "プロファイル 1")
     lines = []
@@ -170,6 +171,7 @@ def test_installs_without_numpy_and_finds_it_last(tmp_path, offline):
     assert "1.5" in (folder / "urbanmap_toy" / "__init__.py").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_failed_installation_changes_nothing_and_says_why(tmp_path, offline):
     folder = packages_folder(tmp_path)
     absent = Missing(Package("urbanmap_nowhere", "urbanmap-nowhere"))

@@ -88,6 +88,7 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
     np.testing.assert_allclose(np.sqrt(model.variances(time)), np.sqrt(variance), rtol=0.02, atol=1e-4)
 
 
+@pytest.mark.slow
 def test_sigma_bridges_between_sets_and_grows_outside():
     rng = np.random.default_rng(2)
     trajectory, walk = course(), RandomWalk()
@@ -100,6 +101,7 @@ def test_sigma_bridges_between_sets_and_grows_outside():
     assert at[4] > at[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coupled", [False, True])
 def test_walk_and_sigma_are_found_and_errors_are_as_large_as_said(coupled):
     rng = np.random.default_rng(3)
@@ -118,6 +120,7 @@ def test_walk_and_sigma_are_found_and_errors_are_as_large_as_said(coupled):
     assert np.all(np.sqrt(np.mean(ratios, axis=0)) < 1.5) and np.all(np.sqrt(np.mean(ratios, axis=0)) > 0.5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("coupled", [False, True])
 def test_predicted_misfits_are_those_of_refits_without_the_set(coupled):
     rng = np.random.default_rng(4)

@@ -376,6 +376,7 @@ def passes():
     return [drive_through(rng, number) for number in range(12)]
 
 
+@pytest.mark.slow
 def test_shifts_of_minus_one_zero_and_one_metre_are_told_apart(passes):
     shift = np.array([-1.0, 0.0, 1.0, 0.0])
     shapes, top = street(shift)

@@ -90,6 +90,7 @@ def test_every_tracked_signal_is_there(signals, truth):
     assert np.array_equal(signals.place, signals.epochs.place[signals.epoch])
 
 
+@pytest.mark.slow
 def test_line_of_sight_centres_on_zero(small_city, gnss):
     """Over all passes: clock by truly visible satellites; reflected ones come late by their excess."""
     with gzip.open(small_city / "truth" / "gnss_signals.csv.gz", "rt") as file:

@@ -73,6 +73,7 @@ def test_reflections_stay(signals, models, tmp_path):
         "lines": list(ray_lines(signals, paths, rows, 50.0))})
 
 
+@pytest.mark.slow
 def test_adjusted_walls_stay(signals, models, tmp_path):
     shapes, building, top, base = models
     made = adjust_walls(shapes, building, signals, top, base, AdjustmentSettings())
@@ -84,6 +85,7 @@ def test_adjusted_walls_stay(signals, models, tmp_path):
         "report": page(tmp_path / "report.html")})
 
 
+@pytest.mark.slow
 def test_visible_satellites_stay(small_city, models, drives):
     walls = building_walls(*models)
     obstacles, sky = WallObstacles.of(walls), SkySettings()

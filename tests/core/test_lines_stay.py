@@ -86,6 +86,7 @@ def test_proposed_tie_points_stay(small_city, drive, cloud):
     stays("lines_tie_points", made)
 
 
+@pytest.mark.slow
 def test_textures_stay(small_city, cloud, models, tmp_path):
     true = read_trajectory(small_city / "truth" / "lines_trajectory.csv").trajectory
     sources = strip_sources(sorted((small_city / "lines").glob("camera_*.png")), true,

@@ -81,6 +81,7 @@ def test_registration_in_the_city_as_mapped_is_exact(walls, places, kind):
         assert np.hypot(*error[:2]) < 0.06 and abs(np.degrees(error[2])) < 0.2
 
 
+@pytest.mark.slow
 def test_prediction_holds_what_is_simulated(walls, places):
     made = accuracy_map(LocalisationMap(walls), places, settings())
     check = check_prediction(walls, made, settings(), 3, 25, 3)

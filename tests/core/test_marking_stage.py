@@ -117,6 +117,7 @@ def test_markings_with_all_their_attributes(write, tmp_path):
     assert not doubts(found)
 
 
+@pytest.mark.slow
 def test_the_order_of_the_points_the_files_and_the_workers_do_not_matter(write):
     made = drive(40.0)
     expected = extract(write(made), made).number
@@ -130,6 +131,7 @@ def test_the_order_of_the_points_the_files_and_the_workers_do_not_matter(write):
     assert np.array_equal(np.sort((two.number + half) % len(made.x)), expected)
 
 
+@pytest.mark.slow
 def test_no_seams_between_stretches(write, monkeypatch):
     made = drive(100.0)
     path = write(made)
@@ -188,6 +190,7 @@ def test_points_in_a_gap_of_the_trajectory_are_left_out(write):
     assert found.outside > 0 and not inside.any() and len(inside) > 500
 
 
+@pytest.mark.slow
 def test_week_seconds_and_adjusted_time_meet(write):
     made = drive(40.0, start=300_000.0)
     expected = extract(write(made), made)
@@ -198,6 +201,7 @@ def test_week_seconds_and_adjusted_time_meet(write):
     assert found.points.time == pytest.approx(made.time[found.number], abs=1e-3)
 
 
+@pytest.mark.slow
 def test_without_calibration_and_without_markings(write, tmp_path):
     made = drive(40.0)
     found = extract(write(made), made, None)
@@ -219,6 +223,7 @@ def test_a_scanner_that_sees_no_road_is_left_out(write):
     assert score(found.number, made.paint)[1] > 0.93
 
 
+@pytest.mark.slow
 def test_sweep_numbers_are_no_scanners(write):
     made = drive(40.0)
     sweeps = ((made.time - 1000) * 10).astype(int)

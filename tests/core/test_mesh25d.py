@@ -73,6 +73,7 @@ def test_known_shapes(name):
         assert np.quantile(roof_distance(made.mesh, truth), 0.95) < 0.3
 
 
+@pytest.mark.slow
 def test_a_flat_roof_needs_few_triangles_and_a_smaller_error_more():
     flat = mesh_building(1, SHAPES["flat"][0], points_on(np.random.default_rng(3), *SHAPES["flat"][:2]), BASE)
     assert len(flat.mesh.faces) < 20

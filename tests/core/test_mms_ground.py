@@ -160,6 +160,7 @@ def test_a_share_of_ground_that_cannot_be_right_is_refused(survey, tmp_path):
     assert not (tmp_path / "g.laz").exists()
 
 
+@pytest.mark.slow
 def test_refusals(survey, make_cloud, tmp_path):
     path, _ = survey("noise.laz", classification=7)
     with pytest.raises(InsufficientDataError, match="no usable points"):

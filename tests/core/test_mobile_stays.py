@@ -44,11 +44,13 @@ def survey(small_city):
     return points, reported, true, control, read_calibration(small_city / "mms" / "calibration.json")
 
 
+@pytest.mark.slow
 def test_ground_points_stay(survey, tmp_path):
     made = classify_ground_files([survey[0]], tmp_path / "ground.laz")
     stays("mobile_ground", {"made": made, "files": tmp_path})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("calibrated", [True, False])
 def test_marking_points_stay(survey, tmp_path, calibrated):
     points, reported, _, _, calibration = survey
@@ -58,6 +60,7 @@ def test_marking_points_stay(survey, tmp_path, calibrated):
         "facts": facts_of(made), "doubts": list(doubts(made)), "files": tmp_path})
 
 
+@pytest.mark.slow
 def test_moved_points_stay(survey, small_city, tmp_path):
     points, reported, true, _, _ = survey
     moved = apply_correction([points], reported, true, tmp_path / "moved.laz")
@@ -105,6 +108,7 @@ def test_registration_stays(survey, markings, paint, small_city, tmp_path, kind)
         "report": "".join(part.partition('"')[2] for part in report.split("base64,"))}, 2e-3)
 
 
+@pytest.mark.slow
 def test_windows_of_the_paper_stay(survey, markings, paint):
     """Their extents alone: rigid windows on their own tip over by a rounding, which other releases of numpy change."""
     reference = Reference.from_polygons(list(shapely.force_2d(paint)), None, CRS.from_epsg(6677).to_wkt())

@@ -227,6 +227,7 @@ def pool(kind):
     return ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn"))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["threads", "processes"])
 def test_workers_make_the_same_files(place, tmp_path, monkeypatch, kind):
     monkeypatch.setattr("urbanmap_qgis.aerial.orthophotos.mosaic.tiles.__defaults__", (200,))

@@ -389,6 +389,7 @@ def plain_cost(points, reference, centre, settings):
     return cost, d1
 
 
+@pytest.mark.slow
 def test_the_first_window_of_the_letter_is_the_papers_formula(short_street):
     _, reported, paint, markings = short_street
     settings, reference = RegistrationSettings.paper(), Reference.from_polygons(paint)
@@ -409,6 +410,7 @@ def test_the_first_window_of_the_letter_is_the_papers_formula(short_street):
     assert cost(letter) < 1.5 * cost(np.zeros(3)) < 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("three_d", [False, True])
 def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three_d):
     _, reported, paint, markings = short_street

@@ -76,6 +76,7 @@ def test_nothing_is_drawn_where_nothing_is_seen(tmp_path):
         along[1].min() - along[0].max(), abs=0.1)
 
 
+@pytest.mark.slow
 def test_rail_and_wall_stand_where_they_are(tmp_path):
     rail = [edge for edge in edges_of(tmp_path, Street(rail=0.8)).edges if edge.kind == "guard rail"]
     wall = [edge for edge in edges_of(tmp_path, Street(wall=2.5)).edges if edge.kind == "wall"]

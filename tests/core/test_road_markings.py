@@ -137,6 +137,7 @@ def test_specks_go(rule):
     assert not search(bands, replace_cleaning(**{**off, rule: 0.5})).mask.any()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tile", [96, 160, 1000])
 def test_result_does_not_depend_on_the_cut(tmp_path, tile):
     bands, _white, _yellow = street(700, 900)

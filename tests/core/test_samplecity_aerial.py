@@ -220,6 +220,7 @@ def tower(scene, height):
     return Building(1, "rectangle", base, (part,), (160, 150, 140), (120, 120, 120)), part
 
 
+@pytest.mark.slow
 def test_roofs_are_displaced_as_their_height_says():
     scene = bare_scene()
     building, part = tower(scene, 45.0)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+from pathlib import Path
 
 import laspy
 import numpy as np
 import pytest
 import shapely
 
+from tests.stored import stored
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.progress import SILENT
 from urbanmap_qgis.samplecity import write
@@ -20,17 +22,23 @@ from urbanmap_qgis.samplecity.truth.edges import true_kerbs, true_rails
 SIZE, SEED = 60.0, 1
 
 
+CITIES = {"none": (("mms", "als"), ()), "points": (("mms",), ("steps", "ghosts", "rings")),
+          "road": (("mms",), ("stops", "surface")), "ground": (("als",), ("ground",))}
+"""Sensors and faults of each city."""
+
+
 @pytest.fixture(scope="module")
-def cities(tmp_path_factory):
+def cities():
     """Folders of the mobile surveys and airborne points without faults and with sets of them."""
-    folder, made = tmp_path_factory.mktemp("cities"), {}
-    for name, faults in {"none": (), "points": ("steps", "ghosts", "rings"), "road": ("stops", "surface"),
-                         "ground": ("ground",)}.items():
-        made[name] = folder / name
-        made[name].mkdir()
-        for sensor in ("als",) if name == "ground" else ("mms", "als") if name == "none" else ("mms",):
-            write._run(sensor, made[name], (SIZE, "canyon", SEED, faults), SILENT)
-    return made
+
+    def make(folder):
+        for name, (sensors, faults) in CITIES.items():
+            (folder / name).mkdir()
+            for sensor in sensors:
+                write._run(sensor, folder / name, (SIZE, "canyon", SEED, faults), SILENT)
+
+    folder = stored("faults", [Path(__file__), *Path(write.__file__).parent.rglob("*.py")], make)
+    return {name: folder / name for name in CITIES}
 
 
 def table(path):

@@ -213,6 +213,7 @@ def test_facts_and_trajectories(city, scene):
         assert table[0, 0] < min(times) and max(times) < table[-1, 0]
 
 
+@pytest.mark.slow
 def test_same_seed_same_bytes(tmp_path):
     scene = make_scene(60.0, "few markings", 1)
     contents = []

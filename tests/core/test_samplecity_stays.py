@@ -19,6 +19,7 @@ def scene_made_anew():
     write._scene.cache_clear()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", list(write.SENSORS))
 def test_what_a_sensor_measures_stays(name, tmp_path, monkeypatch):
     lossless = {"compress": "deflate"}  # what JPEG loses is the affair of GDAL's release

@@ -41,6 +41,7 @@ def test_same_files_whoever_makes_them(quick, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["alone", "threads"]
 
 
+@pytest.mark.slow
 def test_processes_make_the_same(tmp_path, monkeypatch):
     monkeypatch.setattr(write, "SENSORS", {"footprints": write.SENSORS["footprints"]})
     write.make_city(tmp_path / "alone", 60, seed=3)

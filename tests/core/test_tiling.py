@@ -82,6 +82,7 @@ def test_absurd_extents_are_refused():
         TileGrid(10.0, 0.0).covering((0, 0, np.inf, 1))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sort", [False, True])
 def test_a_tile_gets_its_points_and_all_own_points_are_all_points(make_cloud, tmp_path, sort):
     x, y, z = random_points()

@@ -149,6 +149,7 @@ def test_models_off_by_half_a_metre_come_to_the_true_walls(found, truth, small_c
     assert np.median(off) < 0.01 and np.mean(np.array(off) < 0.03) > 0.9
 
 
+@pytest.mark.slow
 def test_a_lower_limit_gives_lower_walls_and_workers_change_nothing(small_city, true_survey, found):
     from concurrent.futures import ThreadPoolExecutor
 
@@ -208,6 +209,7 @@ def test_a_setback_and_a_room_behind_the_facade_are_inside(tmp_path):
     assert statuses(tmp_path, [((0, 3.0), (20, 3.0), 0, 9)], shapely.box(0, 0, 20, 10)) == {3.0: "inside"}
 
 
+@pytest.mark.slow
 def test_walls_do_not_depend_on_the_threads_of_the_sums(small_city, true_survey):
     """The same bytes whatever number of threads multiplies matrices, in a process of its own for each."""
     script = ("import sys, shapely, hashlib\n"
