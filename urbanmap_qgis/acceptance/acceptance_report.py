@@ -29,9 +29,10 @@ def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found:
 
     Parameters
     ----------
-    found : criteria of `points` with `limits`.  level : map level of the limits, None where they were given.
-    registration : figures of a registration by their words, (n,) m each; their mean, standard deviation and maximum
-        are shown.
+    found : criteria of `points` with `limits`.
+    level : map level of the limits, None where they were given.
+    registration : figures of a registration by their words, (n,) m each; their mean, standard deviation and maximum are
+        shown.
     """
     report = Report("Acceptance: errors at check points")
     report.verdict(*verdict(points, found, level))

@@ -24,8 +24,11 @@ class Criterion:
 
     Attributes
     ----------
-    unit : of inspection, "" where there is one only.  component : PLAN or HEIGHT.
-    figures : of the errors.  limit : greatest standard deviation, m.  needed : least number of points.
+    unit : of inspection, "" where there is one only.
+    component : PLAN or HEIGHT.
+    figures : of the errors.
+    limit : greatest standard deviation, m.
+    needed : least number of points.
     """
 
     unit: str

@@ -15,9 +15,11 @@ class ErrorFigures:
 
     Attributes
     ----------
-    count : n.  mean : of the signed errors; in plan of the distances.
+    count : n.
+    mean : of the signed errors; in plan of the distances.
     rmse : root of the mean square, which is the standard deviation about a mean of 0 by which map levels are judged.
-    std : standard deviation about the mean, with n - 1.  maximum : greatest size.
+    std : standard deviation about the mean, with n - 1.
+    maximum : greatest size.
     bound : the standard deviation of all places is below this with a confidence of 95 %, if errors are normal.
     """
 

@@ -69,9 +69,11 @@ def export_buildings(ids: Sequence[Any], faces: Sequence[shapely.Geometry | None
 
     Parameters
     ----------
-    ids : of the source, made unique. faces : MultiPolygon with z of all faces of each building, None without a model.
+    ids : of the source, made unique.
+    faces : MultiPolygon with z of all faces of each building, None without a model.
     lods : level of detail of each, "1.3" or "2.2"; where it is not said, 2.2 with any sloped roof.
-    surfaces : types and roofs of faces, where a layer has them. textures : images of faces.
+    surfaces : types and roofs of faces, where a layer has them.
+    textures : images of faces.
     """
     names, renamed = unique_ids(ids)
     index = None if surfaces is None or not len(surfaces.polygons) else _middles(surfaces.polygons)
@@ -104,7 +106,8 @@ def objects_of_models(models: Sequence[BuildingModel], columns: Mapping[str, Seq
 
     Parameters
     ----------
-    columns : attributes, one entry a model; `building_id` is left out. name_of : id of a building by its number.
+    columns : attributes, one entry a model; `building_id` is left out.
+    name_of : id of a building by its number.
     """
     sources = [BuildingSource(name_of(model.building_id), {name: values[row] for name, values in columns.items()
                                                            if name != "building_id"}, model.solids, model.lod)

@@ -46,7 +46,8 @@ class BuildingSource:
 
     Attributes
     ----------
-    id : unique. attributes : figures and what the source says, in order.
+    id : unique.
+    attributes : figures and what the source says, in order.
     solids : its most detailed solids; empty where it has no model.
     lod : level of detail of the solids, "2.2" or "1.3".
     textures : for each solid one entry a face, or empty.

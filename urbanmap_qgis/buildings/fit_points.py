@@ -25,8 +25,11 @@ def candidate_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, on_roof: np.nd
 
     Parameters
     ----------
-    x, y, z : (n,) m. on_roof : (n,) whether a roof took the point. several : (n,) whether its pulse had several
-        returns. classed : (n,) whether it is of class 6. ground : height of the ground, m; NaN where unknown.
+    x, y, z : (n,) m.
+    on_roof : (n,) whether a roof took the point.
+    several : (n,) whether its pulse had several returns.
+    classed : (n,) whether it is of class 6.
+    ground : height of the ground, m; NaN where unknown.
     """
     shapely.prepare(outline)
     inside = shapely.contains_xy(outline, x, y)

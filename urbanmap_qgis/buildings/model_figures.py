@@ -32,8 +32,8 @@ class ModelFigures:
         their plan area lie, highest.
     volume_lod12, volume_lod13, volume_lod22 : volume at each level of detail, m3; the first two are those of the plan
         under the median height of all roofs, and of the roofs between steps.
-    area_ground : plan area of the ground, m2. area_roof_flat, area_roof_sloped : area of the roofs up to 5 degrees and
-        steeper, m2, measured on the slope.
+    area_ground : plan area of the ground, m2.
+    area_roof_flat, area_roof_sloped : area of the roofs up to 5 degrees and steeper, m2, measured on the slope.
     area_outer_walls : area of all walls that see the open air, steps between roofs too, without party walls, m2.
     area_party_walls : area of walls that stand against another building's (within 15 cm), m2.
     storeys_estimated : storeys above ground, estimated: `roof_70` through 3 m, at least one; not counted.
@@ -69,9 +69,10 @@ def model_figures(solids: Sequence[Solid], sloped: bool = True, party_area: floa
 
     Parameters
     ----------
-    solids : its most detailed solids. sloped : whether they are of level of detail 2.2.
-    party_area : area of its walls that stand against other buildings, m2 (`party_wall_areas`); NaN where they were
-        not looked for, so that nothing is said of walls.
+    solids : its most detailed solids.
+    sloped : whether they are of level of detail 2.2.
+    party_area : area of its walls that stand against other buildings, m2 (`party_wall_areas`); NaN where they were not
+        looked for, so that nothing is said of walls.
     """
     triangles = roof_triangles(solids)
     if not len(triangles):

@@ -134,7 +134,8 @@ def build_models(footprints: Footprints, roofs: RoofInput, base: np.ndarray, clo
 
     Parameters
     ----------
-    roofs : polygons and heights of the roofs. base : (n,) ground height of each building, m, NaN where unknown.
+    roofs : polygons and heights of the roofs.
+    base : (n,) ground height of each building, m, NaN where unknown.
     cloud : points with `building_id` and `roof_id`, for the figures of fit.
     open_share : (n,) share of each official outline that was cut out before, see `segmentation`.
     roof_shape : `PLANES`: roofs as their polygons' z has them (LoD2.2, where any is sloped); `LEVELS`: all at their one

@@ -116,7 +116,8 @@ def quality(status: str, rmse_z: float, rmse_z95: float, not_explained: float, u
 
     Parameters
     ----------
-    rmse_z, rmse_z95 : RMSE of height of all candidate points and of the best 95 %, m. not_explained, unseen : shares.
+    rmse_z, rmse_z95 : RMSE of height of all candidate points and of the best 95 %, m.
+    not_explained, unseen : shares.
     """
     if status == NOT_MODELLED:
         return 0.0

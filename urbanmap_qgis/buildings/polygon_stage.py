@@ -80,7 +80,8 @@ class RoofPolygons:
     height, height_max : robust height and that of the highest point.
     points, density : roof points over the polygon, and a m2 of it.
     rmse : root mean square height difference of these points to `height`.
-    coverage : share of the polygon's area with roof points. boundary_rms : of its inner edges to the points'.
+    coverage : share of the polygon's area with roof points.
+    boundary_rms : of its inner edges to the points'.
     slope, azimuth : degrees, of the roof plane to the level, and where it falls to, clockwise from north (NaN: level).
     status : words.
     """

@@ -24,7 +24,8 @@ class BuildingPlans:
 
     Attributes
     ----------
-    ids : int64. plan : (Multi)Polygon in plan, None where the building has no usable geometry.
+    ids : int64.
+    plan : (Multi)Polygon in plan, None where the building has no usable geometry.
     base, top : lowest and highest z, m; NaN where the geometry has no heights.
     """
 

@@ -71,10 +71,12 @@ class FacadePoints:
 
     Attributes
     ----------
-    points : (n, 3) m, below the height and within tolerance. time : (n,) GPS seconds, NaN where the cloud has none.
+    points : (n, 3) m, below the height and within tolerance.
+    time : (n,) GPS seconds, NaN where the cloud has none.
     front : (k, 3) thinned places of what stands before it.
     ground : (3,) plane of the ground round it, z = a + b x + c y, from `origin`; NaN where it is not known.
-    origin : (2,) x and y. kept_share : share of the points that were kept.
+    origin : (2,) x and y.
+    kept_share : share of the points that were kept.
     """
 
     points: np.ndarray
@@ -226,8 +228,8 @@ def facade_points(cloud: PointCloud, plans: BuildingPlans, settings: FacadeSetti
 
     Parameters
     ----------
-    cloud : survey in the plans' CRS. ground : heights of the ground, m; without it the ground is taken from the
-        lowest points round each building.
+    cloud : survey in the plans' CRS.
+    ground : heights of the ground, m; without it the ground is taken from the lowest points round each building.
 
     Raises
     ------

@@ -32,10 +32,14 @@ class NormalVoxels:
     Attributes
     ----------
     size : side, m.
-    of_point : (n,) voxel of each point. index : (v, 3) whole coordinates.
-    count : (v,) points. mean : (v, 3) their centroid, m.
-    normal : (v, 3) unit normals of unknown sign. thickness : (v,) standard deviation across, m.
-    extent : (v,) standard deviation along the second axis, m. support : (v,) points of the neighbourhood.
+    of_point : (n,) voxel of each point.
+    index : (v, 3) whole coordinates.
+    count : (v,) points.
+    mean : (v, 3) their centroid, m.
+    normal : (v, 3) unit normals of unknown sign.
+    thickness : (v,) standard deviation across, m.
+    extent : (v,) standard deviation along the second axis, m.
+    support : (v,) points of the neighbourhood.
     """
 
     size: float

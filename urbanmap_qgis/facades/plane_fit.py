@@ -24,11 +24,14 @@ class WallPlane:
 
     Attributes
     ----------
-    point : (3,) the points' centroid, on the plane. normal : (3,) unit.
-    rmse : of the points that hold it, m. sigma : standard deviation of the plane's place at the centroid, m, from
-        the scatter of square metres (and passes), not of points; it does not know the error of the survey's own place.
-    points : number of points that hold it. passes : drives that saw it. pass_spread : standard deviation of the
-        place between passes, m; NaN with one.
+    point : (3,) the points' centroid, on the plane.
+    normal : (3,) unit.
+    rmse : of the points that hold it, m.
+    sigma : standard deviation of the plane's place at the centroid, m, from the scatter of square metres (and passes),
+        not of points; it does not know the error of the survey's own place.
+    points : number of points that hold it.
+    passes : drives that saw it.
+    pass_spread : standard deviation of the place between passes, m; NaN with one.
     """
 
     point: np.ndarray

@@ -38,8 +38,8 @@ class ContourSettings:
 
     Parameters
     ----------
-    min_area : smallest contour, m2. min_opening : smallest hole that is kept, m2; smaller ones are filled and
-        their share is reported.
+    min_area : smallest contour, m2.
+    min_opening : smallest hole that is kept, m2; smaller ones are filled and their share is reported.
     alpha : radius of the circle that no gap within the wall may hold, m; 0: three times the points' spacing.
     max_gap : pieces of one plane are one contour over gaps up to this, m: windows, trees.
     """
@@ -61,7 +61,8 @@ class Contour:
 
     Attributes
     ----------
-    polygon : in the plane's axes (along, up), m from the plane's point, holes kept. points : number of points in it.
+    polygon : in the plane's axes (along, up), m from the plane's point, holes kept.
+    points : number of points in it.
     filled : share of its area that are gaps too small to be kept as openings, or gaps over which pieces were joined.
     measured : the polygon without the gaps over which pieces were joined.
     """
@@ -84,8 +85,10 @@ class WallCoverage:
 
     Attributes
     ----------
-    area : of the rectangle, m2. coverage : share within the contour. hidden : share outside of it, or in its
-        openings, with something standing in front. unseen : share that neither is seen nor has anything in front.
+    area : of the rectangle, m2.
+    coverage : share within the contour.
+    hidden : share outside of it, or in its openings, with something standing in front.
+    unseen : share that neither is seen nor has anything in front.
     """
 
     area: float

@@ -37,7 +37,8 @@ class PlaneSettings:
     Parameters
     ----------
     tolerance : maximum distance of a voxel's centroid from its plane, m.
-    min_area : smallest wall, m2. max_gap : widest gap within one wall, m.
+    min_area : smallest wall, m2.
+    max_gap : widest gap within one wall, m.
     """
 
     tolerance: float = 0.08
@@ -63,8 +64,10 @@ def wall_segments(points: np.ndarray, time: np.ndarray, edges: np.ndarray, outwa
 
     Parameters
     ----------
-    points : (n, 3) near the building, m. time : (n,) GPS seconds.
-    edges : (k, 2, 2) outline edges, m. outward : (k, 2) unit normals.
+    points : (n, 3) near the building, m.
+    time : (n,) GPS seconds.
+    edges : (k, 2, 2) outline edges, m.
+    outward : (k, 2) unit normals.
     """
     segments: list[Segment] = []
     left = np.arange(len(points))

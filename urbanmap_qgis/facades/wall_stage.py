@@ -62,10 +62,13 @@ class FacadeWall:
 
     Attributes
     ----------
-    building_id : the building. plane : its plane, the normal outwards.
+    building_id : the building.
+    plane : its plane, the normal outwards.
     contour : polygon with z on the plane, counterclockwise seen from in front, holes are openings.
-    points, openings, filled : see `Contour`. seen : of the whole plane's rectangle.
-    edge : number of the outline edge it runs along, -1 for none. offset : distance outwards from that edge, m.
+    points, openings, filled : see `Contour`.
+    seen : of the whole plane's rectangle.
+    edge : number of the outline edge it runs along, -1 for none.
+    offset : distance outwards from that edge, m.
     height_known : whether the building's top was known, to which the rectangle reaches.
     status, note : in words.
     """
@@ -111,7 +114,9 @@ def find_walls(cloud: PointCloud, plans: BuildingPlans, settings: WallSettings =
 
     Parameters
     ----------
-    cloud : the survey. plans : the buildings, in its CRS. ground : heights of the ground, m.
+    cloud : the survey.
+    plans : the buildings, in its CRS.
+    ground : heights of the ground, m.
 
     Raises
     ------

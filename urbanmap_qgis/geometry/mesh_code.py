@@ -36,8 +36,8 @@ def regional_mesh_code(row: int, column: int, parts: int = 1) -> str:
 
     Parameters
     ----------
-    row, column : counted from the equator and from 100 degrees east. parts : into how many the side of a third mesh
-        is divided: 1, 2 (nine digits) or 4 (ten digits).
+    row, column : counted from the equator and from 100 degrees east.
+    parts : into how many the side of a third mesh is divided: 1, 2 (nine digits) or 4 (ten digits).
     """
     digits = ""
     while parts > 1:

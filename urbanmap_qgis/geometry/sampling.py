@@ -69,7 +69,9 @@ def sample(grid: Grid, raster: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.n
 
     Parameters
     ----------
-    grid : place of the raster. raster : (rows, columns), NaN where it is empty. x, y : (n,) in its CRS.
+    grid : place of the raster.
+    raster : (rows, columns), NaN where it is empty.
+    x, y : (n,) in its CRS.
 
     Returns
     -------

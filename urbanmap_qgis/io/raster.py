@@ -55,7 +55,8 @@ def write_raster(path: str | os.PathLike, raster: np.ndarray, grid: Grid, crs_wk
     Parameters
     ----------
     raster : (rows, columns), floats with NaN where empty or whole numbers.
-    grid : its place. crs_wkt : coordinate reference system as WKT.
+    grid : its place.
+    crs_wkt : coordinate reference system as WKT.
     nodata : value that stands for NaN in the file; None for rasters without gaps.
 
     Raises
@@ -105,7 +106,9 @@ class RasterSampler:
 
     Attributes
     ----------
-    grid : its place. crs_wkt : its CRS as WKT, "" where the file states none. bands : how many the file has.
+    grid : its place.
+    crs_wkt : its CRS as WKT, "" where the file states none.
+    bands : how many the file has.
 
     Raises
     ------

@@ -41,7 +41,9 @@ class LocalisationMap:
 
     Attributes
     ----------
-    walls : None where no buildings are used.  markings : None likewise.  sky : None without satellites.
+    walls : None where no buildings are used.
+    markings : None likewise.
+    sky : None without satellites.
     without_height : (k, 2) middles of buildings that have no heights and are left out, m.
     """
 
@@ -60,15 +62,20 @@ class AccuracyMap:
     places : with the heights that were used.
     sigma : by source ("walls", "markings", "satellites", "together"), (n, 3) standard deviations along and across the
         heading, m, and of the heading, degrees; NaN where the source tells nothing.
-    covariance : (n, 3, 3) together, east, north (m2), turn (rad2).  by_source : the same for each source.
+    covariance : (n, 3, 3) together, east, north (m2), turn (rad2).
+    by_source : the same for each source.
     ellipse : of the plan, together.
-    alias_shift : (n, 2) m to the likeliest other place, NaN without one.  alias_share : (n,) probability of others.
+    alias_shift : (n, 2) m to the likeliest other place, NaN without one.
+    alias_share : (n,) probability of others.
     modes : for each place its other modes.
-    points, walls : (n,) rays on walls and number of walls seen.  covered : (n,) share of the horizon with a wall in
-        range.  sky_covered : (n,) share of the sky hidden by buildings.
-    cell_rms : (n,) m.  two_surfaces : (n,) share.  See `wall_evidence.representation`.
+    points, walls : (n,) rays on walls and number of walls seen.
+    covered : (n,) share of the horizon with a wall in range.
+    sky_covered : (n,) share of the sky hidden by buildings.
+    cell_rms : (n,) m.
+    two_surfaces : (n,) share. See `wall_evidence.representation`.
     satellites, dilution : (n,) in line of sight, PDOP; NaN where not asked for.
-    kind : (n,) class.  status : (n,) in words.
+    kind : (n,) class.
+    status : (n,) in words.
     """
 
     places: RoadPlaces

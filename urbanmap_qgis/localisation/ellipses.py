@@ -13,7 +13,8 @@ class PlanEllipse:
 
     Attributes
     ----------
-    major, minor : (n,) semi-axes, m.  bearing : (n,) of the major axis, degrees clockwise from north, 0 to 180.
+    major, minor : (n,) semi-axes, m.
+    bearing : (n,) of the major axis, degrees clockwise from north, 0 to 180.
     """
 
     major: np.ndarray

@@ -16,9 +16,13 @@ class VehicleScanner:
 
     Parameters
     ----------
-    kind : "2D", one level layer, or "multi-layer".  height : above the road, m.  max_range : m.
-    resolution : between rays of a layer, degrees.  noise : standard deviation of a range, m.
-    layers : of a multi-layer scanner.  lowest, highest : their elevations, degrees.
+    kind : "2D", one level layer, or "multi-layer".
+    height : above the road, m.
+    max_range : m.
+    resolution : between rays of a layer, degrees.
+    noise : standard deviation of a range, m.
+    layers : of a multi-layer scanner.
+    lowest, highest : their elevations, degrees.
     hidden : share of the rays that end at vehicles, trees or people.
     """
 
@@ -48,7 +52,8 @@ class LocalisationSettings:
     ----------
     scanner : see `VehicleScanner`.
     matcher : "NDT" weighs each wall with the variance of its cells, "ICP" all points alike.
-    cell : side of the NDT's cells, m.  outliers : share of outliers that its mixture expects.
+    cell : side of the NDT's cells, m.
+    outliers : share of outliers that its mixture expects.
     common_sigma : of a displacement that all walls of a building share, m.
     start_sigma : standard deviation of what is known before matching, each of east and north, m.
     start_heading : the same of the heading, degrees.
@@ -56,12 +61,14 @@ class LocalisationSettings:
     good, usable : largest standard deviation, m, of the weakest direction of a good and of a usable place.
     alias_share : from this share of probability on a place counts as repeated.
     min_points : fewer points on walls are too few.
-    marking_range : markings farther away are not seen, m.  marking_view : angle ahead in which they are, degrees.
+    marking_range : markings farther away are not seen, m.
+    marking_view : angle ahead in which they are, degrees.
     detection : share of the markings within sight that are found.
     marking_noise : of a measured point of a marking, m, at 10 m; it grows with the range.
     marking_common : standard deviation of a displacement that all markings around a place share, m.
-    code_sigma : of a range to a satellite at the zenith, m.  nlos_share : of the hidden satellites that are received
-        by reflection and used.  nlos_delay : their usual excess path, m.
+    code_sigma : of a range to a satellite at the zenith, m.
+    nlos_share : of the hidden satellites that are received by reflection and used.
+    nlos_delay : their usual excess path, m.
     """
 
     scanner: VehicleScanner = field(default_factory=VehicleScanner)

@@ -31,7 +31,8 @@ class ScoreField:
 
     Attributes
     ----------
-    left, bottom : of the first cell, m.  score : (rows, columns) float32, rows northwards.
+    left, bottom : of the first cell, m.
+    score : (rows, columns) float32, rows northwards.
     """
 
     left: float
@@ -75,7 +76,8 @@ class AliasModes:
 
     Attributes
     ----------
-    shift : (k, 2) m, east and north, the likeliest first.  share : (k,) of the probability.
+    shift : (k, 2) m, east and north, the likeliest first.
+    share : (k,) of the probability.
     """
 
     shift: np.ndarray

@@ -39,7 +39,8 @@ class CorrectionSummary:
 
     Attributes
     ----------
-    points : all points.  outside : those without a pose in both trajectories.
+    points : all points.
+    outside : those without a pose in both trajectories.
     in_gaps : those measured in a gap of one.
     mean, largest : movement of the points that have poses, m.
     images, images_outside : image poses moved, and those of them without a pose of the trajectories.
@@ -62,7 +63,8 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
     Parameters
     ----------
     paths : LAS, LAZ or COPC files with gps_time; several are written as one, one after the other.
-    output : LAZ or LAS file.  outside : one of `OUTSIDE`.
+    output : LAZ or LAS file.
+    outside : one of `OUTSIDE`.
 
     Raises
     ------

@@ -46,7 +46,9 @@ class GroundSummary:
 
     Attributes
     ----------
-    points : in the files. usable : without noise, withheld points and absurd heights. ground : ground points.
+    points : in the files.
+    usable : without noise, withheld points and absurd heights.
+    ground : ground points.
     passes : passes that were filtered apart (1 without GPS time).
     crs_wkt : of the cloud.
     """
@@ -64,7 +66,8 @@ class PassGround:
 
     Attributes
     ----------
-    grid : of the cloth's nodes. lowest : (rows, columns) believed lowest heights, cloth : converged heights, m.
+    grid : of the cloth's nodes.
+    lowest : (rows, columns) believed lowest heights, cloth : converged heights, m.
     """
 
     grid: Grid
@@ -91,7 +94,9 @@ def classify_ground_files(paths: Sequence[str | os.PathLike], output: str | os.P
 
     Parameters
     ----------
-    paths : LAS, LAZ or COPC files. output : LAZ or LAS. crs_wkt : CRS where the files state none.
+    paths : LAS, LAZ or COPC files.
+    output : LAZ or LAS.
+    crs_wkt : CRS where the files state none.
     min_ground_share : less ground among the usable points of undecided class, 0 to 1, is refused.
 
     Raises

@@ -25,7 +25,10 @@ class ImagePoses:
 
     Attributes
     ----------
-    id : (n,) names.  time : (n,) s.  place : (n, 3) of the camera, m.  angles : (n, 3) roll, pitch, heading, degrees.
+    id : (n,) names.
+    time : (n,) s.
+    place : (n, 3) of the camera, m.
+    angles : (n, 3) roll, pitch, heading, degrees.
     others : further columns by name.
     """
 

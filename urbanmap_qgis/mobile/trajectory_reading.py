@@ -35,8 +35,8 @@ class TrajectoryReading:
 
     Attributes
     ----------
-    angles : one of `ANGLES`; SBET says it itself. geoid : by which ellipsoidal heights of SBET become those above sea
-        level; None leaves them as they are.
+    angles : one of `ANGLES`; SBET says it itself.
+    geoid : by which ellipsoidal heights of SBET become those above sea level; None leaves them as they are.
     """
 
     angles: str = "degrees"
@@ -68,7 +68,8 @@ def judged_headings(trajectory: Trajectory, angles: np.ndarray, counted: str, na
 
     Parameters
     ----------
-    angles : (n, 3) as the file has them. counted : how they were read, one of `ANGLES`.
+    angles : (n, 3) as the file has them.
+    counted : how they were read, one of `ANGLES`.
 
     Raises
     ------

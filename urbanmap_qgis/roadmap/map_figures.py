@@ -21,7 +21,8 @@ class MapFigures:
 
     Attributes
     ----------
-    length : of lanes without virtual ones, m. by_evidence : their length by where the direction comes from, m.
+    length : of lanes without virtual ones, m.
+    by_evidence : their length by where the direction comes from, m.
     seen : share of the length of painted bounds along which a line was seen, 0 to 1; NaN without bounds.
     sigma : median of the bounds' standard deviations, m; NaN where unknown.
     driven, covered : length of the drives near the map, m, and the share of it inside lanes.

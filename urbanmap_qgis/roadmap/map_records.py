@@ -16,8 +16,11 @@ class MapLine:
     Attributes
     ----------
     points : (n, 3) m, heights NaN where unknown.
-    kind : "solid", "dashed", "stop line", "guiding strip" or "road border". colour : "white", "yellow" or "".
-    width, sigma : m. chain : number of the continuous line. partner : of the other line of a double line, or -1.
+    kind : "solid", "dashed", "stop line", "guiding strip" or "road border".
+    colour : "white", "yellow" or "".
+    width, sigma : m.
+    chain : number of the continuous line.
+    partner : of the other line of a double line, or -1.
     """
 
     points: np.ndarray
@@ -62,8 +65,10 @@ class Bound:
     Attributes
     ----------
     nodes : numbers of its nodes, in the direction of the road section's axis.
-    kind : "solid", "dashed", "road border" or "virtual". colour, width, sigma : of the line.
-    double : the line is a double one. unseen : length without evidence, m.
+    kind : "solid", "dashed", "road border" or "virtual".
+    colour, width, sigma : of the line.
+    double : the line is a double one.
+    unseen : length without evidence, m.
     """
 
     nodes: list[int]
@@ -82,9 +87,13 @@ class MapLane:
     Attributes
     ----------
     left, right : numbers of the bounds; their direction is the lane's where `left_forward`, `right_forward`.
-    centre : (n, 3) centre line in the direction of traffic. width : mean; narrowest : minimum, m.
-    kind : "lane", or "virtual" through a junction. evidence : what its direction comes from.
-    turn : "straight", "left" or "right" of a virtual lane. arrows : kinds of the arrows in it.
+    centre : (n, 3) centre line in the direction of traffic.
+    width : mean.
+    narrowest : minimum, m.
+    kind : "lane", or "virtual" through a junction.
+    evidence : what its direction comes from.
+    turn : "straight", "left" or "right" of a virtual lane.
+    arrows : kinds of the arrows in it.
     successors, left_neighbour, right_neighbour : numbers of lanes, -1 where there is none; neighbours have the same
         direction, `opposite` is the neighbour across the line that has the other one.
     speed_limit : km/h, NaN where unknown.
@@ -116,7 +125,8 @@ class Intersection:
 
     Attributes
     ----------
-    ring : numbers of the nodes about it, in their order. lanes : numbers of the virtual lanes within.
+    ring : numbers of the nodes about it, in their order.
+    lanes : numbers of the virtual lanes within.
     yields : lanes that wait, by the lane that has the right of way.
     """
 
@@ -131,9 +141,12 @@ class VectorMap:
 
     Attributes
     ----------
-    nodes : list of (x, y, z). bounds, lanes : see there.
-    stop_lines : (n, 3) arrays. crosswalks : polygons with the direction of the traffic that crosses them.
-    findings : what to look at. left_hand : traffic keeps to the left; None where nothing tells.
+    nodes : list of (x, y, z).
+    bounds, lanes : see there.
+    stop_lines : (n, 3) arrays.
+    crosswalks : polygons with the direction of the traffic that crosses them.
+    findings : what to look at.
+    left_hand : traffic keeps to the left; None where nothing tells.
     height_sigmas : sigma (m) of each node whose height was taken from along the road, by its number.
     intersections : ways through junctions that lie together, with their area.
     crosswalk_rings : outlines (n, 3) of the crosswalks with heights; empty where the crosswalks hold them.
@@ -187,7 +200,8 @@ class MapSettings:
 
     Attributes
     ----------
-    min_width, max_width : of a lane, m. min_length : of a lane, m.
+    min_width, max_width : of a lane, m.
+    min_length : of a lane, m.
     traffic : "left", "right" or "auto" (what the drives show).
     bridge : a bound may be unseen for so long, m; it is drawn through and told.
     height_gap : lines whose heights differ by more do not belong together, m.

@@ -85,7 +85,8 @@ def ghost_rows(ground: np.ndarray, place: np.ndarray, rng: np.random.Generator) 
 
     Parameters
     ----------
-    ground : (n,) bool. place : (n, 3) m.
+    ground : (n,) bool.
+    place : (n, 3) m.
     """
     candidates = np.flatnonzero(ground)
     clusters = rng.poisson(GHOSTS * len(place) / GHOST_CLUSTER) if len(candidates) else 0

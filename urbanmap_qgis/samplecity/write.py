@@ -77,7 +77,8 @@ def make_city(folder: Path, size: float = 200.0, scene: str = "canyon", seed: in
 
     Parameters
     ----------
-    folder : does not exist yet, or is empty.  size, scene, seed : see `scene.make_scene`.
+    folder : does not exist yet, or is empty.
+    size, scene, seed : see `scene.make_scene`.
     faults : of real surveys, see `faults.FAULTS`.
     executor : threads or processes that make the sensors' data at the same time. The files do not depend on it.
 

@@ -148,7 +148,9 @@ class BottomPoints:
 
     Attributes
     ----------
-    points : (m,) their indices. cell : (m,) flat cell numbers. z : (m,) heights.
+    points : (m,) their indices.
+    cell : (m,) flat cell numbers.
+    z : (m,) heights.
     place : where they lie between the cell centres.
     """
 
@@ -163,7 +165,8 @@ def bottom_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowes
 
     Parameters
     ----------
-    x, y, z : (n,) metres, all on the grid. lowest : (rows, columns) from `first_cloth`.
+    x, y, z : (n,) metres, all on the grid.
+    lowest : (rows, columns) from `first_cloth`.
     """
     cell = node_of_points(x, y, grid)
     height = z - lowest.ravel()[cell]
@@ -250,7 +253,8 @@ def final_cloth(lowest: np.ndarray, trend: np.ndarray, settings: ClothSettings,
 
     Parameters
     ----------
-    lowest : (rows, columns) metres, inf where there is no point. trend : (rows, columns), see `trend_surface`.
+    lowest : (rows, columns) metres, inf where there is no point.
+    trend : (rows, columns), see `trend_surface`.
 
     Returns
     -------

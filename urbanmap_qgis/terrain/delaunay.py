@@ -39,7 +39,8 @@ class Blocks:
 
     Parameters
     ----------
-    side : side of a square block, m. radius : largest circumradius found inside blocks, m.
+    side : side of a square block, m.
+    radius : largest circumradius found inside blocks, m.
     scale : lattice steps a metre, a power of two.
     """
 
@@ -71,9 +72,10 @@ def highest_in_cells(cell_of_point: np.ndarray, z: np.ndarray, cells: int,
 
     Parameters
     ----------
-    cell_of_point : (n,) cell number of each point, below `cells`. z : (n,) heights.
-    tie : (x, y) of the points; of points equally high the one with the smaller x, then y, is taken, so that
-        the order of the points does not matter. Without it the first one is taken.
+    cell_of_point : (n,) cell number of each point, below `cells`.
+    z : (n,) heights.
+    tie : (x, y) of the points; of points equally high the one with the smaller x, then y, is taken, so that the order
+        of the points does not matter. Without it the first one is taken.
     """
     top = extreme_in_cells(cell_of_point, z, cells, highest=True)
     winner = np.flatnonzero(z == top[cell_of_point])

@@ -31,7 +31,9 @@ def without_ghosts(cell: np.ndarray, height: np.ndarray, shape: tuple[int, int])
 
     Parameters
     ----------
-    cell : (n,) flat cell numbers. height : (n,) m, inf where a point is left out. shape : rows and columns.
+    cell : (n,) flat cell numbers.
+    height : (n,) m, inf where a point is left out.
+    shape : rows and columns.
     """
     size = shape[0] * shape[1]
     lowest = extreme_in_cells(cell, height, size, highest=False)

@@ -15,9 +15,10 @@ def rasterise(x: np.ndarray, y: np.ndarray, z: np.ndarray, triangles: np.ndarray
 
     Parameters
     ----------
-    x, y, z : (n,) corners, metres. triangles : (m, 3) indices into them.
-    raster : (rows, columns) of `grid`, changed in place. Cells that no triangle covers stay as they are. A
-        centre on the side of two triangles takes the height of that side from either.
+    x, y, z : (n,) corners, metres.
+    triangles : (m, 3) indices into them.
+    raster : (rows, columns) of `grid`, changed in place. Cells that no triangle covers stay as they are. A centre on
+        the side of two triangles takes the height of that side from either.
     only_empty : write only into cells that are NaN.
     """
     for first in range(0, len(triangles), _BATCH):

@@ -79,7 +79,8 @@ def ground_mask(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: np.
 
     Parameters
     ----------
-    x, y, z : (n,) metres. classification : (n,) LAS classes, or None for an unclassified cloud.
+    x, y, z : (n,) metres.
+    classification : (n,) LAS classes, or None for an unclassified cloud.
 
     Raises
     ------
@@ -107,7 +108,8 @@ def ground_raster(x: np.ndarray, y: np.ndarray, z: np.ndarray, classification: n
 
     Parameters
     ----------
-    x, y, z : (n,) metres. classification : (n,) LAS classes, or None for an unclassified cloud.
+    x, y, z : (n,) metres.
+    classification : (n,) LAS classes, or None for an unclassified cloud.
     grid : the raster's place.
 
     Returns

@@ -84,12 +84,17 @@ class SurfaceSummary:
 
     Attributes
     ----------
-    points_read : all points in the files. points_used : without noise, withheld and points alone in space.
-    ground_points : points taken as ground, None if no ground was asked for. ground_method : "classes", "cloth" or "".
-    triangles : of the surface. triangles_left_out : longer than `max_edge`.
-    empty_share : share of the cells without a height. far_share : share of the raster in triangles with a side of
-    10 m or more (for coarse rasters and sparse clouds 14 cells or spacings), where the surface is a guess.
-    grid : place of the rasters. crs_wkt : their CRS.
+    points_read : all points in the files.
+    points_used : without noise, withheld and points alone in space.
+    ground_points : points taken as ground, None if no ground was asked for.
+    ground_method : "classes", "cloth" or "".
+    triangles : of the surface.
+    triangles_left_out : longer than `max_edge`.
+    empty_share : share of the cells without a height.
+    far_share : share of the raster in triangles with a side of 10 m or more (for coarse rasters and sparse clouds 14
+        cells or spacings), where the surface is a guess.
+    grid : place of the rasters.
+    crs_wkt : their CRS.
     """
 
     points_read: int
@@ -135,7 +140,9 @@ def surfaces_from_files(paths: Sequence[str | os.PathLike], surface_path: str | 
 
     Parameters
     ----------
-    paths : LAS, LAZ or COPC files. surface_path, ground_path : GeoTIFFs. mesh_path : PLY.
+    paths : LAS, LAZ or COPC files.
+    surface_path, ground_path : GeoTIFFs.
+    mesh_path : PLY.
     crs_wkt : CRS where the files state none.
 
     Raises
@@ -327,8 +334,9 @@ class _Canvas:
 
     Attributes
     ----------
-    raster : (rows, columns) float32. covered : cells inside the surface's outline, also where triangles were
-    left out. triangles, left_out, far_share : see `SurfaceSummary`.
+    raster : (rows, columns) float32.
+    covered : cells inside the surface's outline, also where triangles were left out.
+    triangles, left_out, far_share : see `SurfaceSummary`.
     """
 
     def __init__(self, work: _Work, vertices: _Vertices, progress: Progress, max_edge: float = 0.0,

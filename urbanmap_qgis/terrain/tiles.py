@@ -31,7 +31,8 @@ class Tiling:
 
     Parameters
     ----------
-    cell : raster cell, m. cells : raster cells along a tile's side.
+    cell : raster cell, m.
+    cells : raster cells along a tile's side.
     """
 
     cell: float
@@ -80,7 +81,8 @@ class TilePoints:
 
     Attributes
     ----------
-    records : (n,) of dtype `POINT`, or columns (n,) by the names that are needed. own : number of own points.
+    records : (n,) of dtype `POINT`, or columns (n,) by the names that are needed.
+    own : number of own points.
     box : of the tile.
     """
 
@@ -109,7 +111,8 @@ def reduce_tile(tile: TilePoints, cell: float, neighbours: int, cloth_grid: Grid
 
     Parameters
     ----------
-    cell : raster cell, m. neighbours : see `outliers.isolated`.
+    cell : raster cell, m.
+    neighbours : see `outliers.isolated`.
     cloth_grid : grid of the whole cloth; None if ground points are told by class.
 
     Returns
@@ -217,7 +220,10 @@ class TileVertices:
 
     Attributes
     ----------
-    x, y, z : (n,). number : (n,) int64. own : (n,) bool, belongs to the tile itself. key : of the tile.
+    x, y, z : (n,).
+    number : (n,) int64.
+    own : (n,) bool, belongs to the tile itself.
+    key : of the tile.
     """
 
     x: np.ndarray
@@ -234,10 +240,12 @@ class TileSurface:
 
     Attributes
     ----------
-    rows, columns : where `raster` lies in the whole. raster : NaN where no triangle covers, LEFT_OUT where one
-    that is too long does.
-    count : of triangles. triangles : (m, 3) vertex numbers of those that are not too long.
-    edges : (k, 2) open directed edges, in vertex numbers. unused : numbers of own vertices without a triangle.
+    rows, columns : where `raster` lies in the whole.
+    raster : NaN where no triangle covers, LEFT_OUT where one that is too long does.
+    count : of triangles.
+    triangles : (m, 3) vertex numbers of those that are not too long.
+    edges : (k, 2) open directed edges, in vertex numbers.
+    unused : numbers of own vertices without a triangle.
     numbers, vertices : corners of the edges and unused vertices with their places.
     used_elsewhere : numbers of the vertices of other tiles that the triangles use.
     """

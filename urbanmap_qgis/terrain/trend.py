@@ -26,7 +26,8 @@ def trend_surface(lowest: np.ndarray, cell: float) -> np.ndarray:
 
     Parameters
     ----------
-    lowest : (rows, columns) metres, inf where empty, at least one finite. cell : m.
+    lowest : (rows, columns) metres, inf where empty, at least one finite.
+    cell : m.
     """
     row, column, height = _lowest_of_blocks(lowest, max(1, round(_BLOCK / cell)))
     knot = max(_KNOT / cell, np.sqrt(lowest.size / _MOST_KNOTS), 1.0)

@@ -90,7 +90,8 @@ class FrameCamera:
 
     Attributes
     ----------
-    focal_length, pixel_pitch : mm.  width, height : pixels.
+    focal_length, pixel_pitch : mm.
+    width, height : pixels.
     principal_point : x0, y0 in mm from the image centre, x right and y up.
     distortion : of the lens.
     """

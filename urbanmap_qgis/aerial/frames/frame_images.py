@@ -88,7 +88,8 @@ class FrameImage:
 
     Attributes
     ----------
-    bands : 1 (grey) or 3 and more (red, green, blue first).  width, height : pixels.
+    bands : 1 (grey) or 3 and more (red, green, blue first).
+    width, height : pixels.
     dtype : uint8 or uint16.
 
     Raises

@@ -36,7 +36,9 @@ class NormalisedSurface:
 
     Attributes
     ----------
-    grid : of the surface. ground : the ground's heights. crs_wkt : the surface's CRS, "" where it states none.
+    grid : of the surface.
+    ground : the ground's heights.
+    crs_wkt : the surface's CRS, "" where it states none.
     """
 
     def __init__(self, dsm: str | os.PathLike, ground: str | os.PathLike):
@@ -77,7 +79,8 @@ class NormalisedSurface:
 
         Parameters
         ----------
-        threshold : m above the ground. low_parts : whether lower parts at a building count (see `with_low_parts`).
+        threshold : m above the ground.
+        low_parts : whether lower parts at a building count (see `with_low_parts`).
         """
         if not low_parts:
             z, above = self.heights(rows, columns, steepen)
@@ -141,7 +144,8 @@ def with_low_parts(above: np.ndarray, threshold: float, cell: float) -> np.ndarr
 
     Parameters
     ----------
-    above : (m, n) heights above the ground, m. cell : m.
+    above : (m, n) heights above the ground, m.
+    cell : m.
     """
     high = above > threshold
     if threshold <= STEP or not high.any():

@@ -71,8 +71,9 @@ class OcclusionSummary:
     ----------
     hidden_share : share of the frame's pixels that are masked.
     uncovered_share : share of the frame that looks beyond the surface or ground raster, so that nothing is known.
-    footprints_raised : outlines with a building. footprints_flat : outlines where the surface shows none (less than a
-    tenth of their cells stands 2 m above the ground), which were left alone.
+    footprints_raised : outlines with a building.
+    footprints_flat : outlines where the surface shows none (less than a tenth of their cells stands 2 m above the
+        ground), which were left alone.
     """
 
     hidden_share: float

@@ -51,7 +51,9 @@ def silhouette_edges(column: np.ndarray, row: np.ndarray, z: np.ndarray, high: n
     Parameters
     ----------
     column, row : (m, n) where the grid's vertices, row 0 northernmost and column 0 westernmost, appear in the frame;
-        NaN where they do not. z : (m, n) their heights. high : (m, n) whether they count as raised.
+        NaN where they do not.
+    z : (m, n) their heights.
+    high : (m, n) whether they count as raised.
     """
     falling = np.abs(z[:-1, :-1] - z[1:, 1:]) <= np.abs(z[:-1, 1:] - z[1:, :-1])
     first, last = slice(None, -1), slice(1, None)

@@ -27,8 +27,10 @@ class _PolarGrid:
 
     Attributes
     ----------
-    first, turn : radians, direction of row 0 and from row to row.  directions : rows.
-    near, step : m, distance of column 0 and from column to column.  distances : columns.
+    first, turn : radians, direction of row 0 and from row to row.
+    directions : rows.
+    near, step : m, distance of column 0 and from column to column.
+    distances : columns.
     """
 
     first: float
@@ -82,9 +84,10 @@ def visible_ground(centre: np.ndarray, grid: Grid, ground: np.ndarray, surface: 
     Parameters
     ----------
     centre : (3,) projection centre, m.
-    grid : of both rasters. ground : (rows, columns) heights, NaN where unknown. surface : heights of the DSM, NaN
-        where unknown; what stands higher than `threshold` above the ground hides what lies behind it. Without it only
-        the ground hides ground.
+    grid : of both rasters.
+    ground : (rows, columns) heights, NaN where unknown.
+    surface : heights of the DSM, NaN where unknown; what stands higher than `threshold` above the ground hides what
+        lies behind it. Without it only the ground hides ground.
 
     Returns
     -------

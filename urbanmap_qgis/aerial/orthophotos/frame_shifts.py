@@ -126,8 +126,10 @@ def shift_columns(shifts: Sequence[FrameShift], pixel: float) -> dict[str, np.nd
 
     Returns
     -------
-    x, y; first, second; east, north, length, sigma : of the patch, m; pair_east, pair_north, pair_length, pair_sigma,
-    patches : of the pair; status : see `status_of`.
+    x, y; first, second.
+    east, north, length, sigma : of the patch, m.
+    pair_east, pair_north, pair_length, pair_sigma, patches : of the pair.
+    status : see `status_of`.
     """
     count = [shift.patches for shift in shifts]
     columns = {"x": np.concatenate([shift.places[:, 0] for shift in shifts] or [np.zeros(0)]),

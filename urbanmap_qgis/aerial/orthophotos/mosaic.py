@@ -103,7 +103,8 @@ class Mosaic:
 
     Attributes
     ----------
-    grid : of the files.  used : sources that gave pixels.
+    grid : of the files.
+    used : sources that gave pixels.
     pixels_seen : that hold an image.
     pixels_shared : that two or more sources see.
     pixels_hidden : in reach of a source, not covered by a building, but seen by none.

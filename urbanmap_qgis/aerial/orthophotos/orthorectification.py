@@ -117,7 +117,9 @@ class Terrain:
 
     Parameters
     ----------
-    ground : heights of the ground. surface : the DSM, None for none. outlines : polygons of buildings.
+    ground : heights of the ground.
+    surface : the DSM, None for none.
+    outlines : polygons of buildings.
     heights : of the buildings in them above the ground, m, None for unknown: they hide ground like the surface.
     threshold : m above the ground from which the surface hides and is not ground (J: 5 m).
     """

@@ -34,7 +34,8 @@ class OrthophotoSource:
 
     Attributes
     ----------
-    bounds : (x_min, y_min, x_max, y_max) of that grid.  bands, dtype : of the image without its alpha band.
+    bounds : (x_min, y_min, x_max, y_max) of that grid.
+    bands, dtype : of the image without its alpha band.
 
     Raises
     ------

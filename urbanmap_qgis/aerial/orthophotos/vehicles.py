@@ -136,8 +136,9 @@ def _freer(number: np.ndarray, total: np.ndarray, like: np.ndarray, paint: np.nd
 
     Parameters
     ----------
-    total : (views, rows, columns) brightness; like, paint, seen : where the views are like the road around, may show
-        paint, and see the ground. Paint speaks for the view that is chosen only: vehicles have narrow bright parts too.
+    total : (views, rows, columns) brightness.
+    like, paint, seen : where the views are like the road around, may show paint, and see the ground. Paint speaks for
+        the view that is chosen only: vehicles have narrow bright parts too.
     """
     around = [np.maximum(_count(sees), 1) for sees in seen]
     free = np.stack([_share(*part) for part in zip(like, seen, around)])

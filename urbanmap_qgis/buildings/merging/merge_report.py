@@ -23,7 +23,8 @@ def write_merge_report(path: str | os.PathLike, merged: Sequence[MergedBuilding]
     Parameters
     ----------
     columns, edges : of the buildings and of their walls, as `merged_columns` and `edge_columns` give them.
-    names : of the buildings, in their order. more : adds to the report, such as pictures.
+    names : of the buildings, in their order.
+    more : adds to the report, such as pictures.
     """
     report = Report("Merged building models")
     status = Counter(building.status for building in merged)

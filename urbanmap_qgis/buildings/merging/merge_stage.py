@@ -70,9 +70,13 @@ class MergedBuilding:
 
     Attributes
     ----------
-    building_id : its number. solids : closed solids; the old ones where it could not be merged, empty without a model.
-    status, reason : in words. base : of the ground, m. edges : all outer edges. valid : whether the solids passed the
-    check. volume, volume_before : m3.
+    building_id : its number.
+    solids : closed solids; the old ones where it could not be merged, empty without a model.
+    status, reason : in words.
+    base : of the ground, m.
+    edges : all outer edges.
+    valid : whether the solids passed the check.
+    volume, volume_before : m3.
     """
 
     building_id: int

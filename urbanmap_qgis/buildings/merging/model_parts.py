@@ -26,9 +26,11 @@ class ModelParts:
 
     Attributes
     ----------
-    base : height of the ground, m. cells : roofs with their (greatest) heights, beside each other.
+    base : height of the ground, m.
+    cells : roofs with their (greatest) heights, beside each other.
     planes : of each roof: z = p[0] x + p[1] y + p[2], m, x and y from `origin`.
-    sloped : whether a roof is not level. problem : why the model cannot be taken apart, "" if it can.
+    sloped : whether a roof is not level.
+    problem : why the model cannot be taken apart, "" if it can.
     """
 
     base: float

@@ -45,7 +45,8 @@ class MergeSettings:
     Parameters
     ----------
     height : up to which height above the model's ground walls are taken from the survey, m (J 5.7: 20 m).
-    max_offset : maximum distance by which a wall moves, m. max_rotation : maximum rotation, degrees.
+    max_offset : maximum distance by which a wall moves, m.
+    max_rotation : maximum rotation, degrees.
     min_share : minimum share of a wall's length that must have been measured; at least a metre.
     overhang : a roof that stands out over the measured wall by more than this stays as it is, m; below, it follows.
     slab : height of the roof's edge over an overhang, m, where the top of the measured wall does not tell it.
@@ -72,9 +73,13 @@ class MeasuredWall:
 
     Attributes
     ----------
-    number : row in the layer. point, normal : (2,) of its trace in plan at half its height, the normal outwards.
-    left, right : extent along its trace from the point, m, seen from in front. foot, top : heights, m.
-    area : m2. rmse, sigma : m, NaN where unknown. tilt : degrees.
+    number : row in the layer.
+    point, normal : (2,) of its trace in plan at half its height, the normal outwards.
+    left, right : extent along its trace from the point, m, seen from in front.
+    foot, top : heights, m.
+    area : m2.
+    rmse, sigma : m, NaN where unknown.
+    tilt : degrees.
     """
 
     number: int
@@ -145,8 +150,12 @@ class EdgeMatch:
 
     Attributes
     ----------
-    status : see the constants. note : in words. wall : the wall, None without one.
-    line : where the edge goes, None where it stays. offset : of the wall outwards from the edge, m. rotation : degrees.
+    status : see the constants.
+    note : in words.
+    wall : the wall, None without one.
+    line : where the edge goes, None where it stays.
+    offset : of the wall outwards from the edge, m.
+    rotation : degrees.
     measured : share of the edge's length along which the wall was measured.
     """
 
@@ -165,8 +174,11 @@ class WallsAlong:
 
     Attributes
     ----------
-    wall : all of them as one wall, numbered as the largest. spans : (k, 2) m along the edge, apart from each other.
-    offset : outwards from the edge, m. rotation : degrees. measured : share of the edge's length.
+    wall : all of them as one wall, numbered as the largest.
+    spans : (k, 2) m along the edge, apart from each other.
+    offset : outwards from the edge, m.
+    rotation : degrees.
+    measured : share of the edge's length.
     """
 
     wall: MeasuredWall

@@ -31,8 +31,11 @@ class HeightGrid:
 
     Attributes
     ----------
-    grid : its place. z : (rows, columns) heights, m, without gaps. measured : cells with points of that surface.
-    label : (rows, columns) number of the surface, from 0. plan : the building's plan.
+    grid : its place.
+    z : (rows, columns) heights, m, without gaps.
+    measured : cells with points of that surface.
+    label : (rows, columns) number of the surface, from 0.
+    plan : the building's plan.
     """
 
     grid: Grid

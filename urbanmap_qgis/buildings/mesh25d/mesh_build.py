@@ -21,8 +21,10 @@ def build_mesh(plan: SurfacePlan, heights: Heights, cells: Sequence[np.ndarray],
 
     Parameters
     ----------
-    heights : of each surface at the nodes of its border. cells : (k, 3) places and heights of each surface, m.
-    base : height of the ground, m. tolerance : farthest distance of a surface from its cells, m.
+    heights : of each surface at the nodes of its border.
+    cells : (k, 3) places and heights of each surface, m.
+    base : height of the ground, m.
+    tolerance : farthest distance of a surface from its cells, m.
     """
     builder = _Builder(plan, heights, round(base * UNITS))
     for surface in range(len(plan.label)):

@@ -19,9 +19,10 @@ class MeshFit:
 
     Attributes
     ----------
-    points : number. within : share of the uppermost points within the stated error. rmse, p95, max_distance : m, of
-        all points to the nearest surface. under : share of the points that lie under the uppermost surface: facades,
-        a second roof, what stands below eaves.
+    points : number.
+    within : share of the uppermost points within the stated error.
+    rmse, p95, max_distance : m, of all points to the nearest surface.
+    under : share of the points that lie under the uppermost surface: facades, a second roof, what stands below eaves.
     """
 
     points: int

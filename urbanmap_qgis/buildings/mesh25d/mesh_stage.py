@@ -53,7 +53,8 @@ class MeshSettings:
     Parameters
     ----------
     max_error : distance within which at least 95 % of the uppermost points shall lie, m.
-    step : height steps above this become upright walls, m. min_area : smallest surface of its own, m2.
+    step : height steps above this become upright walls, m.
+    min_area : smallest surface of its own, m2.
     """
 
     max_error: float = 0.3
@@ -88,7 +89,8 @@ def mesh_buildings(cloud: PointCloud, footprints: Footprints, base: np.ndarray,
 
     Parameters
     ----------
-    cloud : points with building_id, or any that the outlines cut. base : (n,) height of the ground, NaN where unknown.
+    cloud : points with building_id, or any that the outlines cut.
+    base : (n,) height of the ground, NaN where unknown.
 
     Raises
     ------

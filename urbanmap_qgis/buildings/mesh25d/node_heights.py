@@ -33,7 +33,8 @@ def border_heights(plan: SurfacePlan, cells: list[np.ndarray], base: float, spac
     ----------
     plan : changed in place: its edges get more nodes.
     cells : (k, 3) places and heights (m) of the measured cells of each surface.
-    base : height of the ground, m: all heights are above it. spacing : between nodes that are tried, m.
+    base : height of the ground, m: all heights are above it.
+    spacing : between nodes that are tried, m.
     tolerance : how far a border may pass its surface's heights, m.
     """
     chains = _densified(plan.edges, spacing)

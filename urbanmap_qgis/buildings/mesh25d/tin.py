@@ -21,7 +21,8 @@ class Tin:
 
     Parameters
     ----------
-    xy, z : (k, 2) and (k,) corners of the polygon, m. rings : of their numbers, the outer one first.
+    xy, z : (k, 2) and (k,) corners of the polygon, m.
+    rings : of their numbers, the outer one first.
     """
 
     def __init__(self, xy: np.ndarray, z: np.ndarray, rings: Sequence[Sequence[int]]):

@@ -39,7 +39,9 @@ def with_courtyards(outlines: np.ndarray, x: np.ndarray, y: np.ndarray, low: np.
     Parameters
     ----------
     outlines : polygons at their right places; missing ones stay missing.
-    x, y : (n,) all points. low : (n,) bool, whether a point lies on the ground. density : points a m2.
+    x, y : (n,) all points.
+    low : (n,) bool, whether a point lies on the ground.
+    density : points a m2.
     """
     result = outlines.copy()
     on_ground = np.flatnonzero(low)

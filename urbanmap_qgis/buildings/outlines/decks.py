@@ -27,7 +27,9 @@ def ground_without_decks(outlines: np.ndarray, x: np.ndarray, y: np.ndarray, z: 
     Parameters
     ----------
     outlines : polygons at their right places; missing ones are passed over.
-    x, y, z : (n,) all points, m. ground : (n,) height of the ground as filtered, m. density : points a m2.
+    x, y, z : (n,) all points, m.
+    ground : (n,) height of the ground as filtered, m.
+    density : points a m2.
     """
     result = ground.copy()
     outlines = outlines[~shapely.is_missing(outlines)]

@@ -87,7 +87,8 @@ def sums_inside(pieces: Pieces, shifts: np.ndarray, sums: np.ndarray, grid: Grid
 
     Parameters
     ----------
-    shifts : (n, k, 2) in m; sums : the raster's `row_sums` on `grid`.
+    shifts : (n, k, 2) in m.
+    sums : the raster's `row_sums` on `grid`.
     """
     n, k = shifts.shape[:2]
     result = np.zeros((n, k))

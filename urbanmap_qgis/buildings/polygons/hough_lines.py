@@ -45,7 +45,8 @@ class HoughAccumulator:
 
     Parameters
     ----------
-    xy : (n, 2) metres, near the origin. bin_width : metres; a line takes the votes of two neighbouring bins.
+    xy : (n, 2) metres, near the origin.
+    bin_width : metres; a line takes the votes of two neighbouring bins.
     normals_deg : directions of the lines' normals in degrees; all whole degrees by default.
     weight : (m,) factor on the votes of each direction, 1 by default.
     """

@@ -88,7 +88,8 @@ def outline_from_points(x: np.ndarray, y: np.ndarray, density: float, parameters
 
     Parameters
     ----------
-    x, y : (n,) all roof points of the building, metres. density : points per m2.
+    x, y : (n,) all roof points of the building, metres.
+    density : points per m2.
     neighbours : outlines of the buildings beside it; walls near theirs follow them, and what they cover is theirs.
 
     Raises

@@ -65,9 +65,10 @@ def candidate_lines(boundaries: LabelBoundaries, outline: shapely.Geometry, cell
     Parameters
     ----------
     boundaries : of the label raster, coordinates near the origin.
-    outline : Polygon or MultiPolygon in the same coordinates; lines within `merge` metres of one of its
-        parallel edges become that edge's own line, so that steps of the roof follow steps of the plan.
-    cell : raster cell in metres. min_length : metres of boundaries that a line needs without a gap.
+    outline : Polygon or MultiPolygon in the same coordinates; lines within `merge` metres of one of its parallel edges
+        become that edge's own line, so that steps of the roof follow steps of the plan.
+    cell : raster cell in metres.
+    min_length : metres of boundaries that a line needs without a gap.
     merge : metres; parallel lines nearer than this are one.
     max_lines : strongest first.
     points : shifts each line to where it separates them best.

@@ -24,7 +24,8 @@ def choose_roofs(cost: np.ndarray, arrangement: Arrangement, smoothness: float,
     Parameters
     ----------
     cost : (n, k) square metres of wrong cells if the piece goes to the roof.
-    smoothness : metres. min_roof_area : square metres.
+    smoothness : metres.
+    min_roof_area : square metres.
     """
     area = shapely.area(arrangement.pieces)
     thin = 2.0 * area < MIN_WIDTH * shapely.length(arrangement.pieces)

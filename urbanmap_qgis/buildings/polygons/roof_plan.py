@@ -105,11 +105,11 @@ def partition_roofs(outline: shapely.Geometry, labels_grid: Grid, labels: np.nda
     Parameters
     ----------
     outline : valid Polygon or MultiPolygon, courtyards as holes, already at its right place; metres.
-    labels_grid : where the raster lies. labels : (rows, columns) int, roof number of each cell, 0 = no data.
-    heights : (rows, columns) heights of cells in metres, nan = none; roofs of like height are then cheap to
-        confuse.
-    points : x, y and roof number of each point (0 = none), instead of the raster (labels of 0) or beside it:
-        cells that hold points take the roof most of them have.
+    labels_grid : where the raster lies.
+    labels : (rows, columns) int, roof number of each cell, 0 = no data.
+    heights : (rows, columns) heights of cells in metres, nan = none; roofs of like height are then cheap to confuse.
+    points : x, y and roof number of each point (0 = none), instead of the raster (labels of 0) or beside it: cells that
+        hold points take the roof most of them have.
 
     Raises
     ------

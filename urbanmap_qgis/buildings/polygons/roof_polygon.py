@@ -25,7 +25,8 @@ class PaperParameters:
 
     Parameters
     ----------
-    outlier_radius : metres. min_neighbours : within it.
+    outlier_radius : metres.
+    min_neighbours : within it.
     alpha : metres.
     min_line_points : J's n. J: "sometimes an edge is represented by only 5 or 6 points".
     line_distance : J's d, metres.
@@ -113,7 +114,8 @@ def paper_roof_polygons(x: np.ndarray, y: np.ndarray, roof_of_point: np.ndarray,
 
     Parameters
     ----------
-    x, y : (n,) metres. roof_of_point : (n,) roof number of each point, 0 = none.
+    x, y : (n,) metres.
+    roof_of_point : (n,) roof number of each point, 0 = none.
     density : points per m2.
     """
     parameters = parameters or PaperParameters()

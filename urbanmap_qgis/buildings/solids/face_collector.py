@@ -19,7 +19,8 @@ class FaceCollector:
 
     Parameters
     ----------
-    edges : the part's plan. base : height of the ground face, lattice units.
+    edges : the part's plan.
+    base : height of the ground face, lattice units.
     """
 
     def __init__(self, edges: HalfEdges, base: int):

@@ -65,7 +65,8 @@ def repair_plan(edges: HalfEdges, heights: list[int], base: int) -> PlanRepair:
     Parameters
     ----------
     edges : half edges of one connected part; changed in place.
-    heights : height of each cell, changed in place; `base` : height of what lies outside (same unit).
+    heights : height of each cell, changed in place.
+    `base` : height of what lies outside (same unit).
     """
     def level(cell: int, _node: int) -> int:
         return heights[cell]

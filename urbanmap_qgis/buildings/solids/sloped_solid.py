@@ -41,7 +41,8 @@ def sloped_solids(cells: Sequence[SlopedCell], base_height: float, least_height:
 
     Parameters
     ----------
-    cells : cells of one building, edge by edge beside each other. base_height : height of the ground face, m.
+    cells : cells of one building, edge by edge beside each other.
+    base_height : height of the ground face, m.
     least_height : no roof is lower than this above the base (m).
 
     Raises

@@ -46,8 +46,10 @@ class Navigation:
 
     Attributes
     ----------
-    kepler, glonass : broadcast records.  precise : SP3 orbits, used before the broadcast ones where they extend.
-    ionosphere : coefficients of the files.  notes : sentences on damage.
+    kepler, glonass : broadcast records.
+    precise : SP3 orbits, used before the broadcast ones where they extend.
+    ionosphere : coefficients of the files.
+    notes : sentences on damage.
     """
 
     kepler: KeplerRecords

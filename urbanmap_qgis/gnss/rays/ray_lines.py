@@ -58,7 +58,8 @@ def ray_lines(signals: Signals, paths: SignalPaths, rows: np.ndarray, length: fl
 
     Parameters
     ----------
-    rows : (r,) signals.  length : of the part towards the satellite, m. What is blocked ends at the wall.
+    rows : (r,) signals.
+    length : of the part towards the satellite, m. What is blocked ends at the wall.
     """
     lines = np.empty(len(rows), dtype=object)
     place, direction = signals.place[rows], signals.direction[rows]

@@ -33,8 +33,11 @@ class WallObstacles:
     Attributes
     ----------
     walls : the pieces; their coordinates are local to `origin`.
-    origin : (2,) lower left corner of the grid, m.  cell : width of a cell, m.  shape : rows, columns.
-    first : (cells + 1,) where each cell's walls begin in `member`.  member : numbers of pieces.
+    origin : (2,) lower left corner of the grid, m.
+    cell : width of a cell, m.
+    shape : rows, columns.
+    first : (cells + 1,) where each cell's walls begin in `member`.
+    member : numbers of pieces.
     highest : (cells,) height of the highest wall in each cell, m; -inf without walls.
     """
 
@@ -69,7 +72,9 @@ class WallObstacles:
 
         Parameters
         ----------
-        start : (n, 3) m.  direction : (n, 3) unit vectors.  length : (n,) length of the rays, m.
+        start : (n, 3) m.
+        direction : (n, 3) unit vectors.
+        length : (n,) length of the rays, m.
 
         Returns
         -------
@@ -195,8 +200,10 @@ class WallReflections:
 
     Attributes
     ----------
-    ray : (n,) number of the ray.  piece : (n,) number of the piece of wall.
-    place : (n, 3) point of reflection, m.  length : (n,) m from the antenna to it.
+    ray : (n,) number of the ray.
+    piece : (n,) number of the piece of wall.
+    place : (n, 3) point of reflection, m.
+    length : (n,) m from the antenna to it.
     arriving : (n, 3) unit vector from the antenna to it.
     distance : (n,) m from the antenna to the plane of the wall.
     cosine : (n,) cosine between the signal and the normal of the wall, cos(elevation) cos(difference of azimuth).
@@ -232,7 +239,9 @@ def mirror_reflections(walls: WallPieces, place: np.ndarray, place_of_ray: np.nd
 
     Parameters
     ----------
-    place : (m, 3) antennas.  place_of_ray : (n,) row in `place`.  direction : (n, 3) unit vectors to the satellites.
+    place : (m, 3) antennas.
+    place_of_ray : (n,) row in `place`.
+    direction : (n, 3) unit vectors to the satellites.
     max_range : walls farther than this from the antenna in plan reflect nothing, m.
     margin : walls are taken larger by this at all edges, m.
     """

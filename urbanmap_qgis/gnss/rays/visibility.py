@@ -34,7 +34,8 @@ class SkySettings:
 
     Parameters
     ----------
-    systems : letters of the systems.  elevation_mask : degrees.
+    systems : letters of the systems.
+    elevation_mask : degrees.
     max_gap : of a trajectory, s; places in longer ones are left out.
     """
 
@@ -73,7 +74,8 @@ def visible_satellites(obstacles: WallObstacles, navigation: Navigation, place: 
     ----------
     place : (n, 3) antennas, east, north, height in the CRS and heights of the buildings, m.
     gps_time : (n,) seconds since 1980-01-06 in GPS time, or one time for all.
-    systems : letters of the systems to count.  elevation_mask : degrees.
+    systems : letters of the systems to count.
+    elevation_mask : degrees.
 
     Raises
     ------
@@ -125,7 +127,8 @@ def visibility_along(obstacles: WallObstacles, navigation: Navigation, trajector
 
     Parameters
     ----------
-    lever_arm : antenna in the body, (forward, right, down) m.  every : seconds between the places.
+    lever_arm : antenna in the body, (forward, right, down) m.
+    every : seconds between the places.
 
     Returns
     -------

@@ -38,8 +38,10 @@ class WallPieces:
     ----------
     start, end : (n, 2) ends in plan, m.
     low, top : (n, 2) heights of the lower and upper edge at start and end, m; low is -inf where it is not known.
-    normal : (n, 2) unit vector outwards.  offset : (n,) normal . point for the points of the piece, m.
-    building : (n,) row of the building.  wall : (n,) number of the wall, from 0 over all buildings.
+    normal : (n, 2) unit vector outwards.
+    offset : (n,) normal . point for the points of the piece, m.
+    building : (n,) row of the building.
+    wall : (n,) number of the wall, from 0 over all buildings.
     """
 
     start: np.ndarray
@@ -66,8 +68,10 @@ class WallTable:
 
     Attributes
     ----------
-    building : (k,) row of the building.  edge : (k,) number of the wall in its building, from 1.
-    start, end : (k, 2) outermost ends in plan, m.  normal : (k, 2) outwards.
+    building : (k,) row of the building.
+    edge : (k,) number of the wall in its building, from 1.
+    start, end : (k, 2) outermost ends in plan, m.
+    normal : (k, 2) outwards.
     low, top : (k,) lowest and highest height, m; low is NaN where it is not known.
     """
 

@@ -47,7 +47,8 @@ def write_adjustment_report(path: str | os.PathLike, signals: Signals, adjustmen
 
     Parameters
     ----------
-    names : (buildings,) of the buildings by row.  shapes : (n,) the buildings as they were given.
+    names : (buildings,) of the buildings by row.
+    shapes : (n,) the buildings as they were given.
     more : adds to the report behind its plan.
     """
     report = Report("Walls adjusted by GNSS")

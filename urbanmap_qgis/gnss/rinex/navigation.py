@@ -33,11 +33,13 @@ class KeplerRecords:
 
     Attributes
     ----------
-    satellite : names.  toe, toc : reference times of orbit and clock, seconds since 1980-01-06 in GPS time.
+    satellite : names.
+    toe, toc : reference times of orbit and clock, seconds since 1980-01-06 in GPS time.
     toe_own : reference time in seconds of week in the system's own time.
-    source : Galileo's data source bits.  health : as broadcast, 0 is healthy.
+    source : Galileo's data source bits.
+    health : as broadcast, 0 is healthy.
     delay_a, delay_b : group delays, s: GPS and QZSS TGD and none; Galileo BGD E5a/E1 and E5b/E1; BeiDou TGD1 and TGD2.
-    The others carry the names of the interface documents.
+        The others carry the names of the interface documents.
     """
 
     satellite: np.ndarray
@@ -77,8 +79,11 @@ class GlonassRecords:
 
     Attributes
     ----------
-    satellite : names.  toe : reference time, seconds since 1980-01-06 in GPS time.
-    clock, drift : of the satellite (-tau and gamma).  health : 0 is healthy.  channel : of the carrier.
+    satellite : names.
+    toe : reference time, seconds since 1980-01-06 in GPS time.
+    clock, drift : of the satellite (-tau and gamma).
+    health : 0 is healthy.
+    channel : of the carrier.
     place, velocity, acceleration : earth-fixed (PZ-90).
     """
 

@@ -269,7 +269,9 @@ def expected_sigma(cn0: np.ndarray, elevation: np.ndarray, system: np.ndarray, d
 
     Parameters
     ----------
-    cn0 : (n,) dB-Hz, NaN counts as a weak signal.  elevation : (n,) rad.  system : (n,) letters.
+    cn0 : (n,) dB-Hz, NaN counts as a weak signal.
+    elevation : (n,) rad.
+    system : (n,) letters.
     delay : (n,) modelled delay in the ionosphere, m.
     """
     strength = np.where(np.isfinite(cn0), cn0, _NO_CN0)

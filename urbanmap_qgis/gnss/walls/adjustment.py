@@ -80,7 +80,8 @@ class WallResult:
     offset, sigma : (k,) outwards, m, as the observations say, whether they decide or not; NaN without observations.
     observations, signals, satellites, passes : (k,) behind it.
     inlier_share : (k,) share of the observations that are neither NLOS-delayed nor outliers; NaN without observations.
-    status : (k,) ADJUSTED, NOT_OBSERVABLE or HELD.  reason : (k,) why not, empty if adjusted.
+    status : (k,) ADJUSTED, NOT_OBSERVABLE or HELD.
+    reason : (k,) why not, empty if adjusted.
     applied : (k,) how far the wall has moved outwards, m: by its own observations, or because its line or corners
         moved.
     distance : (k,) minimum distance of an antenna in front of it, m; NaN if none was.

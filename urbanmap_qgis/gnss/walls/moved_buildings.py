@@ -44,9 +44,11 @@ class PlanNet:
 
     Attributes
     ----------
-    node : (m, 2) corners, m.  building : (m,) row of the building of each.
+    node : (m, 2) corners, m.
+    building : (m,) row of the building of each.
     start, end : (n,) nodes of the pieces of the walls.
-    line : (walls,) line of each wall.  facing : (walls,) 1 if the wall faces along the line's normal, else -1.
+    line : (walls,) line of each wall.
+    facing : (walls,) 1 if the wall faces along the line's normal, else -1.
     normal : (lines, 2) unit vectors.
     """
 
@@ -75,8 +77,8 @@ class PlanNet:
 
         Parameters
         ----------
-        outwards : (walls,) m by which walls are to move.  weight : (walls,) how much each has to say about the line
-            it is on; a line none of whose walls has any stays.
+        outwards : (walls,) m by which walls are to move.
+        weight : (walls,) how much each has to say about the line it is on; a line none of whose walls has any stays.
         """
         total = np.bincount(self.line, weight, len(self.normal))
         shift = np.bincount(self.line, weight * outwards * self.facing, len(self.normal))
@@ -119,7 +121,8 @@ def move_buildings(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, w
 
     Parameters
     ----------
-    shapes : (n,) solids or outlines, not changed.  row : (n,) row of the building that each is part of.
+    shapes : (n,) solids or outlines, not changed.
+    row : (n,) row of the building that each is part of.
     outwards, weight : (walls,) as in `PlanNet.displacement`; those of weight 0 do not move by themselves.
 
     Returns

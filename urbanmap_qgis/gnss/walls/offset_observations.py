@@ -22,9 +22,13 @@ class OffsetObservations:
 
     Attributes
     ----------
-    wall : (v,) number of the wall.  source : (v,) observation file.  satellite : (v,) name.  block : (v,) of time.
+    wall : (v,) number of the wall.
+    source : (v,) observation file.
+    satellite : (v,) name.
+    block : (v,) of time.
     value : (v,) measured less predicted excess path, m (median over the block).
-    cosine : (v,) cosine between signal and normal.  distance : (v,) to the wall, m.
+    cosine : (v,) cosine between signal and normal.
+    distance : (v,) to the wall, m.
     variance : (v,) of `value` by noise that differs from epoch to epoch, m2.
     count : (v,) signals in it.
     share : for each observation file (v_p, k_p) share of its latent errors, in the order of the observations of that
@@ -58,7 +62,8 @@ def gather_observations(walls: WallPieces, signals: Signals, paths: SignalPaths,
     usable : (n,) signals that may be used; each must have exactly one reflection in `paths`.
     outwards : (walls,) m by which the walls of `walls` stand outwards of the model: observations speak of the offset
         from the model, wherever the walls were when the rays were traced.
-    block_length : seconds.  min_signals : observations of fewer signals are left out.
+    block_length : seconds.
+    min_signals : observations of fewer signals are left out.
     """
     parts, shares, covariances = [], [], []
     for number, clock in enumerate(clocks):

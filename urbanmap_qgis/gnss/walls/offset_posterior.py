@@ -73,7 +73,9 @@ class Offsets:
 
     Attributes
     ----------
-    wall : (k,) their numbers.  offset : (k,) outwards, m.  sigma : (k,) m.
+    wall : (k,) their numbers.
+    offset : (k,) outwards, m.
+    sigma : (k,) m.
     own_sigma : (k,) part of sigma that does not come from errors shared within passes, m.
     rival : (k,) share of the probability that lies nearer to another maximum than to the best one.
     inlier : (v,) probability that each observation is neither NLOS-delayed nor an outlier.

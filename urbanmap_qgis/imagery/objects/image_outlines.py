@@ -28,7 +28,9 @@ class ImageOutline:
 
     Attributes
     ----------
-    feature : row of the layer it came from.  kind : "polygon", "line" or "point".  source : the image.
+    feature : row of the layer it came from.
+    kind : "polygon", "line" or "point".
+    source : the image.
     pixels : geometry in columns and rows; 0, 0 is the middle of the first pixel.
     """
 

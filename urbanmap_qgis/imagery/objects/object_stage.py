@@ -29,11 +29,15 @@ class MapObject:
 
     Attributes
     ----------
-    feature : row of the layer of outlines.  geometry : with z, None where it could not be measured.
+    feature : row of the layer of outlines.
+    geometry : with z, None where it could not be measured.
     width, height : level and upright extent, m (of a line its length, and the rise between its ends).
     azimuth : direction that the surface faces, degrees from grid north; NaN for lines and points.
-    area : m2, of polygons.  z_low, z_high : m.  distance : from the camera, m.
-    points : laser points used.  rmse : their scatter about the surface, m.
+    area : m2, of polygons.
+    z_low, z_high : m.
+    distance : from the camera, m.
+    points : laser points used.
+    rmse : their scatter about the surface, m.
     sigma : standard deviation of a corner's place against the laser points, m; the trajectory's error is not in it.
     status, reason : in words.
     """

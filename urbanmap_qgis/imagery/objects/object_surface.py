@@ -27,10 +27,13 @@ class SurfacePlane:
 
     Attributes
     ----------
-    middle : (3,) m.  normal : (3,) unit vector towards the camera.
-    rmse : of the points used, m.  sigma : standard deviation of the plane's place at its middle, m.
-    points : how many were used.  fitted : False where the points are too few or too narrow for a plane of their own,
-        and one that faces the camera was taken.
+    middle : (3,) m.
+    normal : (3,) unit vector towards the camera.
+    rmse : of the points used, m.
+    sigma : standard deviation of the plane's place at its middle, m.
+    points : how many were used.
+    fitted : False where the points are too few or too narrow for a plane of their own, and one that faces the camera
+        was taken.
     """
 
     middle: np.ndarray

@@ -25,7 +25,9 @@ class OutlinePoints:
 
     Attributes
     ----------
-    place : (n, 3) m.  column, row : pixels.  distance : from the camera, m.
+    place : (n, 3) m.
+    column, row : pixels.
+    distance : from the camera, m.
     """
 
     place: np.ndarray

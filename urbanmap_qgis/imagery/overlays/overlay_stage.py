@@ -93,7 +93,9 @@ def write_overlays(states: Sequence[OverlayState], folder: str | os.PathLike, pa
 
     Parameters
     ----------
-    states : one, or before and after. kind : "height", "intensity", "class" or "one". pictures : windows on the page.
+    states : one, or before and after.
+    kind : "height", "intensity", "class" or "one".
+    pictures : windows on the page.
 
     Raises
     ------

@@ -136,7 +136,8 @@ def compensation_gains(colours: np.ndarray, visible: np.ndarray) -> np.ndarray:
 
     Parameters
     ----------
-    colours : (views, n, 3).  visible : (views, n).
+    colours : (views, n, 3).
+    visible : (views, n).
     """
     count = len(colours)
     rows, ratios = [], []

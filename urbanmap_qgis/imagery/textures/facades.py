@@ -22,8 +22,10 @@ class Facade:
     Attributes
     ----------
     solid, face : numbers of the solid in the building and of the face in the solid.
-    origin : (3,) lower left corner of its frame, m.  along : (3,) unit vector to the right.  up : (3,) unit vector in
-        the plane upwards.  normal : (3,) unit vector outwards.
+    origin : (3,) lower left corner of its frame, m.
+    along : (3,) unit vector to the right.
+    up : (3,) unit vector in the plane upwards.
+    normal : (3,) unit vector outwards.
     width, height : of the frame, m.
     outline : polygon in the frame, m from the origin along `along` and `up`.
     """
@@ -76,7 +78,8 @@ class TexelGrid:
 
     Attributes
     ----------
-    step : side of a texel, m.  rows, columns : their numbers.
+    step : side of a texel, m.
+    rows, columns : their numbers.
     """
 
     step: float

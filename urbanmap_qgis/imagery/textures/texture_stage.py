@@ -48,10 +48,16 @@ class FacadeRecord:
 
     Attributes
     ----------
-    building : its id.  facade : number in the building, from 0.  polygon : PolygonZ.
-    area : m2.  azimuth : of the outward normal, degrees from grid north.
-    seen : share seen, 0 to 1.  detail : median size of image pixels on the facade, m.  images : names of those used.
-    status : "textured", "partly seen" or "not seen".  reason : why it is not seen.
+    building : its id.
+    facade : number in the building, from 0.
+    polygon : PolygonZ.
+    area : m2.
+    azimuth : of the outward normal, degrees from grid north.
+    seen : share seen, 0 to 1.
+    detail : median size of image pixels on the facade, m.
+    images : names of those used.
+    status : "textured", "partly seen" or "not seen".
+    reason : why it is not seen.
     """
 
     building: int | str

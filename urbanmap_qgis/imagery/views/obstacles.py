@@ -109,7 +109,8 @@ def obstacles_within(low: np.ndarray, high: np.ndarray, roofs: Sequence[shapely.
 
     Parameters
     ----------
-    roofs : plans of roofs that touch the box.  heights : (n,) their heights, m.
+    roofs : plans of roofs that touch the box.
+    heights : (n,) their heights, m.
     """
     low = np.floor(np.asarray(low, float) / CELL) * CELL
     columns, rows, levels = np.maximum(np.ceil((np.asarray(high) - low) / CELL).astype(int), 1)

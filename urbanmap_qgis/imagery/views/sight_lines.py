@@ -23,7 +23,8 @@ def blocked_lines(places: np.ndarray, lines: tuple[np.ndarray, np.ndarray], star
 
     Parameters
     ----------
-    places : (n, 3), m.  lines : as `sight_lines` gives them.
+    places : (n, 3), m.
+    lines : as `sight_lines` gives them.
     start : (n,) m from the place from where a line is followed, in steps of `step` m, up to the height `top`, m.
     blocks : of points (k, 3) on the lines with the numbers `left` (k,), `along` (k,) m from their places: which block.
     """

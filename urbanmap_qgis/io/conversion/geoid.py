@@ -32,7 +32,8 @@ class Geoid:
     ----------
     name : of the file, or the number as text.
     heights : (rows, columns) at nodes from south to north and west to east, NaN where unknown; (1, 1): everywhere.
-    south, west : latitude and longitude of the first node, degrees. steps : (2,) between nodes, degrees.
+    south, west : latitude and longitude of the first node, degrees.
+    steps : (2,) between nodes, degrees.
     """
 
     name: str

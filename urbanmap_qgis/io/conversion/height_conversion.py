@@ -34,7 +34,9 @@ class HeightChange:
 
     Attributes
     ----------
-    lowest, highest : m. total : sum, m. count : of heights.
+    lowest, highest : m.
+    total : sum, m.
+    count : of heights.
     """
 
     lowest: float = np.inf
@@ -61,9 +63,12 @@ class HeightConversion:
 
     Attributes
     ----------
-    grid : the geoid's or the corrections' heights. sign : +1 where they are added, -1 where they are taken off.
-    target : the system of the result. wkt : reference of the result with its heights.
-    to_degrees : from the data's places to longitude and latitude; None where they are these. change : what was done.
+    grid : the geoid's or the corrections' heights.
+    sign : +1 where they are added, -1 where they are taken off.
+    target : the system of the result.
+    wkt : reference of the result with its heights.
+    to_degrees : from the data's places to longitude and latitude; None where they are these.
+    change : what was done.
     """
 
     grid: Geoid

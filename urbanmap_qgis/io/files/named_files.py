@@ -28,7 +28,9 @@ def named_file(owner: str | os.PathLike, name: str, kind: str, root: str | os.Pa
 
     Parameters
     ----------
-    owner : file that holds the name. name : as it stands there. kind : `IMAGE` or `CODE_LIST`.
+    owner : file that holds the name.
+    name : as it stands there.
+    kind : `IMAGE` or `CODE_LIST`.
     """
     folder = Path(owner).parent
     relative = relative_name(name)

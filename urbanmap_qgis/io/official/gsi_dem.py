@@ -50,9 +50,13 @@ class DemMesh:
 
     Attributes
     ----------
-    code : of the mesh. product : a key of `PRODUCTS`. date : as text that sorts, "" where not known.
-    system : "JGD2000", "JGD2011" or "JGD2024". source : name of the file.
-    west, north : outer corner of the first cell, degrees. cell : side of a cell, degrees.
+    code : of the mesh.
+    product : a key of `PRODUCTS`.
+    date : as text that sorts, "" where not known.
+    system : "JGD2000", "JGD2011" or "JGD2024".
+    source : name of the file.
+    west, north : outer corner of the first cell, degrees.
+    cell : side of a cell, degrees.
     heights : (rows, columns) float32, m, from the north-west; NaN where there is none.
     kinds : number of cells of each kind with a height.
     """

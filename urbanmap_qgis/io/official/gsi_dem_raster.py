@@ -53,8 +53,11 @@ class DemRaster:
 
     Attributes
     ----------
-    grid : its place. empty : share of the cells without a height. products : those that were used, finest first.
-    system : height system, "JGD2011". lowest, highest : m, NaN where there is no height at all.
+    grid : its place.
+    empty : share of the cells without a height.
+    products : those that were used, finest first.
+    system : height system, "JGD2011".
+    lowest, highest : m, NaN where there is no height at all.
     """
 
     grid: Grid
@@ -74,7 +77,8 @@ def write_dem(path: str | os.PathLike, meshes: DemMeshes, crs_wkt: str, transfor
 
     Parameters
     ----------
-    crs_wkt : of the raster. transform : from the meshes' degrees to it; None where they are the raster's own.
+    crs_wkt : of the raster.
+    transform : from the meshes' degrees to it; None where they are the raster's own.
     resolution : side of a cell in units of the CRS; by default that of the finest product (degrees as they are in the
         files, or 1, 5, 10 m).
 

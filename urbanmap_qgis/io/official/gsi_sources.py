@@ -58,8 +58,10 @@ class Wanted:
 
     Attributes
     ----------
-    what : in messages, such as "building outlines (BldA or BldL)". advice : what to do when there are none.
-    other : whether a file of this name holds something else for certain. suffixes : of the files, lower case.
+    what : in messages, such as "building outlines (BldA or BldL)".
+    advice : what to do when there are none.
+    other : whether a file of this name holds something else for certain.
+    suffixes : of the files, lower case.
     """
 
     what: str

@@ -30,7 +30,8 @@ def root_children(source: XmlSource, maker: str, largest: int, progress: Progres
 
     Parameters
     ----------
-    maker : who writes such files, for messages. largest : bytes that one child may have.
+    maker : who writes such files, for messages.
+    largest : bytes that one child may have.
 
     Raises
     ------

@@ -95,8 +95,11 @@ class RunFacts:
 
     Attributes
     ----------
-    work : name of the algorithm. version : of the program. crs, heights : reference and height system, as text.
-    inputs, settings : by their labels, as the user knows them. day : of the run.
+    work : name of the algorithm.
+    version : of the program.
+    crs, heights : reference and height system, as text.
+    inputs, settings : by their labels, as the user knows them.
+    day : of the run.
     """
 
     work: str

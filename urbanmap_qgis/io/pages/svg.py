@@ -53,7 +53,8 @@ def plan_map(polygons: Sequence[shapely.Geometry | None], values: np.ndarray, li
 
     Parameters
     ----------
-    polygons : (n,) in plan, m; missing ones are left out.  values : (n,), NaN is drawn grey.
+    polygons : (n,) in plan, m; missing ones are left out.
+    values : (n,), NaN is drawn grey.
     limits : the four values between the five classes, from good to bad.
     labels : texts to write on polygons, by row.
     """

@@ -20,7 +20,9 @@ def vector_map(places: np.ndarray, vectors: np.ndarray, names: Sequence[str], li
 
     Parameters
     ----------
-    places : (n, 2) m.  vectors : (n, 2) m.  names : (n,) written beside the points where there is room.
+    places : (n, 2) m.
+    vectors : (n, 2) m.
+    names : (n,) written beside the points where there is room.
     limit : vectors longer than this, m, are red; None: all alike.
     """
     lowest, highest = places.min(axis=0), places.max(axis=0)

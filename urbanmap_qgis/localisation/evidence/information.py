@@ -28,7 +28,8 @@ class SharedError:
 
     Attributes
     ----------
-    group : (m,) number of the displaced thing, -1 for none.  factor : (m,) share of it in each row.
+    group : (m,) number of the displaced thing, -1 for none.
+    factor : (m,) share of it in each row.
     sigma : (m,) standard deviation, m, the same in all rows of a group.
     """
 
@@ -43,8 +44,10 @@ class Evidence:
 
     Attributes
     ----------
-    of : (m,) row of the place.  row : (m, 3) derivatives by east, north (per m) and turn (per radian).
-    weight : (m,) with which the matcher weighs them, 1/m2.  noise : (m,) standard deviation of their own, m.
+    of : (m,) row of the place.
+    row : (m, 3) derivatives by east, north (per m) and turn (per radian).
+    weight : (m,) with which the matcher weighs them, 1/m2.
+    noise : (m,) standard deviation of their own, m.
     shared : displacements of the map.
     """
 

@@ -27,8 +27,11 @@ class MarkingMap:
 
     Attributes
     ----------
-    xy : (k, 2) m.  normal : (k, 2) across the edge.  length : (k,) m of edge that each stands for.
-    marking : (k,) row of the marking.  sigma : (k,) standard deviation of the marking's place, m.
+    xy : (k, 2) m.
+    normal : (k, 2) across the edge.
+    length : (k,) m of edge that each stands for.
+    marking : (k,) row of the marking.
+    sigma : (k,) standard deviation of the marking's place, m.
     height : (k,) m; NaN where the markings have none.
     """
 
@@ -49,7 +52,8 @@ def marking_map(shapes: Sequence[shapely.Geometry | None], sigma: np.ndarray) ->
 
     Parameters
     ----------
-    shapes : (n,) polygons or lines.  sigma : (n,) m.
+    shapes : (n,) polygons or lines.
+    sigma : (n,) m.
     """
     edges, owner, heights = [], [], np.full(len(shapes), np.nan)
     for row, shape in enumerate(shapes):

@@ -24,8 +24,11 @@ class SkyTimes:
 
     Attributes
     ----------
-    navigation : orbits.  times : (t,) GPS seconds for all places, or (n, 1) a time for each.
-    systems : letters.  mask : elevation, degrees.  crs_wkt : of the places.
+    navigation : orbits.
+    times : (t,) GPS seconds for all places, or (n, 1) a time for each.
+    systems : letters.
+    mask : elevation, degrees.
+    crs_wkt : of the places.
     shift : GPS seconds less the time of the drive, s; None where places have no times of their own.
     """
 
@@ -48,7 +51,8 @@ class SatellitePlan:
     Attributes
     ----------
     covariance : (n, 2, 2) m2 of east and north; NaN where no position is fixed at some time.
-    satellites : (n,) in line of sight.  dilution : (n,) PDOP, NaN where none.
+    satellites : (n,) in line of sight.
+    dilution : (n,) PDOP, NaN where none.
     fixed : (n,) share of the times with a position.
     """
 

@@ -30,10 +30,12 @@ class SourceSigns:
 
     Attributes
     ----------
-    refused : (n,) why nothing can be said, empty where something can.  points, walls : (n,) seen on walls.
+    refused : (n,) why nothing can be said, empty where something can.
+    points, walls : (n,) seen on walls.
     left_out : (n,) buildings without heights within range.
     has_walls, has_markings, has_satellites : whether the source was given.
-    marking_samples : (n,).  other_level : (n,) whether markings lie too high or low.
+    marking_samples : (n,).
+    other_level : (n,) whether markings lie too high or low.
     fixed : (n,) whether satellites fix a position.
     alias_share, alias_distance : (n,), 0 and NaN where there is none.
     """

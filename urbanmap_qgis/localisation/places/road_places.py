@@ -25,7 +25,8 @@ class RoadPlaces:
     ----------
     place : (n, 3) m; the height is that of the road, NaN where nothing tells it.
     heading : (n,) radians clockwise from grid north.
-    street : (n,) row of the road or number of the drive.  way : (n,) m from its beginning.
+    street : (n,) row of the road or number of the drive.
+    way : (n,) m from its beginning.
     step : (n,) m of road that the place stands for.
     tunnel : (n,) whether the road says that it runs in a tunnel.
     time : (n,) of a drive, s; NaN on roads.

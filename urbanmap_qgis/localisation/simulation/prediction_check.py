@@ -62,7 +62,8 @@ def check_prediction(walls: WallMap, accuracy: AccuracyMap, settings: Localisati
 
     Parameters
     ----------
-    every : k, of the places of which walls tell something.  draws : scans a place.
+    every : k, of the places of which walls tell something.
+    draws : scans a place.
     truth : walls of the true city; without it each draw has its own, the map displaced by its sigmas.
     """
     rows = np.flatnonzero(np.isfinite(accuracy.by_source["walls"][:, 0, 0]))[::every]

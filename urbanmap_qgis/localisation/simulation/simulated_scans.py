@@ -18,7 +18,8 @@ class SimulatedScan:
 
     Attributes
     ----------
-    offset : (m, 3) m.  hidden : share of the rays to walls that vehicles or trees stopped.
+    offset : (m, 3) m.
+    hidden : share of the rays to walls that vehicles or trees stopped.
     """
 
     offset: np.ndarray

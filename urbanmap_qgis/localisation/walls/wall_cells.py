@@ -29,7 +29,8 @@ class PlanWallCells:
 
     Attributes
     ----------
-    ndt : the distributions.  two : (k,) whether two surfaces meet in the cell.
+    ndt : the distributions.
+    two : (k,) whether two surfaces meet in the cell.
     """
 
     ndt: NdtMap

@@ -23,7 +23,8 @@ class WallMap:
 
     Attributes
     ----------
-    walls : the pieces.  obstacles : the same in a grid, for rays.
+    walls : the pieces.
+    obstacles : the same in a grid, for rays.
     sigma : (walls,) standard deviation of each wall's place along its normal, m.
     """
 

@@ -19,8 +19,10 @@ class WallScan:
 
     Attributes
     ----------
-    of : (m,) row of the place.  layer, ray : (m,) numbers of the ray's elevation and azimuth.
-    offset : (m, 3) from the sensor to the point, m.  piece : (m,) number of the piece of wall.
+    of : (m,) row of the place.
+    layer, ray : (m,) numbers of the ray's elevation and azimuth.
+    offset : (m, 3) from the sensor to the point, m.
+    piece : (m,) number of the piece of wall.
     weight : (m,) rays of the scanner that each ray stands for.
     reach : (n, azimuths) m, distance in plan to the first wall in the layer nearest to level, inf where free.
     covered : (n,) share of the azimuths with a wall within range in that layer.

@@ -41,7 +41,8 @@ class DriveNodes:
     Attributes
     ----------
     parameter : (k,) m, of the path with its stops (see `gauss_markov`), increasing.
-    stops : (k - 1,) s that the vehicle stands between nodes. jumps : (k - 1,) m by which the trajectory jumps there.
+    stops : (k - 1,) s that the vehicle stands between nodes.
+    jumps : (k - 1,) m by which the trajectory jumps there.
     fast : (k - 1,) m by which its error in plan changes there faster than drift; None for nowhere.
     """
 
@@ -60,13 +61,15 @@ class NetworkObservations:
 
     Attributes
     ----------
-    drive : (n,) number of the drive. parameter : (n,) m, its path parameter there.
+    drive : (n,) number of the drive.
+    parameter : (n,) m, its path parameter there.
     arm : (n, 2) m east, north, from the drive's body to the place that is observed.
-    other : (n,) the drive that it is tied to, or NONE. other_parameter, other_arm : the same of it; 0 where there is
-        none.
+    other : (n,) the drive that it is tied to, or NONE.
+    other_parameter, other_arm : the same of it; 0 where there is none.
     value : (n, 4) by how much `drive` moves the place more than `other`: east, north, up (m), and turns it, clockwise
         (degrees); NaN for what is not observed.
-    covariance : (n, 4, 4), m and degrees. kind : (n,) TIE, CONTROL, REFERENCE or PLANE.
+    covariance : (n, 4, 4), m and degrees.
+    kind : (n,) TIE, CONTROL, REFERENCE or PLANE.
     """
 
     drive: np.ndarray
@@ -135,8 +138,9 @@ class Network:
     ----------
     state : for each drive (k, 4, 2): correction east, north, up (m), heading (degrees) and its rate at the nodes.
     covariance : for each drive (k, 4, 4), m and degrees, of the corrections at the nodes.
-    residual : (n, 4), observed less adjusted; NaN where not observed. weight : (n,) 0 to 1, by which gross
-        observations were kept. drift_factor, noise_factor : found sizes of drift and of the observations' variance.
+    residual : (n, 4), observed less adjusted; NaN where not observed.
+    weight : (n,) 0 to 1, by which gross observations were kept.
+    drift_factor, noise_factor : found sizes of drift and of the observations' variance.
     """
 
     state: tuple[np.ndarray, ...]

@@ -44,7 +44,8 @@ class DrivePlanes:
 
     Attributes
     ----------
-    patches : their group is the number of the pass, over all drives. drive : (passes,) number of each pass's drive.
+    patches : their group is the number of the pass, over all drives.
+    drive : (passes,) number of each pass's drive.
     """
 
     patches: PlanePatches
@@ -80,8 +81,8 @@ def plane_ties(planes: DrivePlanes, reported: Sequence[Trajectory], adjusted: Se
 
     Parameters
     ----------
-    adjusted : trajectories by which the drives agree to better than half a metre. time_weight : of the path's
-        parameter, see `gauss_markov`.
+    adjusted : trajectories by which the drives agree to better than half a metre.
+    time_weight : of the path's parameter, see `gauss_markov`.
     """
     patches, moved = planes.patches, planes.patches.centroid.copy()
     for number, (before, after) in enumerate(zip(reported, adjusted)):

@@ -25,8 +25,10 @@ class PointReference:
 
     Attributes
     ----------
-    points : (n, 3) m, sorted by tile. weight : (n,) how surely each is paint, 0 to 1.
-    tile : (n,) number of the tile of each point, increasing. first, columns : what tiles are numbered from.
+    points : (n, 3) m, sorted by tile.
+    weight : (n,) how surely each is paint, 0 to 1.
+    tile : (n,) number of the tile of each point, increasing.
+    first, columns : what tiles are numbered from.
     """
 
     points: np.ndarray

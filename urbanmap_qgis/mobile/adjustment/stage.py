@@ -55,7 +55,8 @@ class AdjustmentRun:
 
     Attributes
     ----------
-    registration : of ties and reference. planes : whether facades and road tie drives too.
+    registration : of ties and reference.
+    planes : whether facades and road tie drives too.
     control_sigma, control_sigma_z : m, of control points, their measurement in the survey included.
     """
 
@@ -71,9 +72,13 @@ class AdjustedDrive:
 
     Attributes
     ----------
-    name : of the drive. reported, corrected : trajectories of the same epochs.
-    time, chainage : (k,) s, m, of the nodes. place : (k, 3) m, corrected. correction : (k, 4) m, degrees of heading.
-    covariance : (k, 4, 4). status : (k,) PLACED and its fellows.
+    name : of the drive.
+    reported, corrected : trajectories of the same epochs.
+    time, chainage : (k,) s, m, of the nodes.
+    place : (k, 3) m, corrected.
+    correction : (k, 4) m, degrees of heading.
+    covariance : (k, 4, 4).
+    status : (k,) PLACED and its fellows.
     """
 
     name: str
@@ -97,8 +102,10 @@ class AdjustedSurvey:
 
     Attributes
     ----------
-    drives : in the given order. observations, network : of the adjustment. place : (n, 3) m, where each observation
-        lies after it. relative : whether no drive is tied to control or reference.
+    drives : in the given order.
+    observations, network : of the adjustment.
+    place : (n, 3) m, where each observation lies after it.
+    relative : whether no drive is tied to control or reference.
     """
 
     drives: tuple[AdjustedDrive, ...]

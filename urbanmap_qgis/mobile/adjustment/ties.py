@@ -43,7 +43,9 @@ class Drive:
 
     Attributes
     ----------
-    name : for messages. trajectory : reported. markings : its marking points, as reported, in the trajectory's time.
+    name : for messages.
+    trajectory : reported.
+    markings : its marking points, as reported, in the trajectory's time.
     """
 
     name: str

@@ -37,9 +37,12 @@ class BoresightSettings:
 
     Attributes
     ----------
-    lever_arm : m. boresight : degrees. place, tilt, heading : m, degrees (tilt: roll and pitch), by which a pass as a
-        whole differs from the mean of all passes; what they have in common is part of the boresight.
-    place_walk, attitude_walk : m, degrees, from one node to the next. node_length : m of path.
+    lever_arm : m.
+    boresight : degrees.
+    place, tilt, heading : m, degrees (tilt: roll and pitch), by which a pass as a whole differs from the mean of all
+        passes; what they have in common is part of the boresight.
+    place_walk, attitude_walk : m, degrees, from one node to the next.
+    node_length : m of path.
     max_apart : m, that passes may lie from each other: planes are then paired wrongly too often.
     determined_angle, determined_arm : degrees, m, standard deviation up to which a value is called determined.
     """
@@ -63,8 +66,11 @@ class PatchPoses:
 
     Attributes
     ----------
-    scanner, survey_pass : (n,) numbers. node : (n,) number of the pass's node, counted over all passes.
-    place : (n, 3) m of the body. rotation : (n, 3, 3), body to map. ray : (n, 3) m from the scanner, in the body.
+    scanner, survey_pass : (n,) numbers.
+    node : (n,) number of the pass's node, counted over all passes.
+    place : (n, 3) m of the body.
+    rotation : (n, 3, 3), body to map.
+    ray : (n, 3) m from the scanner, in the body.
     """
 
     scanner: np.ndarray
@@ -82,8 +88,10 @@ class Boresights:
     Attributes
     ----------
     value, sigma : (scanners, 6) corrections in the order of `PARAMETERS`, m and degrees, and standard deviations.
-    determined : (scanners, 6) bool. pairs : planes compared. rms_before, rms_after : m, of their distances (weighted),
-        before with the trajectories' corrections alone. apart : m, RMS of the places' corrections about their mean.
+    determined : (scanners, 6) bool.
+    pairs : planes compared.
+    rms_before, rms_after : m, of their distances (weighted), before with the trajectories' corrections alone.
+    apart : m, RMS of the places' corrections about their mean.
     """
 
     value: np.ndarray

@@ -23,8 +23,10 @@ class PlanePatches:
 
     Attributes
     ----------
-    group : (n,) number of scanner and pass that measured it. time : (n,) s, mean of its points.
-    centroid, normal : (n, 3) m. sigma : (n,) m, of the plane's place along its normal.
+    group : (n,) number of scanner and pass that measured it.
+    time : (n,) s, mean of its points.
+    centroid, normal : (n, 3) m.
+    sigma : (n,) m, of the plane's place along its normal.
     """
 
     group: np.ndarray

@@ -36,7 +36,9 @@ class CalibratedScanners:
 
     Attributes
     ----------
-    calibration : corrected where determined. boresights : corrections. passes : number of passes compared.
+    calibration : corrected where determined.
+    boresights : corrections.
+    passes : number of passes compared.
     """
 
     calibration: Calibration

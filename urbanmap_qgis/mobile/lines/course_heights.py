@@ -46,7 +46,8 @@ class CourseHeights:
 
     Attributes
     ----------
-    error : (n,) at the epochs, m: to be added.  sigma : (n,) m.
+    error : (n,) at the epochs, m: to be added.
+    sigma : (n,) m.
     sensor_height : of the body's origin above the ground, m, given or found.
     found : it was found: then the mean height stayed as reported.
     before, after : root mean square of the samples used, against the ground, m.

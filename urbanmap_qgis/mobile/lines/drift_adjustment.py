@@ -47,8 +47,9 @@ class RandomWalk:
 
     Attributes
     ----------
-    position_walk : of a coordinate, m per square root of a second.  heading_walk : radians likewise.  sigma : of a tie
-        point's coordinate, m.
+    position_walk : of a coordinate, m per square root of a second.
+    heading_walk : radians likewise.
+    sigma : of a tie point's coordinate, m.
     heading_sigma : expected error of the heading, radians.
     coupled : errors of heading rotate the course (dead reckoning).
     """
@@ -77,8 +78,10 @@ class RandomWalkDrift:
 
     Attributes
     ----------
-    time : (k,) s.  value : (k, 3) shift east and north, m, and rotation anticlockwise, radians: to be added.
-    covariance : (k, 3, 3).  gain : (k - 1, 3, 3) G with covariance of node k and k + 1 = -G covariance[k + 1].
+    time : (k,) s.
+    value : (k, 3) shift east and north, m, and rotation anticlockwise, radians: to be added.
+    covariance : (k, 3, 3).
+    gain : (k - 1, 3, 3) G with covariance of node k and k + 1 = -G covariance[k + 1].
     walk : what was found or taken.
     first, last : times of the first and the last tie point.
     alternatives : probability and drift of every walk that the tie points leave possible, with covariances that hold

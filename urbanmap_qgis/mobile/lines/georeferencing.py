@@ -57,7 +57,8 @@ class GeoreferencedScans:
     Attributes
     ----------
     read, written : returns.
-    no_return : without a usable range or angle.  too_near, too_far : outside the limits of range.
+    no_return : without a usable range or angle.
+    too_near, too_far : outside the limits of range.
     outside : before or after the trajectory, or in a gap of it.
     by_scanner : points written by scanner number.
     shift : s added to the scans' times.

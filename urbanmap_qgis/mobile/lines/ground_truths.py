@@ -23,7 +23,8 @@ class Drift:
 
     Attributes
     ----------
-    shift : (2,) east and north, m.  rotation : radians, anticlockwise (the heading changes by the opposite).
+    shift : (2,) east and north, m.
+    rotation : radians, anticlockwise (the heading changes by the opposite).
     residuals : (n, 2) m, what the set's pairs keep.
     covariance : (3, 3) of shift and rotation, m and radians.
     """
@@ -39,7 +40,8 @@ def two_pair_drift(place: np.ndarray, measured: np.ndarray, reference: np.ndarra
 
     Parameters
     ----------
-    place : (2, 2) reported vehicle positions.  measured, reference : (2, 2) the pairs' places.
+    place : (2, 2) reported vehicle positions.
+    measured, reference : (2, 2) the pairs' places.
     """
     seen, true = measured - place, reference - place
     before, after = seen[1] - seen[0], true[1] - true[0]

@@ -37,7 +37,8 @@ class LineCamera:
     Attributes
     ----------
     mount : its lever arm and angles on the body.
-    rows : pixels of a line.  focal, centre : of eq. 2, pixels.
+    rows : pixels of a line.
+    focal, centre : of eq. 2, pixels.
     margin : rows at either end that are not used, for they are too distorted (Z 2.1).
     """
 

@@ -35,7 +35,9 @@ class _Level:
 
     Attributes
     ----------
-    place, normal : (k, 3) of the middle.  moved : (k,) m.  rotated : (k,) length of the normal's change.
+    place, normal : (k, 3) of the middle.
+    moved : (k,) m.
+    rotated : (k,) length of the normal's change.
     ahead : (k,) m moved along the middle's normal.
     """
 
@@ -52,8 +54,11 @@ class Sweep:
 
     Attributes
     ----------
-    time : (m,) s.  place, normal : (m, 3).  step_used : (m - 1,) False where the times have a gap.
-    planes : the planes at any time.  levels : intervals of 4^k steps, k = 1 upwards.
+    time : (m,) s.
+    place, normal : (m, 3).
+    step_used : (m - 1,) False where the times have a gap.
+    planes : the planes at any time.
+    levels : intervals of 4^k steps, k = 1 upwards.
     """
 
     time: np.ndarray
@@ -94,7 +99,8 @@ def sweep_times(points: np.ndarray, sweep: Sweep, max_distance: float,
 
     Returns
     -------
-    index : (k,) rows of `points`.  time : (k,) s.
+    index : (k,) rows of `points`.
+    time : (k,) s.
     """
     passed, touched = ([(np.empty(0, int), np.empty(0, int))] for _ in range(2))
     for index, step in _candidates(points, sweep, max_distance):

@@ -50,7 +50,10 @@ class RangeScans:
 
     Attributes
     ----------
-    time : s.  angle : in the scanner's plane, degrees.  distance : m.  intensity : 0 where it was not measured.
+    time : s.
+    angle : in the scanner's plane, degrees.
+    distance : m.
+    intensity : 0 where it was not measured.
     scanner : number, -1 where the file does not say.
     """
 

@@ -86,10 +86,14 @@ class TieSet:
 
     Attributes
     ----------
-    name : as given.  time : mean, s.  place : (3,) of the vehicle as reported then.  pairs : used of `given`.
+    name : as given.
+    time : mean, s.
+    place : (3,) of the vehicle as reported then.
+    pairs : used of `given`.
     shift : (2,) m east and north, and `heading`, degrees clockwise: what the result adds to position and heading there.
     before, after : mean distance of its pairs from the reference, m, as reported and rectified.
-    misfit : largest misfit within the set, m.  predicted : how far off it would lie without itself, m (NaN: not known).
+    misfit : largest misfit within the set, m.
+    predicted : how far off it would lie without itself, m (NaN: not known).
     status : one of `USED`, `POSITION_ONLY`, `SUSPECT`, `BLUNDER`, `CONTRADICTING`, `ONE_PAIR`.
     """
 

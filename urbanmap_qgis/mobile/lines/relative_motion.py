@@ -36,8 +36,8 @@ def adjust_relative_motion(trajectory: Trajectory, epochs: np.ndarray, drift: np
 
     Parameters
     ----------
-    epochs : (k,) numbers of epochs, increasing.  drift : (k, 3) what must be added there: east, north (m) and rotation
-        anticlockwise (radians).
+    epochs : (k,) numbers of epochs, increasing.
+    drift : (k, 3) what must be added there: east, north (m) and rotation anticlockwise (radians).
     iterate : the paper's iteration instead of the closed form.
     equal_parts : every step takes the part 1 / (e - s) of eq. 8; else its part of the time, which is the same where
         epochs are equally apart.

@@ -92,7 +92,8 @@ class IntensityCurve:
     ----------
     floor, gain, fall, near : C, A, b, d of the curve; gain is that at 1 m, near in m.
     r1 : R1, m; equal to `r2` where the floor is not reached.
-    r2 : R2, m. nearest : shortest range with asphalt, m; below it the curve is that at `nearest`.
+    r2 : R2, m.
+    nearest : shortest range with asphalt, m; below it the curve is that at `nearest`.
     ranges, asphalt, points : (k,) middles of the bins of range (m), asphalt's intensity and number of points in them.
     used : (k,) bool, bins that the fit follows.
     residual : scatter of the bins' asphalt about the curve, as a share of it (robust standard deviation).
@@ -185,8 +186,9 @@ class _Peaks:
 
     Parameters
     ----------
-    counts : (ranges, levels). enough : (ranges,) bool, bins with enough points. width : standard deviation of the
-    smoothing: wide where a scanner's lasers differ from each other.
+    counts : (ranges, levels).
+    enough : (ranges,) bool, bins with enough points.
+    width : standard deviation of the smoothing: wide where a scanner's lasers differ from each other.
     """
 
     def __init__(self, counts: np.ndarray, enough: np.ndarray, width: float):

@@ -52,9 +52,10 @@ class LaserGains:
 
     Attributes
     ----------
-    told_by : ATTRIBUTE, SOURCE or ANGLE. gain : (k,) by number of the laser, NaN for those left out.
-    judged : (k,) bool, lasers with points enough. before, after : scatter of the logarithms on even ground without and
-        with the gains.
+    told_by : ATTRIBUTE, SOURCE or ANGLE.
+    gain : (k,) by number of the laser, NaN for those left out.
+    judged : (k,) bool, lasers with points enough.
+    before, after : scatter of the logarithms on even ground without and with the gains.
     """
 
     told_by: str
@@ -80,7 +81,9 @@ class Lasers:
 
     Attributes
     ----------
-    track, mount : of the scanner; mount is None without a calibration. trajectory : of the body. gains : by laser.
+    track, mount : of the scanner; mount is None without a calibration.
+    trajectory : of the body.
+    gains : by laser.
     """
 
     track: Track
@@ -101,7 +104,8 @@ def told_apart(records: np.ndarray, brightness: np.ndarray, silent: np.ndarray, 
 
     Parameters
     ----------
-    records : (n,) `survey_points.RECORD`, ground. brightness, silent : as of `find_gains`.
+    records : (n,) `survey_points.RECORD`, ground.
+    brightness, silent : as of `find_gains`.
     """
     found = []
     for told_by in (ATTRIBUTE, SOURCE, ANGLE):
@@ -152,7 +156,9 @@ def find_gains(x: np.ndarray, y: np.ndarray, ranges: np.ndarray, brightness: np.
 
     Parameters
     ----------
-    x, y, ranges : m. brightness : freed of range, about 1 on asphalt. silent : points without a signal.
+    x, y, ranges : m.
+    brightness : freed of range, about 1 on asphalt.
+    silent : points without a signal.
     laser : number of each point's laser.
     """
     count = int(laser.max(initial=0)) + 1

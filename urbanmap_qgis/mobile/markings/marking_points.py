@@ -50,7 +50,8 @@ class MarkingPointSettings:
     max_width : strokes of paint are narrower; what is wider in both directions is ground.
     step : a point this far above lower ground beside it lies on a kerb or at a wall's foot; or, where heights scatter
         (`roughness`), so far that scatter does not explain it.
-    min_length, min_points : smaller pieces are specks. join : gaps in a piece of marking, and between its points.
+    min_length, min_points : smaller pieces are specks.
+    join : gaps in a piece of marking, and between its points.
     longest : pieces of this length or more are not judged by their size.
     """
 
@@ -82,7 +83,8 @@ class MarkingAnswer:
 
     Attributes
     ----------
-    paint : (n,) bool. weight : (n,) float32, 0 to 1: how far above the middle between ground and paint; 0 off paint.
+    paint : (n,) bool.
+    weight : (n,) float32, 0 to 1: how far above the middle between ground and paint; 0 off paint.
     contrast : (n,) float32, intensity over that of the ground round the point; for points on paint, else NaN.
     """
 
@@ -130,7 +132,8 @@ def marking_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, brightness: np.n
 
     Parameters
     ----------
-    x, y, z : (n,) m. brightness : (n,) calibrated intensity in units of asphalt's.
+    x, y, z : (n,) m.
+    brightness : (n,) calibrated intensity in units of asphalt's.
     noise : of the points; where it is large paint must stand out more.
     """
     n = len(x)

@@ -58,7 +58,8 @@ class ExtractionSettings:
     Parameters
     ----------
     max_range : m; farther points are left out, whatever the intensity curve allows (R2).
-    marking : how points are told. cloth : the ground filter, where the points are not classified.
+    marking : how points are told.
+    cloth : the ground filter, where the points are not classified.
     plain : the paper's threshold, which then tells them instead.
     ground : "automatic", "classes" or "cloth".
     """
@@ -81,7 +82,8 @@ class Extraction:
     Attributes
     ----------
     points : with their times in the trajectory's time.
-    number : (m,) their numbers in the files, from 0. intensity : (m,) float32, calibrated: asphalt has `reference`.
+    number : (m,) their numbers in the files, from 0.
+    intensity : (m,) float32, calibrated: asphalt has `reference`.
     contrast : (m,) float32, intensity over that of the ground beside.
     curves : of each scanner, by the least of its point source ids (0 where all ids are taken together).
     failed : why a scanner has no curve, by point source id; its points are left out.

@@ -31,7 +31,8 @@ class PlainThreshold:
 
     Attributes
     ----------
-    block_size : m, side of the block (J Table 3-2: 2.5 m). c : grey levels of 256 (J: 17).
+    block_size : m, side of the block (J Table 3-2: 2.5 m).
+    c : grey levels of 256 (J: 17).
     """
 
     block_size: float = 2.5
@@ -59,7 +60,8 @@ def plain_marking_points(x: np.ndarray, y: np.ndarray, brightness: np.ndarray, w
 
     Parameters
     ----------
-    x, y : (n,) m. brightness : (n,) calibrated intensity in units of asphalt's.
+    x, y : (n,) m.
+    brightness : (n,) calibrated intensity in units of asphalt's.
     white : the brightness of grey value 255.
     """
     n = len(x)

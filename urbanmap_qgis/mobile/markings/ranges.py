@@ -20,7 +20,9 @@ class Track:
 
     Attributes
     ----------
-    time : (k,) s, increasing. place : (k, 3) m. max_range : of the scanner, m.
+    time : (k,) s, increasing.
+    place : (k, 3) m.
+    max_range : of the scanner, m.
     """
 
     time: np.ndarray

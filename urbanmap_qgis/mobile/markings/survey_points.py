@@ -57,9 +57,13 @@ class ReadCounts:
 
     Attributes
     ----------
-    points : all. usable : no noise or withheld points. outside : before or after the trajectory, or in gaps of it.
-    standing : measured while the vehicle stood. kept : near the vehicle.
-    classes : (256,) number of usable points by class. least, most : intensity.
+    points : all.
+    usable : no noise or withheld points.
+    outside : before or after the trajectory, or in gaps of it.
+    standing : measured while the vehicle stood.
+    kept : near the vehicle.
+    classes : (256,) number of usable points by class.
+    least, most : intensity.
     height : m, median height over the vehicle of points near it in plan; NaN without any.
     """
 

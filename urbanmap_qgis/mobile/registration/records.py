@@ -32,21 +32,23 @@ class RegistrationSettings:
     ----------
     patch_length : m of driven path (J: 0.5).
     window_patches : patches of the smallest window (J: 60).
-    max_window_patches : patches of the longest window, which is used as it is even where it has too few features;
-        None sets no limit (J).
-    feature_grid : m, side of the cells that are counted (J: 1). feature_count : cells asked for (J: 400).
+    max_window_patches : patches of the longest window, which is used as it is even where it has too few features; None
+        sets no limit (J).
+    feature_grid : m, side of the cells that are counted (J: 1).
+    feature_count : cells asked for (J: 400).
     feature_points : points that make a cell count (J: 5).
     window_points : marking points that a window should have, counted instead of cells (J chapter 4, which gives no
         number); None counts cells (J 3.2.4.2).
     extend_at_end : a window grows at its end only (J 3.2.4.2), not at both ends about its patch (J chapter 4).
-    ndt_grid : m, side of the cells of the normal distributions (J: 1). iterations : Newton steps at most (J: 30).
+    ndt_grid : m, side of the cells of the normal distributions (J: 1).
+    iterations : Newton steps at most (J: 30).
     subsampling : m, one point a cell of this side (J chapter 4: 0.3).
     three_d : also height, roll and pitch, against the reference's heights (J chapter 4).
     ndt_levels : grids used one after another, in units of `ndt_grid` (J 3.2.4: one; chapter 4: 2.0 to 0.5 m).
     cells : the normal distributions that a point scores in: "neighbours", the 3 x 3 (x 3) cells around it; "own", its
         cell; "closest", the one with the closest mean (J eq. 11).
-    start : find the start by correlation along the whole path, within `search` m. Without it windows start from
-        the one before (J).
+    start : find the start by correlation along the whole path, within `search` m. Without it windows start from the one
+        before (J).
     search : m, largest error looked for. Where the best place lies at its edge or hardly beats others, twice as far.
     refinement : sub-pixel adjustment to the reference's coverage after NDT.
     blurs : m, standard deviations of the Gaussians that the coverage is blurred by, one after another.
@@ -139,26 +141,29 @@ class WindowResults:
 
     Attributes
     ----------
-    time : (n,) s, at the patch's middle. chainage : (n,) m driven to the patch's middle.
-    place : (n, 3) m, angles : (n, 3) degrees, of the reported trajectory there.
+    time : (n,) s, at the patch's middle.
+    chainage : (n,) m driven to the patch's middle.
+    place : (n, 3)
+    m, angles : (n, 3) degrees, of the reported trajectory there.
     correction : (n, 6) dx, dy, dz (m), droll, dpitch, dheading (degrees). NaN where there is none.
     covariance : (n, 6, 6) of the correction, m and degrees. NaN where there is none. Includes the floor of the
         reference, the drift within the window, contradictions within it, and other places that fit nearly as well.
     score : (n,) mean likelihood score of the window's points, 0 to 1.
     overlap : (n,) share of the window's points that lie on reference markings after the correction.
     window_first, window_last : (n,) numbers of the first and last patch of the window, both included.
-    window_length : (n,) m. features : (n,) occupied cells, or marking points where these are counted.
+    window_length : (n,) m.
+    features : (n,) occupied cells, or marking points where these are counted.
     points : (n,) subsampled points in the window.
     alias_ratio : (n,) score of the second best place in plan to that of the best, within the search; 0 if alone.
-    margin : (n,) by how much the best path through the whole survey beats the best through another position
-        here (log-likelihood of independent evidence; below about 3 is no proof; inf if there is no other place).
+    margin : (n,) by how much the best path through the whole survey beats the best through another position here
+        (log-likelihood of independent evidence; below about 3 is no proof; inf if there is no other place).
     status : (n,) int8, see REGISTERED and its fellows.
     modes : (n, MODES, 2) dx, dy of the positions that fit, the row's own first; NaN where there are fewer.
     mode_scores : (n, MODES) log-likelihood of each (independent evidence of this window), own first.
     linearised : (n, 6), information : (n, 6, 6), gradient : (n, 6), see above; zeros where the patch has no points.
     three_d : whether height, roll and pitch were estimated.
-    search : m, largest error east or north that was looked for. beyond : whether the best path of the start runs along
-        the edge of it, so that the survey may lie farther off.
+    search : m, largest error east or north that was looked for.
+    beyond : whether the best path of the start runs along the edge of it, so that the survey may lie farther off.
     """
 
     time: np.ndarray

@@ -52,7 +52,8 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
     Parameters
     ----------
     markings : points on paint, in the reference's CRS (m); what was measured outside the trajectory is left out.
-    trajectory : the reported one. reference : markings, and heights where `settings.three_d`.
+    trajectory : the reported one.
+    reference : markings, and heights where `settings.three_d`.
     executor : sections are worked on by it; results do not depend on it.
 
     Raises

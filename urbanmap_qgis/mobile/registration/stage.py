@@ -36,7 +36,9 @@ class RegistrationRun:
 
     Attributes
     ----------
-    windows : of the windows. correction : of the adjustment. extraction : of markings, where a survey is given.
+    windows : of the windows.
+    correction : of the adjustment.
+    extraction : of markings, where a survey is given.
     """
 
     windows: RegistrationSettings = field(default_factory=RegistrationSettings)
@@ -50,8 +52,10 @@ class RegisteredSurvey:
 
     Attributes
     ----------
-    trajectory : corrected, with the reported one's epochs.  reported : the trajectory as it was given.
-    markings : the marking points used, as reported.  windows : result of each patch's window.
+    trajectory : corrected, with the reported one's epochs.
+    reported : the trajectory as it was given.
+    markings : the marking points used, as reported.
+    windows : result of each patch's window.
     correction : the smooth one.
     """
 
@@ -72,7 +76,9 @@ class UnregisteredSection:
 
     Attributes
     ----------
-    start, end : chainage, m.  start_time, end_time : s.  status, reason : of its patches.
+    start, end : chainage, m.
+    start_time, end_time : s.
+    status, reason : of its patches.
     sigma : largest standard deviation in plan, m.
     """
 
@@ -93,7 +99,8 @@ def register_survey(paths: Sequence[str | os.PathLike], trajectory: Trajectory, 
     Parameters
     ----------
     paths : LAS, LAZ or COPC files: a survey, or markings as “Road markings of a mobile survey” writes them.
-    trajectory : with which the points were placed.  calibration : of the survey's scanners; not needed for markings.
+    trajectory : with which the points were placed.
+    calibration : of the survey's scanners; not needed for markings.
 
     Raises
     ------

@@ -40,7 +40,8 @@ def border_candidates(tile: EdgeTile, near_ground: np.ndarray, path: cKDTree) ->
 
     Parameters
     ----------
-    near_ground : (n,) which of the tile's points lie at the ground. path : places of the vehicle.
+    near_ground : (n,) which of the tile's points lie at the ground.
+    path : places of the vehicle.
     """
     found = []
     points = tile.points[near_ground]

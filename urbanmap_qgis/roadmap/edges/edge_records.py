@@ -19,8 +19,11 @@ class EdgeSettings:
 
     Attributes
     ----------
-    width : from the path to either side, m. min_height : lowest kerb, m. max_height : highest kerb, m.
-    min_length : shorter edges are left out, m. survey_sigma : how well the survey is placed as a whole, m.
+    width : from the path to either side, m.
+    min_height : lowest kerb, m.
+    max_height : highest kerb, m.
+    min_length : shorter edges are left out, m.
+    survey_sigma : how well the survey is placed as a whole, m.
     """
 
     width: float = 12.0
@@ -36,7 +39,10 @@ class EdgeCandidates:
 
     Attributes
     ----------
-    place : (n, 2) m. normal : (n, 2) unit vectors towards the higher side. height : (n,) m. score : (n,) weight.
+    place : (n, 2) m.
+    normal : (n, 2) unit vectors towards the higher side.
+    height : (n,) m.
+    score : (n,) weight.
     """
 
     place: np.ndarray
@@ -68,10 +74,15 @@ class RoadEdge:
     ----------
     kind : `KERB`, `LOWERED`, `BORDER`, `RAIL` or `WALL`.
     foot, top : (n, 3) m; the line at the road and the one above it.
-    height : median of top over foot, m. sigma, sigma_z : standard deviations across and in height, m.
-    points : laser points that it is fitted to. passes : of the survey. completeness : share of its stations measured.
-    chain : number that the parts of one edge share. gap : m to the next part of its chain, 0 where there is none.
-    status : `MEASURED` or `DOUBTFUL`. reason : why.
+    height : median of top over foot, m.
+    sigma, sigma_z : standard deviations across and in height, m.
+    points : laser points that it is fitted to.
+    passes : of the survey.
+    completeness : share of its stations measured.
+    chain : number that the parts of one edge share.
+    gap : m to the next part of its chain, 0 where there is none.
+    status : `MEASURED` or `DOUBTFUL`.
+    reason : why.
     """
 
     kind: str

@@ -38,9 +38,10 @@ class Profile:
 
     Attributes
     ----------
-    foot, top : m across from the station, towards the higher side. z_foot, z_top : m.
-    sigma, sigma_z : standard deviations of the place of the face and of the heights, m; sigma NaN where the step is
-        too low to tell its place.
+    foot, top : m across from the station, towards the higher side.
+    z_foot, z_top : m.
+    sigma, sigma_z : standard deviations of the place of the face and of the heights, m; sigma NaN where the step is too
+        low to tell its place.
     points : used.
     """
 
@@ -82,7 +83,8 @@ def fit_edge_profile(a: np.ndarray, z: np.ndarray) -> Profile | None:
 
     Parameters
     ----------
-    a : (n,) m across, towards the higher side. z : (n,) m.
+    a : (n,) m across, towards the higher side.
+    z : (n,) m.
     """
     edge = 0.0
     profile = None
@@ -179,8 +181,9 @@ def most_likely_change(a: np.ndarray, before: np.ndarray, after: np.ndarray, rea
 
     Parameters
     ----------
-    a : (n,) places in increasing order, within `reach` m of 0. before, after : (n,) negative log likelihood of each
-        point by the description that holds before the change, and by that after it.
+    a : (n,) places in increasing order, within `reach` m of 0.
+    before, after : (n,) negative log likelihood of each point by the description that holds before the change, and by
+        that after it.
     """
     borders = np.concatenate([[-reach], a, [reach]])
     cost = np.concatenate([[0.0], np.cumsum(before)]) + np.concatenate([[0.0], np.cumsum(after[::-1])])[::-1]

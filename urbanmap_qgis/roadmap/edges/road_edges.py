@@ -37,7 +37,8 @@ class EdgesFound:
     Attributes
     ----------
     edges : kerbs first, then rails and walls, then borders, each kind in the order in which it was found.
-    path_length : m driven. points_read, points_used : of the survey.
+    path_length : m driven.
+    points_read, points_used : of the survey.
     """
 
     edges: list[RoadEdge]

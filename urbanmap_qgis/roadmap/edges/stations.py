@@ -21,8 +21,12 @@ class Stations:
 
     Attributes
     ----------
-    course : (n,) number of the course. place, normal : (n, 2). seen : (n,).
-    foot, top : (n,) m across from the station. z_foot, z_top, sigma, sigma_z : (n,) m. points, passes : (n,).
+    course : (n,) number of the course.
+    place, normal : (n, 2).
+    seen : (n,).
+    foot, top : (n,) m across from the station.
+    z_foot, z_top, sigma, sigma_z : (n,) m.
+    points, passes : (n,).
     """
 
     course: np.ndarray

@@ -82,7 +82,8 @@ def upright_candidates(tile: EdgeTile, height: np.ndarray, path: cKDTree) -> Edg
 
     Parameters
     ----------
-    height : (n,) of the tile's points above the ground, m. path : places of the vehicle.
+    height : (n,) of the tile's points above the ground, m.
+    path : places of the vehicle.
     """
     band = (height > LOWEST) & (height < BAND)
     points, up = tile.points[band], height[band]

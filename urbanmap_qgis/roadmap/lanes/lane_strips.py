@@ -58,10 +58,12 @@ class Strip:
     Attributes
     ----------
     right, left : numbers of the tracks (left of the axis' direction is `left`).
-    start, end : chainages, m. width, narrowest : m.
+    start, end : chainages, m.
+    width, narrowest : m.
     forward, backward : evidence for the direction, in metres driven (an arrow or a stop line counts as 10 m).
     driven : length of the drives in it along and against the axis, m.
-    sign : 1 along the axis, -1 against it, 0 where unknown. source : what the direction comes from.
+    sign : 1 along the axis, -1 against it, 0 where unknown.
+    source : what the direction comes from.
     contradicted : its own evidence contradicts itself; no neighbour settles that.
     arrows : kinds of the arrows in it.
     """

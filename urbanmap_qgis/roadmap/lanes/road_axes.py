@@ -29,8 +29,10 @@ class RoadAxis:
 
     Attributes
     ----------
-    plan : its course. oneway : 1 along it, -1 against it, 0 both ways, None where not told.
-    lanes : number of lanes in both directions together, 0 where not told. speed_limit : km/h, NaN where not told.
+    plan : its course.
+    oneway : 1 along it, -1 against it, 0 both ways, None where not told.
+    lanes : number of lanes in both directions together, 0 where not told.
+    speed_limit : km/h, NaN where not told.
     """
 
     plan: shapely.LineString

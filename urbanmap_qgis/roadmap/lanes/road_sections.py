@@ -30,7 +30,8 @@ class BoundTrack:
 
     Attributes
     ----------
-    points : (n, 3) in the axis' direction. chainage, offset : (n,) of the points along the axis and to its left, m.
+    points : (n, 3) in the axis' direction.
+    chainage, offset : (n,) of the points along the axis and to its left, m.
     pieces : (start, end, line or None) by chainage; None where nothing was seen and the bound is drawn through.
     double : it is the middle of a double line.
     """
@@ -122,7 +123,8 @@ def road_sections(lines: Sequence[MapLine], barriers: Sequence[shapely.Geometry]
 
     Parameters
     ----------
-    lines : solid, dashed and border lines. barriers : crosswalks; no bound is drawn through one.
+    lines : solid, dashed and border lines.
+    barriers : crosswalks; no bound is drawn through one.
     """
     chains = _chains(lines)
     if not chains:

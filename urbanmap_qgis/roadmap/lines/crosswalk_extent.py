@@ -31,7 +31,9 @@ class BarRow:
     Attributes
     ----------
     direction : unit vector (2,) along the bars.
-    first : p of the first bar's centre line, m. pitch : distance of bars, m. count : number of places.
+    first : p of the first bar's centre line, m.
+    pitch : distance of bars, m.
+    count : number of places.
     half : half a bar's width, m.
     near, far : (slope, level) of the lines a = slope p + level on which the bars begin and end.
     fill : share of paint at the bars' places less that between them, 0 to 1; NaN before it is measured.

@@ -39,7 +39,8 @@ class Crosswalk:
     ----------
     area : polygon from the first bar to the last, along and across.
     strokes : numbers of its bars' strokes.
-    pitch : distance of the bars, m. bars : number of them from the first to the last.
+    pitch : distance of the bars, m.
+    bars : number of them from the first to the last.
     direction : unit vector along the bars (2,), the direction of the traffic that it crosses.
     fill : share of paint at the bars' places less that between them, 0 to 1.
     """

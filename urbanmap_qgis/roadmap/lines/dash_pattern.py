@@ -89,7 +89,8 @@ def with_worn_ends(dashes: np.ndarray, period: float, dash: float) -> tuple[np.n
 
     Parameters
     ----------
-    dashes : begins and ends (n, 2) of the painted stretches in their order, m. period, dash : about, m.
+    dashes : begins and ends (n, 2) of the painted stretches in their order, m.
+    period, dash : about, m.
 
     Returns
     -------

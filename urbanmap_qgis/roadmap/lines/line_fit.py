@@ -52,7 +52,9 @@ def fit_centre_line(axis: np.ndarray, width: float, paint: shapely.STRtree) -> F
 
     Parameters
     ----------
-    axis : (n, 2) rough centre line. width : of its strokes, m. paint : tree over the polygons of the markings.
+    axis : (n, 2) rough centre line.
+    width : of its strokes, m.
+    paint : tree over the polygons of the markings.
 
     Returns
     -------

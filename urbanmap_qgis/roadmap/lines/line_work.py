@@ -27,7 +27,8 @@ class LineSettings:
 
     Attributes
     ----------
-    max_width : strokes wider than this are no line, m. stop_width : narrower bars are no stop line, m.
+    max_width : strokes wider than this are no line, m.
+    stop_width : narrower bars are no stop line, m.
     min_painted, min_length : paint of a line and its length with gaps, at least, m.
     source_sigma : standard deviation of the places of the markings as they were given, m.
     guide_width : yellow lines so wide are guiding strips for the blind, m.
@@ -49,7 +50,8 @@ class RoadLine:
     ----------
     points : (n, 3) centre line, m; heights NaN where unknown.
     kind : "solid", "dashed", "stop line" or "guiding strip".
-    width : of the paint, m. colour : "white", "yellow" or "".
+    width : of the paint, m.
+    colour : "white", "yellow" or "".
     sigma : of its place across it, m (mean along the line).
     dashes : begins and ends (n, 2) of the painted stretches, m along it.
     period, dash : lengths of dash and gap together and of the dash, m; NaN unless dashed.
@@ -86,9 +88,11 @@ class RoadArea:
 
     Attributes
     ----------
-    polygon : its outline. kind : "crosswalk", a symbol's kind, or "unknown".
+    polygon : its outline.
+    kind : "crosswalk", a symbol's kind, or "unknown".
     heading : direction (2,) in which it is read or crossed by traffic, NaN where unknown.
-    score : how well paint and pattern agree, 0 to 1; NaN where not judged. colour : as the polygons'.
+    score : how well paint and pattern agree, 0 to 1; NaN where not judged.
+    colour : as the polygons'.
     """
 
     polygon: shapely.Geometry
@@ -134,7 +138,8 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
 
     Parameters
     ----------
-    polygons : outlines of the markings, in metres. colours : "white", "yellow" or "" for each.
+    polygons : outlines of the markings, in metres.
+    colours : "white", "yellow" or "" for each.
 
     Returns
     -------

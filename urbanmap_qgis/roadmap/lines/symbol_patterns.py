@@ -52,9 +52,12 @@ class PatternMatch:
 
     Attributes
     ----------
-    kind : of the pattern. score : 0 to 1, harmonic mean of the next two.
-    complete : share of the pattern that is painted. precise : share of the paint about it that lies in it.
-    shape : the pattern at its place. backwards : read against the direction given.
+    kind : of the pattern.
+    score : 0 to 1, harmonic mean of the next two.
+    complete : share of the pattern that is painted.
+    precise : share of the paint about it that lies in it.
+    shape : the pattern at its place.
+    backwards : read against the direction given.
     flanks : the two sides of each arrow's head, beyond the width of a shaft.
     branches : what each arrow ahead and to a side has more at this place, and the part of `shape` beside that; none
         where `shape` is such an arrow itself.

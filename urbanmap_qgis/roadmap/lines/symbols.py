@@ -48,7 +48,8 @@ class Symbol:
     Attributes
     ----------
     kind : such as "arrow straight", "arrow left", "diamond", or `UNKNOWN_ARROW`.
-    area : its paint. polygons : numbers of the polygons that it is made of.
+    area : its paint.
+    polygons : numbers of the polygons that it is made of.
     heading : direction (2,) in which it is read, NaN where unknown.
     score : 0 to 1, how well paint and pattern agree.
     """
@@ -65,7 +66,8 @@ def find_symbols(polygons: Sequence[shapely.Polygon], strokes: Sequence[Stroke],
 
     Parameters
     ----------
-    strokes : of the polygons; long ones tell the direction of the road. taken : numbers of polygons that are none.
+    strokes : of the polygons; long ones tell the direction of the road.
+    taken : numbers of polygons that are none.
 
     Returns
     -------

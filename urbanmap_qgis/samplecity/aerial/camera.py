@@ -15,7 +15,8 @@ class Camera:
 
     Attributes
     ----------
-    focal_length, pixel_pitch : mm.  width, height : pixels.
+    focal_length, pixel_pitch : mm.
+    width, height : pixels.
     principal_point : x0, y0 in mm from the image centre, x right and y up.
     """
 

@@ -16,7 +16,8 @@ class DepthImage:
 
     Attributes
     ----------
-    nearness : (rows, columns) float32.  label : (rows, columns) int32, `EMPTY` where nothing was drawn.
+    nearness : (rows, columns) float32.
+    label : (rows, columns) int32, `EMPTY` where nothing was drawn.
     """
 
     def __init__(self, nearness: np.ndarray):
@@ -34,7 +35,8 @@ class DepthImage:
 
         Parameters
         ----------
-        corners : (n, 2) column and row.  plane : (a, b, c): nearness is a column + b row + c.
+        corners : (n, 2) column and row.
+        plane : (a, b, c): nearness is a column + b row + c.
         """
         rows, columns = self.nearness.shape
         top = max(int(np.ceil(corners[:, 1].min())), 0)

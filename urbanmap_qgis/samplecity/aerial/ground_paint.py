@@ -26,7 +26,9 @@ def paint_markings(colour: np.ndarray, scene: Scene, origin: np.ndarray, west: f
     Parameters
     ----------
     colour : (rows, columns, 3) uint8, changed in place.
-    origin : of the local places.  west, north : the strip's corner, local m.  cell : m.
+    origin : of the local places.
+    west, north : the strip's corner, local m.
+    cell : m.
     """
     markings = scene.markings_at(AERIAL)
     rows, columns = colour.shape[:2]

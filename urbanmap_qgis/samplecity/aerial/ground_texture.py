@@ -106,7 +106,8 @@ class _TrafficMarks:
 
     Attributes
     ----------
-    tracks : coarse raster.  repairs, covers : local polygons; all as changes of the brightness.
+    tracks : coarse raster.
+    repairs, covers : local polygons; all as changes of the brightness.
     """
 
     def __init__(self, scene: Scene, origin: np.ndarray, west: float, north: float, shape: tuple[int, int],

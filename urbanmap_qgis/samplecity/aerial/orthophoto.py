@@ -23,7 +23,8 @@ class Orthophoto:
     Attributes
     ----------
     corner : x, y of its north-west corner.
-    image : (rows, columns, 3) uint8.  mask : (rows, columns) uint8, as those of the frames.
+    image : (rows, columns, 3) uint8.
+    mask : (rows, columns) uint8, as those of the frames.
     """
 
     def __init__(self, scene: Scene, camera: Camera, exposures: Sequence[Exposure], corner: tuple[float, float],

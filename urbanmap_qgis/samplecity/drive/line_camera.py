@@ -33,8 +33,11 @@ class SimulatedLineCamera:
 
     Attributes
     ----------
-    lever_arm : forward, right, down from the body's origin, m.  roll, pitch, heading : in the body, degrees.
-    rows : of a line.  focal, centre : pixels.  lines_hz : lines per second.
+    lever_arm : forward, right, down from the body's origin, m.
+    roll, pitch, heading : in the body, degrees.
+    rows : of a line.
+    focal, centre : pixels.
+    lines_hz : lines per second.
     """
 
     id: int

@@ -55,10 +55,12 @@ class SimulatedScanner:
 
     Attributes
     ----------
-    id : also the points' source number.  lever_arm : forward, right, down from the body's origin, m.
+    id : also the points' source number.
+    lever_arm : forward, right, down from the body's origin, m.
     roll, pitch, heading : of the scanner's axes in the body, degrees.
     angles : (k,) of the beams of one scan, degrees from the scanner's x axis towards its y axis.
-    scan_hz : scans per second.  sweep : share of the scan's period in which its beams are sent.
+    scan_hz : scans per second.
+    sweep : share of the scan's period in which its beams are sent.
     max_range, min_range, range_noise : m.
     """
 

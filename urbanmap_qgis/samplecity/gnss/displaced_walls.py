@@ -40,9 +40,12 @@ class DisplacedWall:
 
     Attributes
     ----------
-    number : from 1.  building : id.  part : number of the part.
+    number : from 1.
+    building : id.
+    part : number of the part.
     true, delivered : (2, 2) its ends in plan, anticlockwise around the part.
-    normal : (2,) outwards.  offset : m along the normal from the delivered wall to the true one.
+    normal : (2,) outwards.
+    offset : m along the normal from the delivered wall to the true one.
     z_low, z_top : heights between which it is free to the air; both NaN within a building or against a neighbour.
     """
 

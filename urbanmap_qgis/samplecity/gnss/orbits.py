@@ -134,7 +134,8 @@ def light_path(orbits: Orbits, time: np.ndarray, receiver: np.ndarray) -> tuple[
 
     Parameters
     ----------
-    time : (m,) GPS seconds of week of arrival.  receiver : (m, 3) earth-fixed places of the antenna, m.
+    time : (m,) GPS seconds of week of arrival.
+    receiver : (m, 3) earth-fixed places of the antenna, m.
 
     Returns
     -------

@@ -92,8 +92,11 @@ class SimulatedReflections:
 
     Attributes
     ----------
-    ray : number of the ray.  face : number of the reflecting face among `Mirrors.faces`.
-    place : (n, 3) point of reflection.  excess : excess path, m.  cosine : cosine between signal and wall normal.
+    ray : number of the ray.
+    face : number of the reflecting face among `Mirrors.faces`.
+    place : (n, 3) point of reflection.
+    excess : excess path, m.
+    cosine : cosine between signal and wall normal.
     """
 
     ray: np.ndarray

@@ -60,13 +60,20 @@ class SimulatedSignals:
 
     Attributes
     ----------
-    above : above the elevation mask.  tracked : there is an observation.
-    kind : `SignalKind`.  face : number of the reflecting face in the scene's static faces, -1 for none.
+    above : above the elevation mask.
+    tracked : there is an observation.
+    kind : `SignalKind`.
+    face : number of the reflecting face in the scene's static faces, -1 for none.
     reflections : number of walls that could reflect the signal with both legs free.
-    excess : excess path of the tracked signal.  multipath : error by reflections beside a free line of sight.
-    nlos_delay : additional delay of reflected signals.  noise : all other random errors.
-    clock : receiver clock and system offset.  distance : geometric range.  satellite_clock : of the satellite, s.
-    strength : carrier to noise density, dB-Hz.  code : the code range.
+    excess : excess path of the tracked signal.
+    multipath : error by reflections beside a free line of sight.
+    nlos_delay : additional delay of reflected signals.
+    noise : all other random errors.
+    clock : receiver clock and system offset.
+    distance : geometric range.
+    satellite_clock : of the satellite, s.
+    strength : carrier to noise density, dB-Hz.
+    code : the code range.
     """
 
     satellite: np.ndarray

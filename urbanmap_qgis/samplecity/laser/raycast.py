@@ -74,11 +74,12 @@ class RayCaster:
 
         Parameters
         ----------
-        origin : (n, 3) or (3,), m, above the ground.  direction : (n, 3) unit vectors.
+        origin : (n, 3) or (3,), m, above the ground.
+        direction : (n, 3) unit vectors.
         time : (n,) or a number, GPS seconds: when each beam is sent.
         max_range : m.
-        leaf : (n,) how many mean free paths of leaves each beam passes before it meets one (exponential random
-            numbers of mean 1); without it, crowns are solid.
+        leaf : (n,) how many mean free paths of leaves each beam passes before it meets one (exponential random numbers
+            of mean 1); without it, crowns are solid.
 
         The result does not depend on the executor.
         """

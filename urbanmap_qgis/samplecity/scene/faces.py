@@ -24,8 +24,10 @@ class Boxes:
 
     Attributes
     ----------
-    x, y, z : (n,) middle of the vehicle on the ground.  heading : (n,) degrees clockwise from grid north.
-    low, high : (n, 3) reach forward, left and up, m.  colour : (n, 3) uint8.
+    x, y, z : (n,) middle of the vehicle on the ground.
+    heading : (n,) degrees clockwise from grid north.
+    low, high : (n, 3) reach forward, left and up, m.
+    colour : (n, 3) uint8.
     vehicle : (n,) number in the list of vehicles that was asked for.
     """
 

@@ -44,8 +44,10 @@ class Street:
     Attributes
     ----------
     name : "A", "A1" ... along u; "B", "B1" ... along v.
-    along : "u" or "v".  at : place of its centre line on the other axis, m.
-    half_width : from the centre line to the kerb.  pavement : width of each pavement.
+    along : "u" or "v".
+    at : place of its centre line on the other axis, m.
+    half_width : from the centre line to the kerb.
+    pavement : width of each pavement.
     lanes : lanes in each direction, beside a shoulder of the remaining width.
     """
 
@@ -79,8 +81,10 @@ class Ground:
 
     Attributes
     ----------
-    origin : x, y of the main crossing.  angle : direction of the u axis, degrees anticlockwise from east.
-    z0 : height of the general plane at the origin.  slope : its rise per metre of u and v.
+    origin : x, y of the main crossing.
+    angle : direction of the u axis, degrees anticlockwise from east.
+    z0 : height of the general plane at the origin.
+    slope : its rise per metre of u and v.
     wave : half height of the gentle undulation along u, m.
     streets : at least one along u and one along v.
     parking : polygons of parking lots (projected coordinates).

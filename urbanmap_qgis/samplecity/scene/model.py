@@ -65,7 +65,9 @@ class Faces:
     corners : (n, 4, 3) in order around the face, anticlockwise seen from outside; a triangle has its last corner twice.
     normal : (n, 3) unit vectors that point outwards.
     offset : (n,) with normal . point = offset on the face.
-    material : (n,) `Material`.  kind : (n,) `FaceKind`.  colour : (n, 3) uint8, base colour in full light.
+    material : (n,) `Material`.
+    kind : (n,) `FaceKind`.
+    colour : (n, 3) uint8, base colour in full light.
     building : (n,) id of the building, -1 for other things.
     part : (n,) number of the part within the building (`Building.parts`), -1 for other things.
     """
@@ -142,8 +144,8 @@ class Marking:
 
     Attributes
     ----------
-    plan : its polygon.  kind : "lane", "centre", "edge", "zebra", "stop", "arrow", "diamond", "chevron",
-        "text", "tactile", "bay".
+    plan : its polygon.
+    kind : "lane", "centre", "edge", "zebra", "stop", "arrow", "diamond", "chevron", "text", "tactile", "bay".
     colour : "white" or "yellow".
     wear : share of the paint that is gone, 0 to 1.
     aerial, ground : whether it is there at the flights and at the drives.
@@ -209,7 +211,8 @@ class Vehicle:
 
     Attributes
     ----------
-    length, width : of the body.  height : of the body's top.
+    length, width : of the body.
+    height : of the body's top.
     cabin : (from, to, height): reach along the vehicle (m from its middle, forward positive) and its top.
     epochs : when it is there.
     """

@@ -42,7 +42,8 @@ class Scene:
 
     Attributes
     ----------
-    name : one of `SCENES`.  size : side of the square of the city, m (the square is rotated by `ground.angle`).
+    name : one of `SCENES`.
+    size : side of the square of the city, m (the square is rotated by `ground.angle`).
     ground : `Ground` (height, kerbs, axes u and v of the streets: `to_local`, `to_world`, `streets`).
     buildings, markings, trees, furniture, lanes, vehicles : the things in it.
     faults : of `faults.FAULTS`, that its surveys have.

@@ -61,14 +61,17 @@ class Correction:
 
     Attributes
     ----------
-    time : (n,) s, chainage : (n,) m, of the patches.
+    time : (n,)
+    s, chainage : (n,) m, of the patches.
     value : (n, 6) dx, dy, dz, droll, dpitch, dheading; 0 for what was not estimated.
     covariance : (n, 6, 6), the reference's own error included; NaN for what was not estimated.
-    status : (n,) int8, REGISTERED, BRIDGED or DISTRUSTED.  reason : (n,) why it is not simply registered, or "".
+    status : (n,) int8, REGISTERED, BRIDGED or DISTRUSTED.
+    reason : (n,) why it is not simply registered, or "".
     weight : (n,) 0 to 1, of the patch's own evidence; NaN where it has none.
     residual : (n, 6) the window's own correction less this one; NaN where there is none.
     three_d : whether height, roll and pitch were estimated.
-    drift_factor : how many times as large as expected the drift is. noise_factor : of the observations' variance.
+    drift_factor : how many times as large as expected the drift is.
+    noise_factor : of the observations' variance.
     heading_factor : how many times as large as stated the error of the heading was taken for, 1 as a rule.
     """
 

@@ -31,7 +31,8 @@ def patch_statuses(window_sigma: np.ndarray, weight: np.ndarray, sigma: np.ndarr
     Parameters
     ----------
     own : (n,) standard deviation in plan that the markings around the patch give alone, m.
-    weight : (n,) of the patch's own evidence, 0 to 1.  sigma : (n,) of the correction in plan, m.
+    weight : (n,) of the patch's own evidence, 0 to 1.
+    sigma : (n,) of the correction in plan, m.
     doubtful : (n,) mask of patches for which another place fits as well.
     registered, trusted : sigma in plan that a registered patch, and one that is to be trusted, has at most, m.
     """
@@ -56,7 +57,8 @@ def contradicted(residual: np.ndarray, covariance: np.ndarray, window_covariance
 
     Parameters
     ----------
-    residual : (n, 2) m, window less correction in plan. covariance, own : (n, 2, 2) of the correction and the window.
+    residual : (n, 2) m, window less correction in plan.
+    covariance, own : (n, 2, 2) of the correction and the window.
     usable : (n,) windows that carry a correction.
     """
     comparable = usable & np.isfinite(residual).all(axis=1) & np.isfinite(window_covariance).all(axis=(1, 2))

@@ -52,7 +52,8 @@ class PointObservations:
     ----------
     points : thinned; their `path_parameter` is that of the drift, their `patch` counts it in parts of a piece.
     path_parameter : (n,) m, middles of the pieces.
-    heading : (n,) degrees there. piece_length : m of path parameter.
+    heading : (n,) degrees there.
+    piece_length : m of path parameter.
     back : (n, 6, 6) of roll, pitch, heading (degrees) to rotation vectors (radians).
     """
 

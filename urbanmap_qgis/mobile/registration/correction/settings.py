@@ -20,7 +20,8 @@ class CorrectionSettings:
     rate_sigma, rate_correlation_length, random_walk, initial_sigma, time_weight, stop_walk : see `GaussMarkovDrift`;
         the survey itself scales the rate and the random walk.
     attitude_sigma : degrees, standard deviations of the reported roll, pitch and heading, where the trajectory does not
-        state its own. attitude_length : m of path parameter in which their errors forget themselves.
+        state its own.
+    attitude_length : m of path parameter in which their errors forget themselves.
     block_length : m of path whose observations are tested, and lose their weight, as one.
     single : how many times as large as usual a single piece's misfit may be (its root).
     region : how many times as large as usual the mean misfit of the pieces around may be.

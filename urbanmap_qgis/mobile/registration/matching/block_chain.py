@@ -19,7 +19,9 @@ class ChainSolution:
 
     Attributes
     ----------
-    state : (n, p). covariance : (n, p, p) of each state, given all. log_determinant : of the matrix.
+    state : (n, p).
+    covariance : (n, p, p) of each state, given all.
+    log_determinant : of the matrix.
     """
 
     state: np.ndarray

@@ -31,7 +31,8 @@ class CorrectionCurve:
 
     Attributes
     ----------
-    chainage, stop_time : (n,) m driven and s waited up to the patches' middles. translation : (n, 3) m.
+    chainage, stop_time : (n,) m driven and s waited up to the patches' middles.
+    translation : (n, 3) m.
     rotation : (n, 3) rotation vectors in the map's axes, radians.
     fast_drift : (n,) or one for all, m a metre: what the error in plan may change by beside the usual wander.
     """
@@ -76,7 +77,8 @@ def curve_step(curve: CorrectionCurve, sums: PatchSums, active: tuple[int, ...])
 
     Parameters
     ----------
-    sums : of the patches, each about its own corrected place. active : the parameters that move.
+    sums : of the patches, each about its own corrected place.
+    active : the parameters that move.
     """
     count, parameters = len(curve.chainage), list(active)
     width = len(parameters)

@@ -22,9 +22,11 @@ class NdtMap:
     Attributes
     ----------
     cell : m, side of the cells.
-    origin : (d,) m. shape : (d,) cells. Outermost cells are empty, so that neighbours need no test.
+    origin : (d,) m.
+    shape : (d,) cells. Outermost cells are empty, so that neighbours need no test.
     number : (cells,) int32, number of the distribution of each cell, -1 where there is none.
-    mean : (k, d) m, from `origin`. inverse : (k, d, d) of the covariances, 1/m2.
+    mean : (k, d) m, from `origin`.
+    inverse : (k, d, d) of the covariances, 1/m2.
     """
 
     cell: float
@@ -87,9 +89,11 @@ def build_ndt(points: np.ndarray, cell: float, spread: float = 0.0, min_points: 
 
     Parameters
     ----------
-    points : (n, d) m, d = 2 or 3. cell : m, side of a cell.
+    points : (n, d) m, d = 2 or 3.
+    cell : m, side of a cell.
     spread : m, standard deviation of each point's own place, such as its pixel's extent: added to the covariances.
-    min_points : points that make a distribution. min_ratio : least ratio of the variances to the largest one.
+    min_points : points that make a distribution.
+    min_ratio : least ratio of the variances to the largest one.
     """
     points = np.asarray(points, dtype=np.float64)
     dimensions = points.shape[1]

@@ -39,7 +39,9 @@ class PointTerms:
 
     Attributes
     ----------
-    value : (m,). gradient : (m, d) by the point's coordinates, 1/m. hessian : (m, d, d), 1/m2.
+    value : (m,).
+    gradient : (m, d) by the point's coordinates, 1/m.
+    hessian : (m, d, d), 1/m2.
     """
 
     value: np.ndarray
@@ -93,8 +95,10 @@ class Derivatives:
 
     Attributes
     ----------
-    value : the score. gradient : (p,). hessian : (p, p). p = 3 (x, y, turn about up) or 6 (x, y, z, turns about the
-    three axes of the map), m and radians, about a centre.
+    value : the score.
+    gradient : (p,).
+    hessian : (p, p). p = 3 (x, y, turn about up) or 6 (x, y, z, turns about the three axes of the map), m and radians,
+        about a centre.
     """
 
     value: float
@@ -152,7 +156,9 @@ class RigidMotion:
 
     Attributes
     ----------
-    centre : (d,) m. translation : (d,) m. rotation : (d, d) rotation.
+    centre : (d,) m.
+    translation : (d,) m.
+    rotation : (d, d) rotation.
     """
 
     centre: np.ndarray
@@ -183,7 +189,10 @@ class Match:
 
     Attributes
     ----------
-    pose : the movement. derivatives : at it. steps : taken. converged : whether it did.
+    pose : the movement.
+    derivatives : at it.
+    steps : taken.
+    converged : whether it did.
     """
 
     pose: RigidMotion

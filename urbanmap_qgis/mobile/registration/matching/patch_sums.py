@@ -24,7 +24,8 @@ class PatchSums:
 
     Attributes
     ----------
-    gradient : (n, 6). information : (n, 6, 6).
+    gradient : (n, 6).
+    information : (n, 6, 6).
     """
 
     gradient: np.ndarray
@@ -75,7 +76,8 @@ def sum_points(r: np.ndarray, gradient: tuple, hessian: dict, patch: np.ndarray,
 
     Parameters
     ----------
-    r : (m, 3) m, from the origin. gradient : (m,) by axis; None for an axis without any.
+    r : (m, 3) m, from the origin.
+    gradient : (m,) by axis; None for an axis without any.
     hessian : {(a, b): (m,)} with a <= b, only what is not zero.
     """
     moves = _moves(r)

@@ -39,8 +39,12 @@ class PathSection:
 
     Attributes
     ----------
-    first : number of the first patch in the survey. core_first, core_last : of the core, counted from `first`.
-    chainage : (n,) m. stop_time : (n,) s stood up to there. place : (n, 3) m, reported. start_shift : (n, 2) m.
+    first : number of the first patch in the survey.
+    core_first, core_last : of the core, counted from `first`.
+    chainage : (n,) m.
+    stop_time : (n,) s stood up to there.
+    place : (n, 3) m, reported.
+    start_shift : (n, 2) m.
     fast_drift : (n,) m a metre, see `fast_drift_rate`.
     window_first, window_last : (k,) of the core's windows, counted from `first`.
     points : thinned marking points of these patches.
@@ -67,8 +71,11 @@ class AdjustedSection:
     ----------
     translation, rotation : (k, 3) the windows' corrections (m; rotation vectors in the map's axes, radians).
     covariance : (k, 6, 6) without the reference's floor, m and radians; 0 in what was not estimated.
-    curve : (k, 6) the curve they were adjusted about. information, gradient : of the patches' own points about it.
-    score, overlap : (k,). points : (k,) in the window. near : (k,) how many of them lie near any reference marking.
+    curve : (k, 6) the curve they were adjusted about.
+    information, gradient : of the patches' own points about it.
+    score, overlap : (k,).
+    points : (k,) in the window.
+    near : (k,) how many of them lie near any reference marking.
     converged : (k,) whether the curve converged.
     """
 

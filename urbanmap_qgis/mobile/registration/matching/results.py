@@ -39,9 +39,12 @@ class InitialShifts:
 
     Attributes
     ----------
-    block : patches of a block. shift : (b, 2) m, east and north, where each block starts from.
-    scores : (b, s, s) of all shifts about the best path's shift. deficit : (b, s, s) see `BestPath`.
-    best : (b, 2) cells, shift of the best path. score : of the whole of it, log-likelihood.
+    block : patches of a block.
+    shift : (b, 2) m, east and north, where each block starts from.
+    scores : (b, s, s) of all shifts about the best path's shift.
+    deficit : (b, s, s) see `BestPath`.
+    best : (b, 2) cells, shift of the best path.
+    score : of the whole of it, log-likelihood.
     """
 
     block: int

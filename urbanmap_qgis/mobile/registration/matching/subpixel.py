@@ -26,9 +26,10 @@ class MarkingField:
 
     Attributes
     ----------
-    grid : of the cells, with the padding. weights : (rows, columns) float32 of the splines. peaks : (rows, columns)
-    the highest of them around, which a line narrower than the blur does not bring to 1. background : what stands for
-    points off the markings: the score of a point is log(1 + coverage / background).
+    grid : of the cells, with the padding.
+    weights : (rows, columns) float32 of the splines.
+    peaks : (rows, columns) the highest of them around, which a line narrower than the blur does not bring to 1.
+    background : what stands for points off the markings: the score of a point is log(1 + coverage / background).
     """
 
     grid: Grid
@@ -61,8 +62,8 @@ class FieldTerms:
 
     Attributes
     ----------
-    value, gx, gy, hxx, hxy, hyy, and `share` : the coverage at the point, 0 to 1. on_marking : (m,) bool, whether it
-    is half of the marking's own peak or more, so that lines count however narrow.
+    value, gx, gy, hxx, hxy, hyy, and `share` : the coverage at the point, 0 to 1.
+    on_marking : (m,) bool, whether it is half of the marking's own peak or more, so that lines count however narrow.
     """
 
     value: np.ndarray

@@ -78,7 +78,8 @@ def choose_windows(x: np.ndarray, y: np.ndarray, patch: np.ndarray, patches: int
 
     Parameters
     ----------
-    x, y : (m,) marking points, m. patch : (m,) their patches.
+    x, y : (m,) marking points, m.
+    patch : (m,) their patches.
 
     A window starts with `window_patches` round its patch and grows until `feature_count` cells of `feature_grid` hold
     `feature_points` points or more (or, with `window_points`, until it has so many points), or it is

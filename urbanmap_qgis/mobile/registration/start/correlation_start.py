@@ -61,7 +61,9 @@ def shift_scores(x: np.ndarray, y: np.ndarray, weight: np.ndarray, image: ScoreI
 
     Parameters
     ----------
-    x, y : (m,) m. weight : (m,) evidence of each point. max_shift : largest shift, cells.
+    x, y : (m,) m.
+    weight : (m,) evidence of each point.
+    max_shift : largest shift, cells.
     """
     column = np.floor(x / CELL).astype(np.int64) - image.left
     row = np.floor(-y / CELL).astype(np.int64) - image.top
@@ -106,8 +108,9 @@ class BestPath:
 
     Attributes
     ----------
-    shift : (b, 2) whole steps of `CELL`, east and north. deficit : (b, s, s) float32: by how much each shift at each
-    block (rows north, columns east) makes the whole sequence worse; 0 at the best.
+    shift : (b, 2) whole steps of `CELL`, east and north.
+    deficit : (b, s, s) float32: by how much each shift at each block (rows north, columns east) makes the whole
+        sequence worse; 0 at the best.
     """
 
     shift: np.ndarray

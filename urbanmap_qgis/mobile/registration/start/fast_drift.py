@@ -27,7 +27,8 @@ def fast_drift_rate(chainage: np.ndarray, shift: np.ndarray, min_change: float =
 
     Parameters
     ----------
-    chainage : (n,) m, rising. shift : (n, 2) m, the error of the trajectory there.
+    chainage : (n,) m, rising.
+    shift : (n, 2) m, the error of the trajectory there.
     """
     change = _at(chainage, shift, 0.5 * SPAN) - _at(chainage, shift, -0.5 * SPAN)
     size = np.hypot(*change.T)

@@ -19,8 +19,11 @@ class PatchPoints:
 
     Attributes
     ----------
-    place : (m, 3) m, reported. lever_arm : (m, 3) m, from the body's reported place at the time of measuring.
-    path_parameter : (m,) of the patches, when measured. patch : (m,) number, not falling. weight : (m,).
+    place : (m, 3) m, reported.
+    lever_arm : (m, 3) m, from the body's reported place at the time of measuring.
+    path_parameter : (m,) of the patches, when measured.
+    patch : (m,) number, not falling.
+    weight : (m,).
     """
 
     place: np.ndarray

@@ -35,7 +35,8 @@ class Coverage:
 
     Attributes
     ----------
-    grid : place of the cells. share : (rows, columns) float32, 0 to 1.
+    grid : place of the cells.
+    share : (rows, columns) float32, 0 to 1.
     """
 
     grid: Grid
@@ -54,7 +55,8 @@ class Reference:
 
     Attributes
     ----------
-    mask : path of the mask raster (above 0 = marking), or None. polygons : shapely polygons, or None.
+    mask : path of the mask raster (above 0 = marking), or None.
+    polygons : shapely polygons, or None.
     ground : path of the raster of ground heights; None for a reference in 2D, or where the polygons have z.
     crs_wkt : the CRS of the markings, "" where the file states none.
     """
@@ -140,7 +142,8 @@ class GroundPart:
 
     Attributes
     ----------
-    grid, heights : the raster's part; None where heights come from polygons. reference : whose ground it is.
+    grid, heights : the raster's part; None where heights come from polygons.
+    reference : whose ground it is.
     """
 
     grid: Grid | None
