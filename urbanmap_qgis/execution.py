@@ -8,7 +8,8 @@ import signal
 import threading
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, Future, wait
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from contextvars import ContextVar
 from typing import TypeVar
 
 from .dependencies import activate
@@ -19,6 +20,33 @@ Result = TypeVar("Result")
 
 IN_FLIGHT = 4
 """Pieces handed to an executor before the first result is waited for: bounds the memory."""
+
+_CHECK: ContextVar[Callable[[], None] | None] = ContextVar("urbanmap_check", default=None)
+
+
+def checkpoint() -> None:
+    """Called by long work at least once a second: ends it by raising, where the user wants to stop.
+
+    What is asked is the `check` of the `in_order` that the work runs in. In a process of its own there is none: such
+    a process is ended from outside.
+    """
+    check = _CHECK.get()
+    if check is not None:
+        check()
+
+
+class _Checked:
+    """Work during which `checkpoint` asks `check`."""
+
+    def __init__(self, work: Callable, check: Callable[[], None]):
+        self.work, self.check = work, check
+
+    def __call__(self, piece: object) -> object:
+        before = _CHECK.set(self.check)
+        try:
+            return self.work(piece)
+        finally:
+            _CHECK.reset(before)
 
 
 def _result(future: Future, check: Callable[[], None]) -> Result:
@@ -62,11 +90,14 @@ def in_order(work: Callable[[Piece], Result], pieces: Iterable[Piece],
 
     Without an executor the pieces are worked on here. The results do not depend on the executor or its
     number of workers. With processes, `work` and the pieces must be picklable. While results are waited for, `check`
-    is called several times a second; what it raises ends the work.
+    is called several times a second; what it raises ends the work. Work done in this process asks it at every
+    `checkpoint`.
     """
     if executor is None:
-        yield from map(work, pieces)
+        yield from map(_Checked(work, check), pieces)
         return
+    if isinstance(executor, ThreadPoolExecutor):
+        work = _Checked(work, check)
     waiting: deque = deque()
     try:
         for piece in pieces:

@@ -1,10 +1,18 @@
-"""Labels of least energy by alpha expansion on the minimum cut of scipy (Boykov, Veksler, Zabih 2001)."""
+"""Labels of least energy by alpha expansion on the minimum cut of scipy (Boykov, Veksler, Zabih 2001).
+
+Costs between neighbours are computed when they are asked for, and each expansion looks only at the faces that it can
+change: memory is that of the faces, and time that of the faces that are in doubt.
+"""
 
 from __future__ import annotations
+
+from typing import Protocol
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import breadth_first_order, maximum_flow
+
+from ...execution import checkpoint
 
 _LARGEST = 2_000_000
 """Sum of the capacities at one node: whole numbers that 32 bits hold with room for their sums."""
@@ -12,69 +20,115 @@ _LARGEST = 2_000_000
 _SWEEPS = 4
 
 
-def expand_labels(data: np.ndarray, pairs: np.ndarray, smoothness: np.ndarray, start: np.ndarray) -> np.ndarray:
+class Borders(Protocol):
+    """Borders between faces: `pairs` (m, 2), the faces beside each; `most` (m,), the greatest cost of each."""
+
+    pairs: np.ndarray
+    most: np.ndarray
+
+    def cost(self, rows: np.ndarray | slice, one: np.ndarray, two: np.ndarray) -> np.ndarray:
+        """Cost (r,) of labels `one` and `two` (r,) or a single one beside the borders `rows`: symmetric, 0 for equal
+        ones, a metric."""
+
+
+def expand_labels(data: np.ndarray, borders: Borders, start: np.ndarray) -> np.ndarray:
     """Label (n,) of each face: least sum of data costs and of the costs between neighbours.
 
     Parameters
     ----------
-    data : (n, k) cost of each label. pairs : (m, 2) neighbouring faces.
-    smoothness : (m, k, k) cost of each two labels at a pair: symmetric, 0 for equal ones, a metric.
-    start : (n,) labels to begin with.
+    data : (n, k) cost of each label. start : (n,) labels to begin with.
     """
-    labels = start.copy()
-    energy = energy_of(data, pairs, smoothness, labels)
-    unchanged = 0
-    for turn in range(_SWEEPS * data.shape[1]):
-        tried = _expanded(data, pairs, smoothness, labels, turn % data.shape[1])
-        found = energy_of(data, pairs, smoothness, tried) if tried is not labels else energy
-        unchanged += 1
-        if found < energy - 1e-9:
-            labels, energy, unchanged = tried, found, 0
-        if unchanged >= data.shape[1]:
+    search = _Search(np.asfortranarray(data), borders, start.copy())
+    count = data.shape[1]
+    for turn in range(_SWEEPS * count):
+        checkpoint()
+        search.expand(turn % count, turn)
+        if turn - search.last_success >= count:
             break
-    return labels
+    return search.labels
 
 
-def energy_of(data: np.ndarray, pairs: np.ndarray, smoothness: np.ndarray, labels: np.ndarray) -> float:
+def energy_of(data: np.ndarray, borders: Borders, labels: np.ndarray) -> float:
     """Energy of labels (n,), see `expand_labels`."""
-    one, two = labels[pairs[:, 0]], labels[pairs[:, 1]]
-    return float(data[np.arange(len(labels)), labels].sum() + smoothness[np.arange(len(pairs)), one, two].sum())
+    one, two = labels[borders.pairs[:, 0]], labels[borders.pairs[:, 1]]
+    return float(data[np.arange(len(labels)), labels].sum() + borders.cost(slice(None), one, two).sum())
 
 
-def _expanded(data: np.ndarray, pairs: np.ndarray, smoothness: np.ndarray, labels: np.ndarray,
-              alpha: int) -> np.ndarray:
-    """The best labels that differ from `labels` only in faces that take `alpha`."""
-    n, row = len(labels), np.arange(len(pairs))
-    one, two = pairs.T
-    keep, take = data[np.arange(n), labels].copy(), data[:, alpha].copy()
-    both = smoothness[row, labels[one], labels[two]]
-    first = smoothness[row, labels[one], alpha]  # the first keeps its label, the second takes alpha
-    second = smoothness[row, alpha, labels[two]]
-    # A face whose data lose more than all its borders can win back keeps its label: it leaves the graph.
-    most = np.bincount(one, np.maximum(both, first), n) + np.bincount(two, np.maximum(both, second), n)
-    free = (take - keep <= most) & (labels != alpha)
-    if not free.any():
-        return labels
-    # E(keep, keep) = both, E(keep, take) = first, E(take, keep) = second, E(take, take) = 0; fixed faces keep, and
-    # those that have alpha already cost the same either way.
-    fixed = ~free & (labels != alpha)
-    inner = ~fixed[one] & ~fixed[two]
-    np.add.at(keep, one[inner], both[inner])
-    np.add.at(take, one[inner], second[inner])
-    np.add.at(take, two[inner], -second[inner])
-    for near, far, taken in ((one, two, second), (two, one, first)):
-        border = ~fixed[near] & fixed[far]
-        np.add.at(keep, near[border], both[border])
-        np.add.at(take, near[border], taken[border])
-    nodes = np.flatnonzero(~fixed)
-    number = np.cumsum(~fixed) - 1
-    floor = np.minimum(keep, take)
-    capacity = np.maximum(first + second - both, 0.0)[inner]
-    changed = _cut(len(nodes), (keep - floor)[nodes], (take - floor)[nodes], number[one[inner]], number[two[inner]],
-                   capacity)
-    result = labels.copy()
-    result[nodes[changed]] = alpha
-    return result
+class _Search:
+    """The labels so far, and what each expansion needs to know of the turns before."""
+
+    def __init__(self, data: np.ndarray, borders: Borders, labels: np.ndarray):
+        self.data, self.borders, self.labels = data, borders, labels
+        n, (one, two) = len(labels), borders.pairs.T
+        self.limit = np.bincount(one, borders.most, n) + np.bincount(two, borders.most, n)
+        # The borders of each face, as in a sparse matrix: rows of `pairs`, from `first` of the face on.
+        rows = np.concatenate([np.arange(len(one)), np.arange(len(one))])
+        order = np.argsort(borders.pairs.T.ravel(), kind="stable")
+        self.border = rows[order]
+        self.first = np.concatenate([[0], np.cumsum(np.bincount(borders.pairs.ravel(), minlength=n))])
+        self.kept = data[np.arange(n), labels]
+        self.changed = np.zeros(n, np.int64)
+        self.tried = np.full(data.shape[1], -1)
+        self.last_success = -1
+
+    def expand(self, alpha: int, turn: int) -> None:
+        """Give `alpha` to the faces that lower the energy most by taking it."""
+        take = self.data[:, alpha]
+        # A face whose data lose more than all its borders can win back keeps its label.
+        doubtful = np.flatnonzero((take - self.kept <= self.limit) & (self.labels != alpha))
+        before, self.tried[alpha] = self.tried[alpha], turn
+        if not len(doubtful):
+            return
+        rows = self._borders_of(doubtful)
+        pairs = self.borders.pairs[rows]
+        if before >= 0 and self.changed[pairs].max(initial=-1) <= before and self.changed[doubtful].max() <= before:
+            return  # as when it was tried before
+        self._expand_among(alpha, turn, doubtful, rows, pairs)
+
+    def _borders_of(self, faces: np.ndarray) -> np.ndarray:
+        """Ascending rows of the borders of faces."""
+        start, length = self.first[faces], self.first[faces + 1] - self.first[faces]
+        place = np.arange(length.sum()) + np.repeat(start - np.concatenate([[0], np.cumsum(length)[:-1]]), length)
+        return np.unique(self.border[place])
+
+    def _expand_among(self, alpha: int, turn: int, faces: np.ndarray, rows: np.ndarray, pairs: np.ndarray) -> None:
+        number = np.full(len(self.labels), -1)
+        number[faces] = np.arange(len(faces))
+        one, two = self.labels[pairs].T
+        both = self.borders.cost(rows, one, two)
+        first = self.borders.cost(rows, one, alpha)  # the first keeps its label, the second takes alpha
+        second = self.borders.cost(rows, alpha, two)
+        keep, take = self.kept[faces].copy(), self.data[faces, alpha].copy()
+        near, far = number[pairs].T
+        inner = (near >= 0) & (far >= 0)
+        # E(keep, keep) = both, E(keep, take) = first, E(take, keep) = second, E(take, take) = 0; the others keep.
+        count = len(faces)
+        keep += np.bincount(near[inner], both[inner], count)
+        take += np.bincount(near[inner], second[inner], count) - np.bincount(far[inner], second[inner], count)
+        for own, other, taken in ((near, far, second), (far, near, first)):
+            border = (own >= 0) & (other < 0)
+            keep += np.bincount(own[border], both[border], count)
+            take += np.bincount(own[border], taken[border], count)
+        if (take >= keep).all():
+            return  # nothing flows: all keep
+        floor = np.minimum(keep, take)
+        capacity = np.maximum(first + second - both, 0.0)[inner]
+        taking = _cut(count, keep - floor, take - floor, near[inner], far[inner], capacity)
+        if taking.any():
+            self._take_if_better(alpha, turn, faces[taking], rows, pairs, both)
+
+    def _take_if_better(self, alpha: int, turn: int, faces: np.ndarray, rows: np.ndarray, pairs: np.ndarray,
+                        before: np.ndarray) -> None:
+        """Take the new labels where they lower the energy: rounded capacities can miss by a little."""
+        tried = self.labels.copy()
+        tried[faces] = alpha
+        gain = self.kept[faces].sum() - self.data[faces, alpha].sum()
+        gain += before.sum() - self.borders.cost(rows, *tried[pairs].T).sum()
+        if gain > 1e-9:
+            self.labels = tried
+            self.kept[faces] = self.data[faces, alpha]
+            self.changed[faces] = turn
+            self.last_success = turn
 
 
 def _cut(n: int, keep: np.ndarray, take: np.ndarray, one: np.ndarray, two: np.ndarray,

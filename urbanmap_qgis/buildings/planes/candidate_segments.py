@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import shapely
 
 from ..polygons.partition_lines import LabelBoundaries, edge_rows, inward_walls, label_boundaries
 from .label_raster import LabelRaster
-from .step_lines import building_directions, step_lines
+from .step_lines import building_directions, cracks_by_pair, step_lines
 
 LEAST_BEND = 0.07
 """Difference of two planes' slopes below which they have no useful intersection (about 4 degrees)."""
@@ -15,8 +16,11 @@ LEAST_BEND = 0.07
 LEAST_LENGTH = 1.0
 """Metres of common border that make a segment."""
 
-EXTENSION = 30.0
-"""Metres by which segments are drawn longer than the border they come from."""
+EXTENSION = 6.0
+"""Metres by which segments are drawn on beyond the place where one of their two planes ends."""
+
+JOIN = 10.0
+"""Metres between two segments on one line up to which they are made one."""
 
 MERGE = 0.3
 """Parallel lines nearer than this (m) are one; the intersection of planes stays, else the stronger one."""
@@ -35,42 +39,50 @@ def candidate_segments(raster: LabelRaster, planes: np.ndarray, outline: shapely
     """
     cracks = label_boundaries(raster.label, raster.x, raster.y)
     reach = 1.5 * raster.cell + 0.2
-    lines, ends, explained = _intersections(cracks, planes, raster.cell, reach)
+    drawn = _Segments(_plane_corners(raster, len(planes)))
+    explained = _intersections(drawn, cracks, planes, raster.cell, reach)
     rest = LabelBoundaries(cracks.xy[~explained], cracks.left[~explained], cracks.right[~explained])
     normals = building_directions(edge_rows(outline)[:, 2:], planes)
-    for line, along in step_lines(rest, normals, raster.cell, LEAST_LENGTH, points[:, :2], label):
-        _add(lines, ends, line, along)
+    for line, along, pair in step_lines(rest, normals, raster.cell, LEAST_LENGTH, points[:, :2], label):
+        drawn.add(line, drawn.reach(line, along, pair))
     bounds = outline.bounds
     whole = float(np.hypot(bounds[2] - bounds[0], bounds[3] - bounds[1])) + 1.0
     for line in inward_walls(outline, LEAST_LENGTH)[:MOST_WALLS]:
-        _add(lines, ends, line, _around(line, bounds, whole))
-    return _segments(lines, ends)
+        drawn.add(line, _around(line, bounds, whole))
+    return drawn.ends()
 
 
-def _intersections(cracks: LabelBoundaries, planes: np.ndarray, cell: float, reach: float):
-    """Lines and extents where planes meet at equal height beside their common border; which cracks lie there."""
-    count = len(planes)
-    low, high = np.minimum(cracks.left, cracks.right), np.maximum(cracks.left, cracks.right)
-    code = low * count + high
-    explained = np.zeros(len(code), bool)
-    lines: list[tuple] = []
-    ends: list[list[float]] = []
-    for pair in np.unique(code).tolist():
-        one, two = divmod(pair, count)
+def _plane_corners(raster: LabelRaster, count: int) -> list[np.ndarray]:
+    """Corners (c, 2) of the hull of the cells that show each plane."""
+    row, column = np.nonzero(raster.inside)
+    label = raster.label[row, column]
+    order = np.argsort(label, kind="stable")
+    ends = np.cumsum(np.bincount(label, minlength=count))
+    corners = []
+    for own in np.split(order, ends[:-1]):
+        cells = np.column_stack([column[own], row[own]]).astype(np.int32)
+        hull = cv2.convexHull(cells).reshape(-1, 2) if len(cells) else cells
+        corners.append(np.column_stack([raster.x[hull[:, 0]], raster.y[hull[:, 1]]]))
+    return corners
+
+
+def _intersections(drawn: _Segments, cracks: LabelBoundaries, planes: np.ndarray, cell: float,
+                   reach: float) -> np.ndarray:
+    """Draw lines where planes meet at equal height beside their common border; which cracks (n,) lie there."""
+    explained = np.zeros(len(cracks.left), bool)
+    for one, two, members in cracks_by_pair(cracks, len(planes)):
         difference = planes[one] - planes[two]
         bend = float(np.hypot(difference[0], difference[1]))
         if bend < LEAST_BEND:
             continue
         line = (difference[0] / bend, difference[1] / bend, -difference[2] / bend)
-        members = np.flatnonzero(code == pair)
         near = members[np.abs(cracks.xy[members] @ np.array(line[:2]) - line[2]) < reach]
         if len(near) * cell < LEAST_LENGTH:
             continue
         explained[near] = True
         along = cracks.xy[near] @ np.array([-line[1], line[0]])
-        lines.append(line)
-        ends.append([float(along.min()), float(along.max())])
-    return lines, ends, explained
+        drawn.add(line, drawn.reach(line, (float(along.min()), float(along.max())), (one, two)))
+    return explained
 
 
 def _around(line: tuple, bounds: tuple, reach: float) -> list[float]:
@@ -80,28 +92,43 @@ def _around(line: tuple, bounds: tuple, reach: float) -> list[float]:
     return [centre - reach, centre + reach]
 
 
-def _add(lines: list, ends: list, line: tuple, along: list[float]) -> None:
-    """Add a line, or lengthen the one that it lies on."""
-    for place, (mx, my, other) in enumerate(lines):
-        dot = line[0] * mx + line[1] * my
-        if abs(line[0] * my - line[1] * mx) < PARALLEL:
-            sign = 1.0 if dot > 0 else -1.0
-            middle = np.array(line[:2]) * line[2] + np.array([-line[1], line[0]]) * (along[0] + along[1]) / 2
-            if abs(middle @ np.array([mx, my]) - other) < MERGE:
-                start, end = sorted((sign * along[0], sign * along[1]))
-                ends[place] = [min(ends[place][0], start), max(ends[place][1], end)]
-                return
-    lines.append(line)
-    ends.append(list(along))
+class _Segments:
+    """Lines (nx, ny, offset) with the first and last place along (-ny, nx), no two of them on each other."""
 
+    def __init__(self, corners: list[np.ndarray]):
+        self.corners = corners
+        self.rows = np.zeros((64, 5))
+        self.count = 0
 
-def _segments(lines: list, ends: list) -> np.ndarray:
-    """Ends (m, 2, 2) of the segments, drawn longer."""
-    if not lines:
-        return np.zeros((0, 2, 2))
-    line, along = np.array(lines), np.array(ends)
-    normal = line[:, :2]
-    direction = np.column_stack([-normal[:, 1], normal[:, 0]])
-    foot = normal * line[:, 2:]
-    return np.stack([foot + direction * (along[:, :1] - EXTENSION), foot + direction * (along[:, 1:] + EXTENSION)],
-                    axis=1)
+    def reach(self, line: tuple, along: tuple[float, float], pair: tuple[int, int]) -> list[float]:
+        """Places where a line ends that was seen between two places: where one of its two planes does."""
+        direction = np.array([-line[1], line[0]])
+        spans = [self.corners[plane] @ direction for plane in pair if len(self.corners[plane])]
+        low = max((float(span.min()) for span in spans), default=along[0])
+        high = min((float(span.max()) for span in spans), default=along[1])
+        return [min(along[0], low) - EXTENSION, max(along[1], high) + EXTENSION]
+
+    def add(self, line: tuple, along: list[float]) -> None:
+        """Add a line, or lengthen the one that it lies on."""
+        rows = self.rows[:self.count]
+        turned = rows[:, 0] * line[0] + rows[:, 1] * line[1]
+        middle = np.array(line[:2]) * line[2] + np.array([-line[1], line[0]]) * (along[0] + along[1]) / 2
+        start, end = np.where(turned > 0, along[0], -along[1]), np.where(turned > 0, along[1], -along[0])
+        on = np.abs(line[0] * rows[:, 1] - line[1] * rows[:, 0]) < PARALLEL
+        on &= np.abs(rows[:, :2] @ middle - rows[:, 2]) < MERGE
+        on &= (start < rows[:, 4] + JOIN) & (end > rows[:, 3] - JOIN)
+        if on.any():
+            place = int(np.argmax(on))
+            self.rows[place, 3:] = min(rows[place, 3], start[place]), max(rows[place, 4], end[place])
+            return
+        if self.count == len(self.rows):
+            self.rows = np.concatenate([self.rows, np.zeros_like(self.rows)])
+        self.rows[self.count] = *line, *along
+        self.count += 1
+
+    def ends(self) -> np.ndarray:
+        """Ends (m, 2, 2) of the segments."""
+        normal, offset, along = np.split(self.rows[:self.count], [2, 3], axis=1)
+        direction = np.column_stack([-normal[:, 1], normal[:, 0]])
+        foot = normal * offset
+        return np.stack([foot + direction * along[:, :1], foot + direction * along[:, 1:]], axis=1)

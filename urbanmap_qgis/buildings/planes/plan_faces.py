@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 import shapely
 
-from ..polygons.plan_arrangement import GRID, ring_segments
+from ...execution import checkpoint
+from ..polygons.plan_arrangement import GRID, common_borders
 from .alpha_expansion import expand_labels
 from .label_raster import LabelRaster
 
@@ -32,6 +34,15 @@ CLEARANCE = 0.3
 EXCESS_WEIGHT = 2.0
 """Cost (m3) of a square metre of roof that stands a metre too high."""
 
+FAR = 6.0
+"""Metres from the places where a plane is seen up to which it may go on."""
+
+FAR_COST = 14.0
+"""Cost (m) of a plane that lies farther away: the greatest that a near one can have."""
+
+_AT_ONCE, _TABLE = 20_000, 1_000_000
+"""Places that are looked up at once, and entries of the largest table that is made of them."""
+
 
 @dataclass(frozen=True)
 class PlanFaces:
@@ -51,60 +62,95 @@ def plan_faces(outline: shapely.Geometry, segments: np.ndarray) -> PlanFaces:
     inside = shapely.get_coordinates(shapely.point_on_surface(pieces))
     shapely.prepare(outline)
     pieces = pieces[shapely.contains_xy(outline, inside[:, 0], inside[:, 1])]
-    xy, start, end, piece = ring_segments(pieces)
-    key = np.minimum(start, end) * len(xy) + np.maximum(start, end)
-    order = np.argsort(key, kind="stable")
-    twins = np.flatnonzero(key[order[1:]] == key[order[:-1]])
-    one, two = order[twins], order[twins + 1]
-    ends = np.stack([xy[start[one]], xy[end[one]]], axis=1)
-    pairs = np.sort(np.column_stack([piece[one], piece[two]]), axis=1)
+    pairs, ends = common_borders(pieces)
     return PlanFaces(pieces, pairs, np.hypot(*(ends[:, 1] - ends[:, 0]).T), ends)
+
+
+@dataclass(frozen=True)
+class _PlaneBorders:
+    """What the borders of faces cost between planes (k, 3), computed when asked (`alpha_expansion.Borders`)."""
+
+    pairs: np.ndarray
+    ends: np.ndarray
+    most: np.ndarray
+    planes: np.ndarray
+
+    def cost(self, rows: np.ndarray | slice, one: np.ndarray, two: np.ndarray) -> np.ndarray:
+        """Costs (r,) of planes beside borders: all of `most` where they meet with a full step."""
+        between = self.planes[one] - self.planes[two]
+        ends = self.ends[rows]
+        step = np.abs(ends[..., 0] * between[:, :1] + ends[..., 1] * between[:, 1:2] + between[:, 2:]).mean(axis=1)
+        return np.where(one == two, 0.0, self.most[rows] * np.clip(step / FULL_STEP, LEVEL_FAVOUR, 1.0))
 
 
 def label_faces(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray, label: np.ndarray,
                 smoothness: float = SMOOTHNESS) -> tuple[np.ndarray, np.ndarray]:
-    """Plane (n,) of each face, and the cost (n, k) of each plane in it.
+    """Plane (n,) of each face, and the cost (n, k) of each plane in it: high and without a measure where it lies far.
 
     Parameters
     ----------
     planes : (k, 3). points, label : (n, 3) and (n,); those without a plane (-1) do not count.
     """
     data = _data_costs(faces, raster, planes, points, label)
-    one, two = planes[:, None, :], planes[None, :, :]
-    difference = (one - two).reshape(-1, 3)
-    ends = faces.border.reshape(-1, 2)
-    step = np.abs(ends @ difference[:, :2].T + difference[:, 2]).reshape(len(faces.pairs), 2, len(planes), len(planes))
-    share = np.clip(step.mean(axis=1) / FULL_STEP, LEVEL_FAVOUR, 1.0)
-    share[:, np.arange(len(planes)), np.arange(len(planes))] = 0.0
-    cost = smoothness * faces.length[:, None, None] * share
-    return expand_labels(data, faces.pairs, cost, data.argmin(axis=1)), data
+    borders = _PlaneBorders(faces.pairs, faces.border, smoothness * faces.length, planes)
+    chosen = expand_labels(data, borders, data.argmin(axis=1))
+    return chosen, np.where(np.isfinite(data), data, FAR_COST * shapely.area(faces.polygons)[:, None])
 
 
 def _data_costs(faces: PlanFaces, raster: LabelRaster, planes: np.ndarray, points: np.ndarray,
                 label: np.ndarray) -> np.ndarray:
-    """Cubic metres (n, k) between the points and each plane, over each face."""
-    tree = shapely.STRtree(faces.polygons)
-    count, _k, area = len(faces.polygons), len(planes), raster.cell**2
-    own = label >= 0
-    p = points[own]
-    off = np.minimum(np.abs(p[:, 2:] - (p[:, :2] @ planes[:, :2].T + planes[:, 2])), CAP)
-    column = np.searchsorted(raster.x + raster.cell / 2, p[:, 0])
-    row = np.searchsorted(-raster.y + raster.cell / 2, -p[:, 1])
+    """Cubic metres (n, k) between the points and each plane, over each face; infinite for planes that lie far."""
+    near = _near_planes(faces, raster, len(planes))
+    data = np.where(near, 0.0, np.inf)
+    own = points[label >= 0]
+    column = np.searchsorted(raster.x + raster.cell / 2, own[:, 0])
+    row = np.searchsorted(-raster.y + raster.cell / 2, -own[:, 1])
     cell = row * len(raster.x) + column
-    weight = area / np.bincount(cell, minlength=raster.label.size + len(raster.x) + 1)[cell]
-    data = _summed(tree, count, p[:, :2], off * weight[:, None])
+    weight = raster.cell**2 / np.bincount(cell, minlength=raster.label.size + len(raster.x) + 1)[cell]
+
+    def of_points(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
+        return np.minimum(np.abs(own[place, 2] - _heights(planes, plane, own[place])), CAP) * weight[place]
 
     row, column = np.nonzero(raster.inside)
     xy = np.column_stack([raster.x[column], raster.y[row]])
-    height = xy @ planes[:, :2].T + planes[:, 2]
-    shown = height[np.arange(len(xy)), raster.label[row, column]]
-    unseen = ~raster.seen[row, column]
-    cost = np.where(unseen[:, None], np.minimum(np.abs(height - shown[:, None]), CAP) * UNSEEN_WEIGHT, 0.0)
-    ceiling = raster.ceiling[row, column]
-    cost += EXCESS_WEIGHT * np.clip(height - ceiling[:, None] - CLEARANCE, 0.0, 3.0)
+    shown = _heights(planes, raster.label[row, column], xy)
+    unseen = np.where(raster.seen[row, column], 0.0, UNSEEN_WEIGHT)
+    ceiling = raster.ceiling[row, column] + CLEARANCE
     low, high = seen_heights(planes, points, label, raster.cell)
-    cost += EXCESS_WEIGHT * np.clip(np.maximum(height - high, low - height), 0.0, 3.0)
-    return data + _summed(tree, count, xy, cost * area)
+
+    def of_cells(place: np.ndarray, plane: np.ndarray) -> np.ndarray:
+        height = _heights(planes, plane, xy[place])
+        cost = np.minimum(np.abs(height - shown[place]), CAP) * unseen[place]
+        cost += EXCESS_WEIGHT * np.clip(height - ceiling[place], 0.0, 3.0)
+        return cost + EXCESS_WEIGHT * np.clip(np.maximum(height - high[plane], low[plane] - height), 0.0, 3.0)
+
+    tree = shapely.STRtree(faces.polygons)
+    _add_sums(data, near, tree, own[:, :2], of_points, 1.0)
+    _add_sums(data, near, tree, xy, of_cells, raster.cell**2)
+    return data
+
+
+def _near_planes(faces: PlanFaces, raster: LabelRaster, count: int) -> np.ndarray:
+    """Mask (n, count) of the planes that cells show within `FAR` of each face, boxes taken; all where there is none."""
+    row, column = np.nonzero(raster.inside)
+    label = raster.label[row, column]
+    low, high = np.full((count, 2), np.inf), np.full((count, 2), -np.inf)
+    for axis, place in enumerate((raster.x[column], raster.y[row])):
+        np.minimum.at(low[:, axis], label, place)
+        np.maximum.at(high[:, axis], label, place)
+    bounds = shapely.bounds(faces.polygons)
+    near = np.ones((len(bounds), count), bool)
+    for axis in range(2):
+        near &= bounds[:, axis, None] <= high[:, axis] + FAR
+        near &= bounds[:, axis + 2, None] >= low[:, axis] - FAR
+    near[~near.any(axis=1)] = True
+    return near
+
+
+def _heights(planes: np.ndarray, plane: np.ndarray, xy: np.ndarray) -> np.ndarray:
+    """Height (n,) of planes (n,) at places (n, 2 or more), m."""
+    a, b, c = planes[plane].T
+    return xy[:, 0] * a + xy[:, 1] * b + c
 
 
 def seen_heights(planes: np.ndarray, points: np.ndarray, label: np.ndarray,
@@ -119,7 +165,19 @@ def seen_heights(planes: np.ndarray, points: np.ndarray, label: np.ndarray,
     return (np.where(np.isfinite(low), low - reach, -np.inf), np.where(np.isfinite(high), high + reach, np.inf))
 
 
-def _summed(tree: shapely.STRtree, count: int, xy: np.ndarray, value: np.ndarray) -> np.ndarray:
-    """Sum (count, k) over the places (n, 2) in each polygon of their values (n, k)."""
-    place, face = tree.query(shapely.points(xy), predicate="intersects")
-    return np.column_stack([np.bincount(face, column, count) for column in value[place].T])
+def _add_sums(data: np.ndarray, near: np.ndarray, tree: shapely.STRtree, xy: np.ndarray,
+              cost: Callable[[np.ndarray, np.ndarray], np.ndarray], factor: float) -> None:
+    """Add to `data` (n, k) the `cost` of every place (p, 2) in a polygon with each plane that is near to it."""
+    count = near.sum(axis=1)
+    plane_of = np.nonzero(near)[1]
+    first = np.cumsum(count) - count
+    for start in range(0, len(xy), _AT_ONCE):
+        checkpoint()
+        place, face = tree.query(shapely.points(xy[start:start + _AT_ONCE]), predicate="intersects")
+        for part in np.array_split(np.arange(len(place)), count[face].sum() // _TABLE + 1):
+            times = count[face[part]]
+            own = np.repeat(place[part] + start, times)
+            at = np.arange(times.sum()) + np.repeat(first[face[part]] - (np.cumsum(times) - times), times)
+            plane, polygon = plane_of[at], np.repeat(face[part], times)
+            sums = np.bincount(polygon * data.shape[1] + plane, cost(own, plane), data.size)
+            data += factor * sums.reshape(data.shape)

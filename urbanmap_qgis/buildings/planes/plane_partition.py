@@ -27,6 +27,9 @@ STRIP_WIDTH, STRIP_SLOPE = 0.5, 0.1
 """Width (m) up to which, and slope (rise over run) from which, a plane is no roof: points of a facade or of the side of
 a parapet, which lie in a strip along it."""
 
+MOST_POINTS = 100_000
+"""Points of one building that lines are placed and planes are chosen by; of more a regular choice is taken."""
+
 OK, ONE_PLANE = "ok", "one plane"
 
 
@@ -74,7 +77,8 @@ def partition_planes(outline: shapely.Geometry, points: np.ndarray, roof: np.nda
     raster = label_raster(points, of_point, local, density)
     raster, planes, capped = _with_caps(raster, planes, points, of_point)
     numbers = np.concatenate([numbers, numbers[capped]])
-    polygons, labels = _divided(local, raster, planes, points, of_point)
+    step = -(-len(points) // MOST_POINTS)
+    polygons, labels = _divided(local, raster, planes, points[::step], of_point[::step])
     lifted = meeting_polygons(polygons, planes[labels])
     shift = np.array([*origin, 0.0])
     moved = tuple(shapely.set_coordinates(polygon, shapely.get_coordinates(polygon, include_z=True) + shift)
@@ -133,36 +137,34 @@ def _divided(outline: shapely.Geometry, raster: LabelRaster, planes: np.ndarray,
     faces = plan_faces(outline, candidate_segments(raster, planes, outline, points, label))
     chosen, cost = label_faces(faces, raster, planes, points, label)
     chosen = without_steep_slivers(chosen, cost, faces, planes)
-    chosen = without_small_parts(chosen, cost, _shared(faces) * SMOOTHNESS, shapely.area(faces.polygons), LEAST_AREA)
+    chosen = without_small_parts(chosen, cost, faces.pairs, faces.length * SMOOTHNESS, shapely.area(faces.polygons),
+                                 LEAST_AREA)
     return dissolve(faces.polygons, chosen, outline)
 
 
 def without_steep_slivers(chosen: np.ndarray, cost: np.ndarray, faces: PlanFaces, planes: np.ndarray) -> np.ndarray:
     """Plane (n,) of each face; steep parts narrower than `STRIP_WIDTH` are given to the best plane beside them."""
-    same = chosen[faces.pairs[:, 0]] == chosen[faces.pairs[:, 1]]
-    n = len(chosen)
-    graph = coo_matrix((np.ones(same.sum(), bool), tuple(faces.pairs[same].T)), shape=(n, n))
-    count, part = connected_components(graph, directed=False)
     steep = np.hypot(planes[:, 0], planes[:, 1]) > STRIP_SLOPE
+    n, one, two = len(chosen), *faces.pairs.T
+    graph = coo_matrix((np.ones(len(one), bool), (one, two)), shape=(n, n)).tocsr()
+    graph = graph + graph.T
+    same = chosen[one] == chosen[two]
+    count, part = connected_components(coo_matrix((np.ones(same.sum(), bool), (one[same], two[same])), shape=(n, n)),
+                                       directed=False)
+    members = np.split(np.argsort(part, kind="stable"), np.cumsum(np.bincount(part, minlength=count))[:-1])
     chosen = chosen.copy()
-    for number in range(count):
-        own = np.flatnonzero(part == number)
-        whole = shapely.union_all(faces.polygons[own])
-        if not steep[chosen[own[0]]] or not shapely.is_empty(shapely.buffer(whole, -STRIP_WIDTH / 2)):
+    for number, own in enumerate(members):
+        if not steep[chosen[own[0]]]:
             continue
-        touching = faces.pairs[np.isin(faces.pairs, own).any(axis=1)].ravel()
+        whole = shapely.union_all(faces.polygons[own])
+        if not shapely.is_empty(shapely.buffer(whole, -STRIP_WIDTH / 2)):
+            continue
+        touching = graph[own].indices
         beside = np.unique(chosen[touching[part[touching] != number]])
         beside = beside[~steep[beside]] if (~steep[beside]).any() else beside
         if len(beside):
             chosen[own] = beside[np.argmin(cost[own][:, beside].sum(axis=0))]
     return chosen
-
-
-def _shared(faces: PlanFaces) -> np.ndarray:
-    """Length (n, n) of the border between any two faces, m."""
-    shared = np.zeros((len(faces.polygons),) * 2)
-    np.add.at(shared, (faces.pairs[:, 0], faces.pairs[:, 1]), faces.length)
-    return shared + shared.T
 
 
 def _coverage(raster: LabelRaster, polygons: list[shapely.Polygon]) -> np.ndarray:

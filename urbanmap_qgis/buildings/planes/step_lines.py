@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
+from ...execution import checkpoint
 from ..polygons.partition_lines import LabelBoundaries
 from ..polygons.regularisation import main_directions
 
@@ -43,8 +46,8 @@ def building_directions(edges: np.ndarray, planes: np.ndarray) -> np.ndarray:
 
 
 def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_length: float, points: np.ndarray,
-               label: np.ndarray) -> list[tuple[tuple[float, float, float], tuple[float, float]]]:
-    """Lines (nx, ny, offset) with their first and last place along (-ny, nx), the longest first.
+               label: np.ndarray) -> list[tuple]:
+    """Lines (nx, ny, offset) with their first and last place along (-ny, nx) and their two planes, the longest first.
 
     Parameters
     ----------
@@ -55,25 +58,41 @@ def step_lines(cracks: LabelBoundaries, normals: np.ndarray, cell: float, least_
     free = np.column_stack([np.cos(angle), np.sin(angle)])
     tried = np.concatenate([normals, free])
     favour = np.concatenate([np.full(len(normals), FAVOUR), np.ones(len(free))])
-    count = int(max(cracks.left.max(initial=0), cracks.right.max(initial=0))) + 1
-    low, high = np.minimum(cracks.left, cracks.right), np.maximum(cracks.left, cracks.right)
-    code = low * count + high
+    count = int(max(cracks.left.max(initial=0), cracks.right.max(initial=0), label.max(initial=0))) + 1
+    order = np.argsort(label, kind="stable")
+    own_points = np.split(order, np.cumsum(np.bincount(label + 1, minlength=count + 1))[:-1])[1:]
     found = []
-    for pair in np.unique(code).tolist():
-        one, two = divmod(pair, count)
-        xy = cracks.xy[code == pair]
-        either = (label == one) | (label == two)
-        own, upper = points[either], label[either] == two
+    for one, two, members in cracks_by_pair(cracks, count):
+        checkpoint()
+        xy = cracks.xy[members]
+        either = np.sort(np.concatenate([own_points[one], own_points[two]]))
+        near = _in_box(points[either], xy, 2.0 * cell + 0.3)
+        own, upper = points[either[near]], label[either[near]] == two
         for _ in range(MOST_LINES_A_PAIR):
             line, members, length = _longest(xy, tried, favour, cell)
             if length < least_length:
                 break
             along = xy[members] @ np.array([-line[1], line[0]])
             line = _placed(line, along, own, upper, 1.5 * cell)
-            found.append((length, line, (float(along.min()), float(along.max()))))
+            found.append((length, line, (float(along.min()), float(along.max())), (one, two)))
             xy = xy[~members]
     found.sort(key=lambda item: (-item[0], item[1]))
-    return [(line, ends) for _, line, ends in found]
+    return [(line, ends, pair) for _, line, ends, pair in found]
+
+
+def cracks_by_pair(cracks: LabelBoundaries, count: int) -> Iterator[tuple[int, int, np.ndarray]]:
+    """Every two planes (of `count`) that have cracks between them, the lower first, and the rows of these."""
+    low, high = np.minimum(cracks.left, cracks.right), np.maximum(cracks.left, cracks.right)
+    order = np.argsort(low * count + high, kind="stable")
+    code = (low * count + high)[order]
+    for members in np.split(order, np.flatnonzero(np.diff(code)) + 1):
+        if len(members):
+            yield int(low[members[0]]), int(high[members[0]]), members
+
+
+def _in_box(points: np.ndarray, xy: np.ndarray, margin: float) -> np.ndarray:
+    """Mask of the points (n, 2) in the box round places (m, 2), drawn larger by `margin` (m)."""
+    return ((points >= xy.min(axis=0) - margin) & (points <= xy.max(axis=0) + margin)).all(axis=1)
 
 
 def _longest(xy: np.ndarray, normals: np.ndarray, favour: np.ndarray, cell: float):
@@ -84,9 +103,11 @@ def _longest(xy: np.ndarray, normals: np.ndarray, favour: np.ndarray, cell: floa
     offset = normals @ xy.T
     ordered = np.sort(offset, axis=1)
     width = WINDOW * cell
-    votes = np.empty_like(ordered)
-    for row, values in enumerate(ordered):
-        votes[row] = np.searchsorted(values, values + width, side="right") - np.arange(len(values))
+    # One search for all rows: each is moved so far that no row reaches into the next.
+    apart = np.arange(len(ordered))[:, None] * (np.ptp(ordered) + 2.0 * width)
+    flat = (ordered + apart).ravel()
+    last = np.searchsorted(flat, flat + width, side="right").reshape(ordered.shape)
+    votes = last - np.arange(ordered.size).reshape(ordered.shape)
     row, place = np.unravel_index(np.argmax(votes * favour[:, None]), votes.shape)
     normal = normals[row]
     members = np.flatnonzero((offset[row] >= ordered[row, place]) & (offset[row] <= ordered[row, place] + width))

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import heapq
+
 import numpy as np
 import shapely
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from .plan_arrangement import Arrangement
 
@@ -30,51 +34,99 @@ def choose_roofs(cost: np.ndarray, arrangement: Arrangement, smoothness: float,
     area = shapely.area(arrangement.pieces)
     thin = 2.0 * area < MIN_WIDTH * shapely.length(arrangement.pieces)
     cost = np.where(thin[:, None], THIN_WEIGHT, 1.0) * cost
-    shared = arrangement.shared * smoothness
-    chosen = _smooth(cost, shared)
-    return without_small_parts(chosen, cost, shared, area, min_roof_area)
+    worth = arrangement.length * smoothness
+    chosen = _smooth(cost, arrangement.pairs, worth)
+    return without_small_parts(chosen, cost, arrangement.pairs, worth, area, min_roof_area)
 
 
-def _smooth(cost: np.ndarray, shared: np.ndarray) -> np.ndarray:
-    k = cost.shape[1]
+def _smooth(cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray) -> np.ndarray:
+    k, n = cost.shape[1], len(cost)
+    around = coo_matrix((np.tile(worth, 2), (pairs.T.ravel(), pairs[:, ::-1].T.ravel())), shape=(n, n)).tocsr()
     chosen = np.argmin(cost, axis=1)
     for _ in range(MAX_SWEEPS):
         before = chosen.copy()
-        for i in range(len(chosen)):
-            agree = np.bincount(chosen, shared[i], minlength=k)
+        for i in range(n):
+            own = slice(around.indptr[i], around.indptr[i + 1])
+            agree = np.bincount(chosen[around.indices[own]], around.data[own], minlength=k)
             chosen[i] = np.argmin(cost[i] - agree)
         if (chosen == before).all():
             break
     return chosen
 
 
-def without_small_parts(chosen: np.ndarray, cost: np.ndarray, shared: np.ndarray, area: np.ndarray,
-                         min_roof_area: float) -> np.ndarray:
-    chosen = chosen.copy()
-    k = cost.shape[1]
-    for _ in range(len(chosen)):
-        part = _connected(chosen, shared > 0)
-        part_area = np.bincount(part, area)
-        small = np.flatnonzero(part_area < min_roof_area)
-        for candidate in small[np.argsort(part_area[small], kind="stable")]:
-            members = part == candidate
-            contact = np.bincount(chosen[~members], shared[members][:, ~members].sum(axis=0), minlength=k)
-            if contact.any():
-                total = cost[members].sum(axis=0) - contact
-                chosen[members] = np.argmin(np.where(contact > 0, total, np.inf))
-                break
-        else:  # what is still small stands alone, as a part of the outline of its own
-            break
-    return chosen
+def without_small_parts(chosen: np.ndarray, cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray, area: np.ndarray,
+                        min_roof_area: float) -> np.ndarray:
+    """Label (n,) of each piece with no connected part smaller than `min_roof_area` (m2), the smallest joined first.
+
+    A part joins the neighbouring label that costs least, or stays where it has no neighbour.
+
+    Parameters
+    ----------
+    chosen : (n,) labels. cost : (n, k) of each label. pairs, worth : (m, 2) and (m,) borders between pieces and what a
+        border between two labels costs there. area : (n,) m2.
+    """
+    parts = _Parts(chosen, cost, pairs, worth, area)
+    small = [(float(parts.area[part]), part) for part in parts.around if parts.area[part] < min_roof_area]
+    heapq.heapify(small)
+    while small:
+        size, part = heapq.heappop(small)
+        if part not in parts.around or parts.area[part] != size or not parts.around[part]:
+            continue  # joined since, or alone: a part of the outline of its own
+        joined = parts.join_best(part)
+        if parts.area[joined] < min_roof_area:
+            heapq.heappush(small, (float(parts.area[joined]), joined))
+    return parts.labels()
 
 
-def _connected(chosen: np.ndarray, touching: np.ndarray) -> np.ndarray:
-    """Number of the connected part that each piece belongs to, parts being pieces of one roof that touch."""
-    same = touching & (chosen[:, None] == chosen[None, :])
-    part = np.arange(len(chosen))
-    while True:
-        lower = np.minimum(part, np.where(same, part[None, :], len(part)).min(axis=1))
-        lower = lower[lower]
-        if (lower == part).all():
-            return np.unique(part, return_inverse=True)[1]
-        part = lower
+class _Parts:
+    """Connected parts of one label, known by their first piece: area, costs, and the borders around each."""
+
+    def __init__(self, chosen: np.ndarray, cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray, area: np.ndarray):
+        n = len(chosen)
+        same = chosen[pairs[:, 0]] == chosen[pairs[:, 1]]
+        graph = coo_matrix((np.ones(same.sum(), bool), tuple(pairs[same].T)), shape=(n, n))
+        count, number = connected_components(graph, directed=False)
+        first = np.full(count, n)
+        np.minimum.at(first, number, np.arange(n))
+        self.part = first[number]
+        self.owner = np.arange(n)
+        self.label = chosen.copy()
+        self.area = np.bincount(self.part, area, n)
+        members = coo_matrix((np.ones(n), (self.part, np.arange(n))), shape=(n, n)).tocsr()
+        self.cost = members @ cost
+        self.around: dict[int, dict[int, float]] = {int(part): {} for part in first}
+        for one, two, value in zip(*self.part[pairs[~same]].T.tolist(), worth[~same].tolist()):
+            if value > 0:
+                self.around[one][two] = self.around[one].get(two, 0.0) + value
+                self.around[two][one] = self.around[two].get(one, 0.0) + value
+
+    def join_best(self, part: int) -> int:
+        """Give a part to the neighbouring label that costs least; the part that it then belongs to."""
+        contact: dict[int, float] = {}
+        for other, value in self.around[part].items():
+            label = int(self.label[other])
+            contact[label] = contact.get(label, 0.0) + value
+        best = min(sorted(contact), key=lambda label: self.cost[part, label] - contact[label])
+        self.label[part] = best
+        for other in [other for other in self.around[part] if self.label[other] == best]:
+            part = self._unite(part, other)
+        return part
+
+    def _unite(self, one: int, two: int) -> int:
+        """Make two parts one, known by the lower of their numbers."""
+        one, two = min(one, two), max(one, two)
+        self.owner[two] = one
+        self.area[one] += self.area[two]
+        self.cost[one] += self.cost[two]
+        for other, value in self.around.pop(two).items():
+            del self.around[other][two]
+            if other != one:
+                self.around[one][other] = self.around[other][one] = self.around[one].get(other, 0.0) + value
+        return one
+
+    def labels(self) -> np.ndarray:
+        """Label (n,) of each piece."""
+        owner = self.owner
+        while (owner[owner] != owner).any():
+            owner = owner[owner]
+        return self.label[owner[self.part]]

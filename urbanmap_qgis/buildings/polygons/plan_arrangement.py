@@ -19,12 +19,14 @@ class Arrangement:
     ----------
     pieces : (n,) Polygons without overlap that fill the plan; neighbours have the same nodes.
     inside : (n, 2) a point in each.
-    shared : (n, n) length in metres of the border between two pieces.
+    pairs, length : (m, 2) and (m,), pieces that have a border with each other, and its length in m; two pieces can
+        have several.
     """
 
     pieces: np.ndarray
     inside: np.ndarray
-    shared: np.ndarray
+    pairs: np.ndarray
+    length: np.ndarray
 
 
 def arrange(outline: shapely.Geometry, lines: np.ndarray) -> Arrangement:
@@ -42,7 +44,8 @@ def arrange(outline: shapely.Geometry, lines: np.ndarray) -> Arrangement:
     shapely.prepare(outline)
     own = shapely.contains_xy(outline, inside[:, 0], inside[:, 1])
     pieces, inside = pieces[own], inside[own]
-    return Arrangement(pieces, inside, _shared_lengths(pieces))
+    pairs, ends = common_borders(pieces)
+    return Arrangement(pieces, inside, pairs, np.hypot(*(ends[:, 1] - ends[:, 0]).T))
 
 
 def ring_segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -55,17 +58,14 @@ def ring_segments(polygons: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndar
             polygon_of_ring[ring[:-1][same]])
 
 
-def _shared_lengths(pieces: np.ndarray) -> np.ndarray:
+def common_borders(pieces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Pairs (m, 2) of neighbours, the lower first, and the ends (m, 2, 2) of each straight border between them."""
     xy, start, end, piece = ring_segments(pieces)
     key = np.minimum(start, end) * len(xy) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
     twins = np.flatnonzero(key[order[1:]] == key[order[:-1]])
     one, two = order[twins], order[twins + 1]
-    length = np.hypot(*(xy[start[one]] - xy[end[one]]).T)
-    shared = np.zeros((len(pieces), len(pieces)))
-    np.add.at(shared, (piece[one], piece[two]), length)
-    np.add.at(shared, (piece[two], piece[one]), length)
-    return shared
+    return np.sort(np.column_stack([piece[one], piece[two]]), axis=1), np.stack([xy[start[one]], xy[end[one]]], axis=1)
 
 
 def dissolve(pieces: np.ndarray, labels: np.ndarray, outline: shapely.Geometry) -> tuple[list, np.ndarray]:
