@@ -277,20 +277,26 @@ def draw_windows(names: list[str], folder: Path, language: str) -> None:
     if language == "ja" and not _output("fc-list", ":lang=ja", HOME=str(profile / "home")):
         sys.exit("There is no Japanese font, without which the windows show boxes: apt install fonts-ipaexfont")
     packages = sorted((ROOT / ".venv" / "lib").glob("python3.*/site-packages"))
+    open_desktop(ROOT / "scripts" / Path(__file__).name, folder, profile,
+                 PYTHONPATH=os.pathsep.join(map(str, packages)), URBANMAP_TUTORIAL=" ".join(names),
+                 URBANMAP_ROOT=str(ROOT))
+
+
+def open_desktop(script: Path, folder: Path, profile: Path, **variables: str) -> None:
+    """Start QGIS's desktop on a virtual screen, in an environment with these variables, and let it run a script."""
     kept = {key: value for key, value in os.environ.items()
             if not key.startswith(("QGIS_", "PYTHON", "QT_", "DISPLAY"))}
     environment = {
         **kept, "HOME": str(profile / "home"), "LC_ALL": "C.UTF-8", "LIBGL_ALWAYS_SOFTWARE": "1",
         "PATH": os.pathsep.join(["/usr/bin", "/bin", os.environ.get("PATH", "")]),
-        "PYTHONPATH": os.pathsep.join(map(str, packages)), "QGIS_CUSTOM_CONFIG_PATH": str(profile / "config"),
-        "QGIS_PLUGINPATH": str(profile / "plugins"), "XDG_RUNTIME_DIR": str(profile / "runtime"),
-        "URBANMAP_TUTORIAL": " ".join(names), "URBANMAP_ROOT": str(ROOT),
+        "QGIS_CUSTOM_CONFIG_PATH": str(profile / "config"), "QGIS_PLUGINPATH": str(profile / "plugins"),
+        "XDG_RUNTIME_DIR": str(profile / "runtime"), **variables,
     }
     program = shutil.which("qgis.bin") or shutil.which("qgis")
     if program is None or shutil.which("xvfb-run") is None:
         sys.exit("QGIS's desktop and xvfb are needed: apt install qgis xvfb libgl1-mesa-dri")
     subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", program, "--nologo", "--noversioncheck",
-                    "--profiles-path", str(profile / "config"), "--code", str(ROOT / "scripts" / Path(__file__).name)],
+                    "--profiles-path", str(profile / "config"), "--code", str(script)],
                    cwd=folder, env=environment, check=True, timeout=600)
 
 

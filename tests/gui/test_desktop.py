@@ -1,0 +1,143 @@
+"""One sitting in QGIS's desktop: every dialog, runs again and again, cancelling, the plugin off and on."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import shutil
+import sys
+import sysconfig
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+STYLES = ROOT / "resources" / "styles"
+
+pytestmark = pytest.mark.skipif(
+    shutil.which("xvfb-run") is None or not (shutil.which("qgis.bin") or shutil.which("qgis")),
+    reason="no QGIS desktop or no xvfb-run (apt install qgis xvfb)",
+)
+
+ALS = {"POINTS": ["city:als/als.laz"], "FOOTPRINTS": "city:footprints/gsi_buildings.gpkg"}
+MAP = {"BUILDINGS": "city:models/buildings.geojson", "NAVIGATION": ["city:gnss/satellites.nav"]}
+WANTED = "TEMPORARY_OUTPUT"
+RUNS = {
+    "segmentbuildings": (ALS, 3, 1, {"Buildings": "segmented_buildings"}),
+    "roadmarkingsfromorthophoto": ({"INPUT": "city:aerial/ortho.tif"}, 3, 1, {
+        "Marking mask": "marking_mask", "Road markings": "road_markings"}),
+    "checkaccuracy": ({"TRAJECTORY": "city:mms/survey_01_trajectory.csv", "CRS": "EPSG:6677",
+                       "CONTROL": "city:truth/control_survey_01.csv"}, 3, 1, {"Residuals": "control_residuals"}),
+    "rectifytrajectory": ({"TRAJECTORY": "city:lines/trajectory.csv", "TIE_POINTS": "city:lines/tie_points.csv",
+                           "OUTPUT_SETS": WANTED, "OUTPUT_EPOCHS": WANTED}, 3, 1, {
+        "Sets": "rectification_sets", "Epochs": "rectification_epochs"}),
+    "satellitevisibility": ({**MAP, "TIME": "2024-04-18 02:00:00", "RESOLUTION": 8.0, "OUTPUT_RASTER": WANTED}, 3, 1, {
+        "Visible satellites": "satellite_visibility", "Visible satellites over the area": "satellite_visibility_area"}),
+    "localisationaccuracy": ({**MAP, "TRAJECTORY": ["city:truth/survey_01_trajectory.csv"], "SPACING": 10.0}, 3, 1, {
+        "Localisation accuracy": "localisation_accuracy"}),
+    "buildingsfromals": (ALS, 2, 1, {"Building models": "building_models"}),
+}
+"""Of each group an algorithm that makes layers: what is given, runs in one dialog, new dialogs, style by layer."""
+
+CANCELLED = ("groundfrommms", {"POINTS": ["city:mms/survey_01.laz"]})
+STEPS = ["dialogs", "runs", "together", "cancel", "reloads", "again"]
+
+
+def load_script(name: str):
+    spec = importlib.util.spec_from_file_location(f"urbanmap_{name}", ROOT / "scripts" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def in_city(value, city: Path):
+    """A value with "city:PLACE" as the path of that file."""
+    if isinstance(value, dict):
+        return {key: in_city(item, city) for key, item in value.items()}
+    if isinstance(value, list):
+        return [in_city(item, city) for item in value]
+    return str(city / value[5:]) if isinstance(value, str) and value.startswith("city:") else value
+
+
+@pytest.fixture(scope="module")
+def sitting(small_city, tmp_path_factory):
+    """What the steps of one sitting in one QGIS gave, with the packages where the plugin installs them."""
+    windows = load_script("make_tutorial_pictures")
+    folder = tmp_path_factory.mktemp("desktop")
+    profile = windows.profile_of(folder, "en")
+    packages = profile / "config/profiles/default/python/urbanmap_packages"
+    packages.mkdir(parents=True)
+    version = f"py{sys.version_info.major}.{sys.version_info.minor}"
+    (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
+    runs = [(f"urbanmap:{name}", in_city(given, small_city), same, others)
+            for name, (given, same, others, _) in RUNS.items()]
+    journey = {"steps": STEPS, "runs": runs, "report": str(folder / "report.json"),
+               "cancel": (f"urbanmap:{CANCELLED[0]}", in_city(CANCELLED[1], small_city))}
+    (folder / "journey.json").write_text(json.dumps(journey), encoding="utf-8")
+    windows.open_desktop(Path(__file__).with_name("desktop_journey.py"), folder, profile,
+                         URBANMAP_JOURNEY=str(folder / "journey.json"))
+    return json.loads((folder / "report.json").read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def step(sitting):
+    """`step(number)`: the result of a step."""
+
+    def result(number: int):
+        assert len(sitting) > number, f"QGIS ended in the step {STEPS[len(sitting)]}"
+        assert "error" not in sitting[number], sitting[number]["error"]
+        assert sitting[number]["step"] == STEPS[number]
+        return sitting[number]["result"]
+
+    return result
+
+
+def drawn_by(style: str) -> tuple[str, list[str]]:
+    """Kind of renderer and labels of the legend that a style says."""
+    root = ElementTree.parse(STYLES / f"{style}.qml").getroot()
+    renderer = next(item for item in root.iter() if item.tag in ("renderer-v2", "rasterrenderer"))
+    labels = [item.get("label") for item in renderer.iter() if item.tag in (
+        "category", "range", "rule", "item", "paletteEntry") and item.get("label") is not None]
+    return renderer.get("type"), labels
+
+
+def test_every_dialog_opens(step):
+    titles = step(0)
+    assert len(titles) > 45 and all(titles.values())
+
+
+@pytest.mark.parametrize("number", [1, 5])
+@pytest.mark.parametrize("name", RUNS)
+def test_runs_repeat_with_layers_and_styles(step, name, number):
+    _, same, others, styles = RUNS[name]
+    results = dict(step(number))[f"urbanmap:{name}"]
+    assert len(results) == (same + others if STEPS[number] == "runs" else 1)
+    for result in results:
+        assert result["succeeded"], result["log"][-3000:]
+        assert result["moves"] > 0
+        layers = {layer["name"]: layer for layer in result["layers"]}
+        assert set(layers) == set(styles)
+        for title, style in styles.items():
+            kind, labels = drawn_by(style)
+            assert layers[title]["renderer"] == kind
+            assert layers[title]["legend"] == labels or not labels
+            assert layers[title]["size"] > 0 and layers[title]["at_home"]
+
+
+def test_two_dialogs_work_at_a_time(step):
+    assert step(2) == [[True], [True]]
+
+
+def test_cancel_ends_a_run_soon(step):
+    told = step(3)
+    assert told["seconds"] < 30 and "Execution completed" not in told["log"], told
+
+
+def test_plugin_off_and_on_lists_all(step):
+    told = step(4)
+    first, *rest = told["listed"]
+    assert len(first) > 45
+    assert rest == [[], first] * 3, [len(ids) for ids in rest]
+    assert told["between"] == [[], [], []]
