@@ -12,8 +12,6 @@ JOB = {"job": "Job", "client": "Client", "surveyor": "Surveyor", "dates": "Dates
 NUMBERS = {"POINTS": ("Check points", ""), "RMSE_PLAN": ("Standard deviation in plan about 0", "m"),
            "RMSE_HEIGHT": ("Standard deviation in height about 0", "m"), "MEAN_PLAN": ("Mean error in plan", "m"),
            "MAX_PLAN": ("Maximum error in plan", "m"), "MAX_HEIGHT": ("Maximum error in height", "m")}
-PATCH_FIGURES = {"correction": "Correction in plan (m)", "sigma": "Standard deviation in plan (m)",
-                 "residual": "Residual of the windows (m)"}
 
 
 class Acceptance(UrbanMapAlgorithm):
@@ -155,9 +153,11 @@ class Acceptance(UrbanMapAlgorithm):
         table = self.read_vector(parameters, "PATCHES", context)
         if table is None:
             return {}
-        missing = [name for name in PATCH_FIGURES if name not in table.columns]
+        figures = {"correction": tr("Correction in plan (m)"), "sigma": tr("Standard deviation in plan (m)"),
+                   "residual": tr("Residual of the windows (m)")}
+        missing = [name for name in figures if name not in table.columns]
         if missing:
             raise InputError(tr("{0} has no field {1}: give the patches of “Register mobile survey”.").format(
                 table.label, ", ".join(missing)))
         return {words: np.array([np.nan if value is None else float(value) for value in table.columns[name]])
-                for name, words in PATCH_FIGURES.items()}
+                for name, words in figures.items()}

@@ -12,14 +12,18 @@ import numpy as np
 from ..io.files.atomic import written_beside
 from ..io.pages.report import BAD, GOOD, LOOK, Fixed, Report
 from ..io.pages.svg_vectors import vector_map
-from ..wording import known, say
+from ..wording import known, mark, say
 from .check_points import CheckPoints
 from .criteria import FAILED, OUTCOMES, PASSED, Criterion, outcome
 from .error_figures import ErrorFigures, point_figures, signed_figures
 from .job import Job
 from .map_levels import Limits
 
-_HEAD = ("Component", "points", "mean (m)", "RMSE (m)", "standard deviation (m)", "maximum (m)")
+_HEAD = (mark("Component"), mark("points"), mark("mean (m)"), mark("RMSE (m)"), mark("standard deviation (m)"),
+         mark("maximum (m)"))
+
+CRITERIA_HEAD = (mark("Component"), mark("points"), mark("standard deviation (m)"), mark("limit (m)"),
+                 mark("upper bound, 95 % (m)"), mark("outcome"))
 
 
 def write_acceptance_report(path: str | os.PathLike, points: CheckPoints, found: Sequence[Criterion], limits: Limits,
@@ -72,7 +76,7 @@ def verdict(points: CheckPoints, found: Sequence[Criterion], level: int | None) 
 def _criteria(report: Report, found: Sequence[Criterion], level: int | None) -> None:
     report.section(say("Criteria of map level {level}", level=level) if level else say("Criteria"))
     with_units = any(item.unit for item in found)
-    head = ("Unit", *CRITERIA_HEAD) if with_units else CRITERIA_HEAD
+    head = (mark("Unit"), *CRITERIA_HEAD) if with_units else CRITERIA_HEAD
     report.table(head, [((item.unit,) if with_units else ()) + (
         known(item.component), item.figures.count, Fixed.of(item.figures.rmse, 3), Fixed.of(item.limit, 3),
         Fixed.of(item.figures.bound, 3), known(OUTCOMES[item.outcome])) for item in found])
@@ -80,8 +84,6 @@ def _criteria(report: Report, found: Sequence[Criterion], level: int | None) -> 
                      "share counts too. With a confidence of 95 % the standard deviation of all places is below the "
                      "upper bound, if errors are normal.")
 
-
-CRITERIA_HEAD = ("Component", "points", "standard deviation (m)", "limit (m)", "upper bound, 95 % (m)", "outcome")
 
 
 def _figures(report: Report, points: CheckPoints) -> None:
@@ -106,7 +108,7 @@ def _registration(report: Report, registration: Mapping[str, np.ndarray]) -> Non
         return
     report.section("Registration")
     rows = [(known(name), signed_figures(values)) for name, values in registration.items()]
-    report.table(("Figure", "patches", "mean (m)", "standard deviation (m)", "maximum (m)"), [
+    report.table((mark("Figure"), "patches", "mean (m)", "standard deviation (m)", "maximum (m)"), [
         (name, item.count, Fixed.of(item.mean, 3), Fixed.of(item.std, 3), Fixed.of(item.maximum, 3))
         for name, item in rows])
 
@@ -140,7 +142,8 @@ def _all_points(report: Report, points: CheckPoints) -> None:
 
 def point_head() -> tuple[str, ...]:
     """Names of the columns of `point_rows`."""
-    return ("point", "unit", "x (m)", "y (m)", "z (m)", "east (m)", "north (m)", "up (m)", "plan (m)")
+    return (mark("point"), mark("unit"), "x (m)", "y (m)", "z (m)", mark("east (m)"), mark("north (m)"), mark("up (m)"),
+            mark("plan (m)"))
 
 
 def point_rows(points: CheckPoints) -> list[tuple]:
