@@ -28,6 +28,7 @@ from .layers.trajectories import TrajectoryParameters, trajectory_exists
 from .packages.dependencies import refusal
 from .running.cluster import scheduler
 from .running.interrupt import signals_cancel
+from .running.matrix_library import bind_products
 from .running.native_libraries import PACKAGES_WITH_LIBRARIES, import_apart
 from .running.python_thread import in_python_thread
 from .running.same_sums import same_sums
@@ -177,6 +178,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
         message = self._packages_missing()
         if message:
             raise QgsProcessingException(message)
+        trouble = bind_products()
+        if trouble:
+            feedback.pushWarning(trouble)
         with signals_cancel(feedback) as signals:
             try:
                 parameters = with_words(parameters, self.parameterDefinitions())
