@@ -15,7 +15,9 @@ from scripts.scoring import points_inside, summary
 from urbanmap_qgis.buildings.model_stage import BuildingModel
 from urbanmap_qgis.buildings.model_surfaces import roof_cells
 from urbanmap_qgis.buildings.quality import height_differences
-from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
+from urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
+from urbanmap_qgis.citymodel.model import CityModel, CityReference
+from urbanmap_qgis.citymodel.solids import solid_object
 
 WITHIN = (0.1, 0.2, 0.5, 1.0)
 """Heights (m) within which the shares of the points are given."""
@@ -55,7 +57,8 @@ def valid(models: Sequence[BuildingModel], judge: Path) -> str:
     made = [model for model in models if model.solids]
     with tempfile.TemporaryDirectory() as folder:
         model, report = Path(folder, "models.city.json"), Path(folder, "report.json")
-        write_cityjson(model, [CityBuilding(str(one.building_id), {}, one.solids, lod=one.lod) for one in made])
+        buildings = [solid_object(str(one.building_id), {}, one.solids, lod=one.lod) for one in made]
+        write_model_cityjson(model, CityModel(CityReference(), buildings))
         try:
             subprocess.run([judge, model, "--report", report], capture_output=True, check=False)
             features = json.loads(report.read_text(encoding="utf-8"))["features"]

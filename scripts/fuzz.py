@@ -135,9 +135,9 @@ def _strip_image(path: Path, city: Path) -> Path:
 
 def _citygml(path: Path, city: Path) -> Path:
     """The city's models as CityGML."""
-    from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
-    from urbanmap_qgis.citymodel.citygml_writer import write_citygml
-    from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
+    from urbanmap_qgis.citymodel.citygml.writer import write_citygml
+    from urbanmap_qgis.citymodel.cityjson.reader import open_cityjson
+    from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
     folder = path.parent / "gml"
     folder.mkdir()
@@ -271,8 +271,9 @@ def _orthophoto(path: Path):
 def _city(path: Path):
     from contextlib import ExitStack
 
-    from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes, open_citygml
-    from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
+    from urbanmap_qgis.citymodel.citygml.reader import open_citygml
+    from urbanmap_qgis.citymodel.cityjson.reader import open_cityjson
+    from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
     with ExitStack() as stack:
         model = (open_citygml(path, stack, ReadingNotes()) if path.suffix == ".gml"
@@ -313,7 +314,8 @@ FORMATS: dict[str, tuple[str, Callable, Callable]] = {
     "calibration": ("a.json", _copied("mms/calibration.json"), _of("mobile.calibration", "read_calibration")),
     "camera": ("a.json", _copied("aerial/camera.json"), _of("aerial.frames.camera", "read_camera")),
     "exterior orientation": ("a.csv", _copied("aerial/exterior.csv"), _of("aerial.frames.camera", "read_exterior")),
-    "CityJSON": ("a.city.json", _copied("models/buildings.city.json"), _of("io.models.cityjson", "read_cityjson")),
+    "CityJSON": ("a.city.json", _copied("models/buildings.city.json"),
+                 _of("citymodel.cityjson.reader", "read_cityjson")),
     "GSI XML": ("FG-GML-533946-BldA-20240401-0001.xml", _gsi, _buildings),
     "GSI zip": ("a.zip", _gsi_zip, _buildings),
     "CityGML": ("a.gml", _citygml, _city),

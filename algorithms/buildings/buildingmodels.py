@@ -72,7 +72,7 @@ class BuildingModels(UrbanMapAlgorithm):
         from ...urbanmap_qgis.buildings.model_stage import build_models
         from ...urbanmap_qgis.buildings.model_status import GROUND_UNKNOWN, OK
         from ...urbanmap_qgis.buildings.model_table import model_columns
-        from ...urbanmap_qgis.io.models.obj import write_obj
+        from ...urbanmap_qgis.citymodel.obj import write_obj
 
         progress = self.progress(feedback)
         buildings = self.read_polygons(parameters, "FOOTPRINTS", context, progress)
@@ -187,7 +187,7 @@ class BuildingModels(UrbanMapAlgorithm):
         """
         from ...urbanmap_qgis.buildings.city_export import objects_of_models
         from ...urbanmap_qgis.buildings.model_table import write_model_report
-        from ...urbanmap_qgis.citymodel.cityjson_writer import write_model_cityjson
+        from ...urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
         from ...urbanmap_qgis.citymodel.model import CityModel
         from ...urbanmap_qgis.citymodel.reference import city_reference
         from ...urbanmap_qgis.io.files.atomic import written_beside
@@ -209,8 +209,8 @@ class BuildingModels(UrbanMapAlgorithm):
 
 def city_buildings(models, columns, names):
     """The models with their figures as the writers of files take them, one after another."""
-    from ...urbanmap_qgis.io.models.cityjson import CityBuilding
+    from ...urbanmap_qgis.citymodel.solids import solid_object
 
     for row, model in enumerate(models):
         attributes = {name: values[row] for name, values in columns.items() if name != "building_id"}
-        yield CityBuilding(names.of(model.building_id), attributes, model.solids, lod=model.lod)
+        yield solid_object(names.of(model.building_id), attributes, model.solids, lod=model.lod)

@@ -70,8 +70,8 @@ class ExportCityModel(UrbanMapAlgorithm):
         self.add_number_output("NOT_CLOSED", "Not closed", "Buildings of which a solid is not closed or not valid.")
 
     def check(self, parameters, context):
-        from ...urbanmap_qgis.citymodel.citygml_writer import gml_folder_trouble
-        from ...urbanmap_qgis.citymodel.plateau import check_city_code
+        from ...urbanmap_qgis.citymodel.citygml.plateau import check_city_code
+        from ...urbanmap_qgis.citymodel.citygml.writer import gml_folder_trouble
         from ...urbanmap_qgis.citymodel.tiles.tiles_writer import tiles_folder_trouble
 
         check_city_code(self.parameterAsString(parameters, "CITY_CODE", context))
@@ -92,7 +92,7 @@ class ExportCityModel(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.buildings.city_export import export_buildings
-        from ...urbanmap_qgis.citymodel.images import read_textured_faces
+        from ...urbanmap_qgis.citymodel.cityjson.textured_faces import read_textured_faces
 
         progress = self.progress(feedback)
         if parameters.get("CITY_MODEL"):
@@ -175,7 +175,7 @@ class ExportCityModel(UrbanMapAlgorithm):
         from contextlib import ExitStack
 
         from ...urbanmap_qgis.citymodel.city_sources import open_city_model
-        from ...urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
+        from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
         if parameters.get("OUTPUT"):
             progress.message(tr("{0} is not written from a city model; for a layer use “Load city model”.").format(

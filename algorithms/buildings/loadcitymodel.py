@@ -76,7 +76,7 @@ class LoadCityModel(UrbanMapAlgorithm):
 
     def compute(self, parameters, context, feedback):
         from ...urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
-        from ...urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
+        from ...urbanmap_qgis.citymodel.reading_notes import ReadingNotes
         from ...urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
         from ...urbanmap_qgis.citymodel.tables.table_store import TableStore
 

@@ -184,17 +184,18 @@ class MergeBuildingModels(UrbanMapAlgorithm):
 
     def _write_files(self, parameters, context, crs, merged, columns, names, progress, unfinished):
         """CityJSON and OBJ, where wanted; the CityJSON takes its place when `unfinished` is closed."""
+        from ...urbanmap_qgis.citymodel.cityjson.writer import write_model_cityjson
+        from ...urbanmap_qgis.citymodel.model import CityModel, CityReference
+        from ...urbanmap_qgis.citymodel.obj import write_obj
         from ...urbanmap_qgis.io.files.atomic import written_beside
-        from ...urbanmap_qgis.io.models.cityjson import write_cityjson
-        from ...urbanmap_qgis.io.models.obj import write_obj
 
         results = {}
         path = self.output_path(parameters, "OUTPUT_CITYJSON", context)
         if path is not None:
             code = crs.authid().removeprefix("EPSG:")
-            write_cityjson(unfinished.enter_context(written_beside(path)), city_buildings(merged, columns, names),
-                           title="UrbanMap merged building models", epsg=int(code) if code.isdigit() else None,
-                           progress=progress)
+            model = CityModel(CityReference(epsg=int(code) if code.isdigit() else None),
+                              city_buildings(merged, columns, names), title="UrbanMap merged building models")
+            write_model_cityjson(unfinished.enter_context(written_beside(path)), model, progress)
             results["OUTPUT_CITYJSON"] = str(path)
         path = self.output_path(parameters, "OUTPUT_MESH", context)
         if path is not None:
@@ -205,8 +206,8 @@ class MergeBuildingModels(UrbanMapAlgorithm):
 
 def city_buildings(merged, columns, names):
     """The merged models with their figures as the writers of files take them, one after another."""
-    from ...urbanmap_qgis.io.models.cityjson import CityBuilding
+    from ...urbanmap_qgis.citymodel.solids import solid_object
 
     for row, building in enumerate(merged):
         attributes = {name: values[row] for name, values in names.columns(columns).items()}
-        yield CityBuilding(names.of(building.building_id), attributes, building.solids)
+        yield solid_object(names.of(building.building_id), attributes, building.solids)

@@ -107,9 +107,9 @@ class Mesh25D(UrbanMapAlgorithm):
 
     def _write(self, parameters, context, table, meshes, columns, progress):
         from ...urbanmap_qgis.buildings.mesh25d.mesh_stage import MESH_COLUMNS, write_ply
+        from ...urbanmap_qgis.citymodel.obj import write_obj
         from ...urbanmap_qgis.geometry.solid import multipolygon
         from ...urbanmap_qgis.io.files.atomic import written_beside
-        from ...urbanmap_qgis.io.models.obj import write_obj
 
         results = {}
         paths = {name: self.output_path(parameters, name, context) for name in ("OUTPUT_MESH", "OUTPUT_PLY")}
@@ -133,8 +133,8 @@ class Mesh25D(UrbanMapAlgorithm):
 
 def mesh_buildings_of(meshes, columns, names):
     """The meshes as the writer of OBJ files takes them, one after another."""
-    from ...urbanmap_qgis.io.models.cityjson import CityBuilding
+    from ...urbanmap_qgis.citymodel.solids import solid_object
 
     for row, item in enumerate(meshes):
         attributes = {name: values[row] for name, values in names.columns(columns).items()}
-        yield CityBuilding(names.of(item.building_id), attributes, [item.mesh] if item.mesh is not None else [])
+        yield solid_object(names.of(item.building_id), attributes, [item.mesh] if item.mesh is not None else [])

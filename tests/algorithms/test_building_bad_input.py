@@ -286,7 +286,7 @@ def test_each_odd_outline_keeps_its_row(run, good, polygon_layer, tmp_path):
 def test_outline_of_two_parts_is_one_building_of_two_solids(run, good, polygon_layer, tmp_path):
     from qgis.core import QgsVectorLayer
 
-    from urbanmap_qgis.io.models.cityjson import read_cityjson
+    from tests.solid_files import read_solids
 
     layer = polygon_layer([shapely.MultiPolygon([HOUSE, OTHER]).wkt], kind="MultiPolygon")
     result = run("urbanmap:buildingsfromals", {**parameters_of("buildingsfromals", good, tmp_path),
@@ -294,7 +294,7 @@ def test_outline_of_two_parts_is_one_building_of_two_solids(run, good, polygon_l
     (row,) = QgsVectorLayer(result["OUTPUT"], "models", "ogr").getFeatures()
     assert row["area"] == pytest.approx(330.0, rel=0.01)
     assert row["volume"] == pytest.approx(180 * 9.3 + 150 * 6.0, rel=0.02)
-    (building,) = read_cityjson(result["OUTPUT_CITYJSON"])
+    (building,) = read_solids(result["OUTPUT_CITYJSON"])
     assert len(building.solids) == 2
 
 

@@ -11,8 +11,8 @@ import pytest
 import shapely
 import shapely.affinity
 
+from tests.solid_files import read_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 EAST, NORTH = -7000.0, -35000.0
 GROUND = 3.0
@@ -96,7 +96,7 @@ def town(qgis_app, synthetic, make_cloud, save_outlines, tmp_path_factory):
 def buildings(town):
     """Rows, solids and attributes of the models by building name."""
     found = rows_of(town.results["OUTPUT"])
-    objects = {item.id: item for item in read_cityjson(town.results["OUTPUT_CITYJSON"])}
+    objects = {item.id: item for item in read_solids(town.results["OUTPUT_CITYJSON"])}
     return {row["名称"]: SimpleNamespace(row=row, object=objects[f"building-{row['building_id']}"]) for row in found}
 
 
@@ -171,7 +171,7 @@ def test_gable_is_modelled_with_its_two_planes(buildings):
 def test_gable_becomes_level_roofs_of_its_volume(town, tmp_path):
     results = run_chain(tmp_path, town.files, town.outlines, ROOFS="levels")
     row, = (row for row in rows_of(results["OUTPUT"]) if row["名称"] == "gable")
-    objects = {item.id: item for item in read_cityjson(results["OUTPUT_CITYJSON"])}
+    objects = {item.id: item for item in read_solids(results["OUTPUT_CITYJSON"])}
     assert (row["status"], row["lod"]) == ("ok", "1.3")
     assert row["roofs"] >= 2
     assert row["rmse_z"] < 0.6
@@ -237,7 +237,7 @@ def solids_of(path):
     """
     return {item.id: ([(solid.vertices.tolist(), solid.faces, solid.surface_type) for solid in item.solids],
                       {name: round(value, 6) if isinstance(value, float) else value
-                       for name, value in item.attributes.items()}) for item in read_cityjson(path)}
+                       for name, value in item.attributes.items()}) for item in read_solids(path)}
 
 
 def test_the_same_input_gives_the_same_bytes(town, tmp_path):
@@ -285,7 +285,7 @@ def test_turned_and_moved_town_has_the_same_roofs(town, synthetic, save_outlines
     cloud = make_cloud(tmp_path / "turned.laz", *points.T, return_number=1, number_of_returns=1)
     turned = run_chain(tmp_path, [cloud], tmp_path / "o.gpkg")
     rows = {row["名称"]: row for row in rows_of(turned["OUTPUT"])}
-    solids = {item.id: item.solids for item in read_cityjson(turned["OUTPUT_CITYJSON"])}
+    solids = {item.id: item.solids for item in read_solids(turned["OUTPUT_CITYJSON"])}
     for name, (heights, area, content) in KNOWN.items():
         found = solids[f"building-{rows[name]['building_id']}"]
         assert rows[name]["status"] == "ok", name

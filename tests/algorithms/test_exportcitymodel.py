@@ -124,13 +124,14 @@ def test_surfaces_tell_roofs(models, tmp_path):
 def test_textures_go_along(models, tmp_path):
     from qgis.core import QgsProcessingException
 
-    from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
+    from tests.solid_files import write_solids
+    from urbanmap_qgis.citymodel.solids import solid_object
 
     (tmp_path / "tex").mkdir()
     (tmp_path / "tex" / "a.jpg").write_bytes(b"\xff\xd8\xff\xe0 an image")
     house = gable_house()
-    write_cityjson(tmp_path / "textured.city.json",
-                   [CityBuilding("x", {}, [house], [wall_texture(house, 2, "tex/a.jpg")])])
+    write_solids(tmp_path / "textured.city.json",
+                   [solid_object("x", {}, [house], [wall_texture(house, 2, "tex/a.jpg")])])
     run(BUILDINGS=models, TEXTURES=str(tmp_path / "textured.city.json"), OUTPUT_CITYJSON=str(tmp_path / "o.city.json"),
         OUTPUT_CITYGML=str(tmp_path / "gml"))
     content = json.loads((tmp_path / "o.city.json").read_text(encoding="utf-8"))
@@ -171,12 +172,13 @@ def test_mistakes_get_one_sentence(models, tmp_path, parameters, sentence):
 def test_images_outside_of_the_models_folder_are_refused(models, tmp_path):
     from qgis.core import QgsProcessingException
 
-    from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
+    from tests.solid_files import write_solids
+    from urbanmap_qgis.citymodel.solids import solid_object
 
     house = gable_house()
     for number, name in enumerate(("../secret.jpg", "/etc/secret.jpg", "C:\\secret.jpg")):
         path = tmp_path / f"{number}.city.json"
-        write_cityjson(path, [CityBuilding("x", {}, [house], [wall_texture(house, 2, name)])])
+        write_solids(path, [solid_object("x", {}, [house], [wall_texture(house, 2, name)])])
         with pytest.raises(QgsProcessingException, match="not in its own folder"):
             run(BUILDINGS=models, TEXTURES=str(path), OUTPUT_CITYJSON=str(tmp_path / "o.city.json"))
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 import shapely
 
+from tests.solid_files import read_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.models.cityjson import read_cityjson
 from urbanmap_qgis.io.points.pointcloud import open_cloud, read_all
 
 EAST, NORTH = -7000.0, -35000.0
@@ -51,7 +51,7 @@ def check_models(folder, results):
     assert rows[0]["base"] + rows[0]["height"] == pytest.approx(12.30, abs=0.05)
     assert (results["BUILDINGS"], results["MODELLED"]) == (3, 2)
     assert 0 < results["RMSE_Z95"] < 0.1
-    solids = [solid for item in read_cityjson(folder / "都市.city.json") for solid in item.solids]
+    solids = [solid for item in read_solids(folder / "都市.city.json") for solid in item.solids]
     assert len(solids) == 2
     assert [str(problem) for solid in solids for problem in check_solid(solid)] == []
 

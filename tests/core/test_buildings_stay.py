@@ -10,6 +10,7 @@ import pytest
 import shapely
 
 from tests.figures import ENVELOPES, stays
+from tests.solid_files import read_solids, write_solids
 from urbanmap_qgis.buildings.merging.merge_stage import edge_columns, merge_models, merged_columns
 from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_wall
 from urbanmap_qgis.buildings.mesh25d.mesh_stage import MeshSettings, mesh_buildings, mesh_columns, total_fit
@@ -21,11 +22,11 @@ from urbanmap_qgis.buildings.polygon_stage import PolygonParameters, cloud_roof_
 from urbanmap_qgis.buildings.roof_stage import segment_cloud_roofs
 from urbanmap_qgis.buildings.roofs.roof_levels import RoofParameters
 from urbanmap_qgis.buildings.segmentation import SegmentationParameters, segment_buildings
+from urbanmap_qgis.citymodel.obj import write_obj
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.facades.building_plans import building_plans
 from urbanmap_qgis.facades.wall_stage import find_walls, wall_columns
 from urbanmap_qgis.geometry.solid import multipolygon
-from urbanmap_qgis.io.models.cityjson import CityBuilding, read_cityjson, write_cityjson
-from urbanmap_qgis.io.models.obj import write_obj
 from urbanmap_qgis.io.points.pointcloud import open_cloud
 from urbanmap_qgis.mobile.apply_correction import apply_correction
 from urbanmap_qgis.mobile.trajectory_files import read_trajectory
@@ -65,11 +66,11 @@ def test_models_and_their_files_stay(chain, tmp_path):
     kind, _, _, _, _, models, placed = chain
     columns = model_columns(models)
     write_model_report(tmp_path / "report.html", columns, placed.polygons)
-    buildings = [CityBuilding(str(model.building_id), {"height": 1.5}, model.solids) for model in models]
-    write_cityjson(tmp_path / "models.json", buildings, epsg=6677)
+    buildings = [solid_object(str(model.building_id), {"height": 1.5}, model.solids) for model in models]
+    write_solids(tmp_path / "models.json", buildings, epsg=6677)
     write_obj(tmp_path / "models.obj", buildings)
     stays(f"buildings_models_{kind}", {"columns": columns, "files": tmp_path,
-                                       "read": list(read_cityjson(tmp_path / "models.json")),
+                                       "read": list(read_solids(tmp_path / "models.json")),
                                        "solids": [multipolygon(model.solids) for model in models if model.solids]})
 
 

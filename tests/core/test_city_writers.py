@@ -10,13 +10,13 @@ import pyproj
 import pytest
 
 from tests.city_models import PLACE, town
-from urbanmap_qgis.citymodel.citygml_writer import WRITTEN_BY, gml_folder_trouble, write_citygml
-from urbanmap_qgis.citymodel.cityjson_writer import plain_attributes, write_model_cityjson, write_model_cityjsonseq
+from tests.solid_files import read_solids
+from urbanmap_qgis.citymodel.citygml.writer import WRITTEN_BY, gml_folder_trouble, write_citygml
+from urbanmap_qgis.citymodel.cityjson.writer import plain_attributes, write_model_cityjson, write_model_cityjsonseq
 from urbanmap_qgis.citymodel.model import AttributeGroup, CityReference, CodeValue, Measure
 from urbanmap_qgis.citymodel.reference import compound_epsg
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.mesh_code import third_mesh_code
-from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 SPACES = {"core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
           "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",
@@ -200,5 +200,5 @@ def test_folders_of_others_are_known(tmp_path):
 
 def test_the_reader_of_solids_takes_one_level_of_detail_and_puts_parts_together(tmp_path):
     write_model_cityjson(tmp_path / "town.city.json", town())
-    solids = {item.id: len(item.solids) for item in read_cityjson(tmp_path / "town.city.json")}
+    solids = {item.id: len(item.solids) for item in read_solids(tmp_path / "town.city.json")}
     assert solids == {"家 1": 1, "b2": 2, "b3": 0, "b4": 1}

@@ -15,13 +15,13 @@ import pytest
 import rasterio
 from pyproj import CRS
 
+from tests.solid_files import read_solids
 from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
-from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
-from urbanmap_qgis.citymodel.cityjson_reader import open_cityjson
+from urbanmap_qgis.citymodel.cityjson.reader import open_cityjson
+from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
-from urbanmap_qgis.io.models.cityjson import read_cityjson
 from urbanmap_qgis.io.official import gsi_gml, gsi_sources
 from urbanmap_qgis.io.official.gsi import read_gsi_buildings
 from urbanmap_qgis.io.points.pointcloud import iter_chunks, open_cloud
@@ -169,12 +169,12 @@ LONG = "1" * 200_000
     ("e.csv", read_exterior, f"image,x,y,z,omega,phi,kappa\na,{LONG}e9,0,0,0,0,0\n"),
     ("p.csv", read_tie_points, f"set,time,x_mms,y_mms,x_ref,y_ref\n1,{LONG},1,1,1,1\n"),
     ("c.json", read_calibration, "[" * 100_000), ("c.json", read_camera, "[" * 100_000),
-    ("c.json", read_cityjson, '{"a":' * 100_000), ("c.json", read_calibration, json.dumps({"scanners": [
+    ("c.json", read_solids, '{"a":' * 100_000), ("c.json", read_calibration, json.dumps({"scanners": [
         {"id": "1", "lever_arm_m": [0, 0, 10**400]}]})),
     ("c.json", read_calibration, '{"scanners": [{"id": "1", "lever_arm_m": [0, 0, NaN]}]}'),
     ("c.json", read_camera, '{"focal_length_mm": ' + "9" * 400 + "}"),
-    ("c.json", read_cityjson, '{"type": "CityJSON", "CityObjects": {}, "vertices": [[' + "9" * 400 + ", 0, 0]]}"),
-    ("c.json", read_cityjson, '{"type": "CityJSON", "CityObjects": {}, "vertices": [[0, 0, 1]], '
+    ("c.json", read_solids, '{"type": "CityJSON", "CityObjects": {}, "vertices": [[' + "9" * 400 + ", 0, 0]]}"),
+    ("c.json", read_solids, '{"type": "CityJSON", "CityObjects": {}, "vertices": [[0, 0, 1]], '
                               '"transform": {"scale": [1e308, 1, 1e999], "translate": [0, 0, 0]}}'),
 ])
 def test_tables_and_json(tmp_path, name, read, content):

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
+from tests.solid_files import write_solids
 from urbanmap_qgis.buildings.merging.merge_stage import (
     EDGE_COLUMNS,
     MERGED,
@@ -26,9 +27,9 @@ from urbanmap_qgis.buildings.merging.wall_match import MergeSettings, measured_w
 from urbanmap_qgis.buildings.solids.plan_partition import Cell
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.errors import InputError, InsufficientDataError
 from urbanmap_qgis.geometry.solid import OVERHANG, multipolygon
-from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 X0, Y0, BASE = -7000.0, -34000.0, 10.0
 
@@ -289,7 +290,7 @@ def test_tables(tmp_path):
 def test_models_of_a_cityjson_file(tmp_path):
     path = tmp_path / "model.city.json"
     solids = building_solids([Cell(box(0, 0, 20, 10), 0, 40.0)], BASE)
-    write_cityjson(path, [CityBuilding("building-31", {}, solids), CityBuilding("building-7", {}, ())], epsg=6677)
+    write_solids(path, [solid_object("building-31", {}, solids), solid_object("building-7", {}, ())], epsg=6677)
     ids, faces, names = models_from_cityjson(path)
     assert ids.tolist() == [31, 7] and names == ["building-31", "building-7"] and faces[1] is None
     merged = merge_models(ids.tolist(), list(faces), [wall((0, -0.4), (20, -0.4))])
@@ -297,8 +298,9 @@ def test_models_of_a_cityjson_file(tmp_path):
 
     content = json.loads(path.read_text(encoding="utf-8"))
     whole = content["CityObjects"]["building-31"]
-    content["CityObjects"]["building-31-0"] = {**whole, "type": "BuildingPart"}
+    content["CityObjects"]["building-31-0"] = {**whole, "type": "BuildingPart", "parents": ["building-31"]}
+    whole["children"] = ["building-31-0"]
     whole["geometry"] = []
     path.write_text(json.dumps(content), encoding="utf-8")
     _, faces, names = models_from_cityjson(path)
-    assert names == ["building-7", "building-31-0"] and faces[1] is not None, "the frame of a part is no model"
+    assert names == ["building-31", "building-7"] and faces[0] is not None, "a building has the solids of its part"

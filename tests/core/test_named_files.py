@@ -8,12 +8,13 @@ from dataclasses import replace
 import pytest
 
 from tests.city_models import gable_house, town, wall_texture
+from tests.solid_files import write_solids
 from urbanmap_qgis.citymodel.city_files import write_city_files
 from urbanmap_qgis.citymodel.city_sources import open_city_model
-from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
-from urbanmap_qgis.citymodel.citygml_writer import write_citygml
+from urbanmap_qgis.citymodel.citygml.writer import write_citygml
+from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.io.files.named_files import CODE_LIST, IMAGE, named_file
-from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 JPEG = b"\xff\xd8\xff\xe0 an image"
 SECRET = b"-----BEGIN OPENSSH PRIVATE KEY-----"
@@ -92,7 +93,7 @@ def test_images_of_cityjson_lie_in_its_folder_too(tmp_path):
     house = gable_house()
     for name, missing in (("../secret.jpg", True), ("tex/../../secret.jpg", True), ("tex/a.jpg", False)):
         path = tmp_path / "m" / "m.city.json"
-        write_cityjson(path, [CityBuilding("x", {}, [house], [wall_texture(house, 2, name)])], epsg=25832)
+        write_solids(path, [solid_object("x", {}, [house], [wall_texture(house, 2, name)])], epsg=25832)
         files, notes = export(path, tmp_path / f"out{len(list(tmp_path.iterdir()))}")
         assert (notes.missing_images == {name}) is missing
         assert any(content == JPEG for content in files) is not missing

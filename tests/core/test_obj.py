@@ -6,16 +6,20 @@ from shapely import box
 
 from urbanmap_qgis.buildings.solids.plan_partition import partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
+from urbanmap_qgis.citymodel.obj import write_obj
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import volume
-from urbanmap_qgis.io.models.cityjson import CityBuilding
-from urbanmap_qgis.io.models.obj import write_obj
 
 
 def house(name, x):
+    return solid_object(name, {}, solids(x))
+
+
+def solids(x):
     footprint = box(x, 5e6, x + 12, 5e6 + 12) - box(x + 4, 5e6 + 4, x + 8, 5e6 + 8)
     roofs = [box(x, 5e6, x + 6, 5e6 + 12), box(x + 6, 5e6, x + 12, 5e6 + 12)]
-    return CityBuilding(name, {}, building_solids(partition_plan(footprint, roofs, [5, 9], ["a", "b"]).cells, 1.0))
+    return building_solids(partition_plan(footprint, roofs, [5, 9], ["a", "b"]).cells, 1.0)
 
 
 def read(path):
@@ -36,15 +40,15 @@ def read(path):
 
 def test_mesh_is_closed_and_has_the_volume(tmp_path):
     path = tmp_path / "町.obj"
-    buildings = [house("家 1", 5e5), house("b", 5e5 + 20), CityBuilding("empty")]
+    buildings = [house("家 1", 5e5), house("b", 5e5 + 20), solid_object("empty")]
     assert write_obj(path, buildings) == 2
     vertices, groups = read(path)
     assert list(groups) == ["家_1", "b"]
     assert np.abs(vertices).max() < 100
-    for group, building in zip(groups.values(), buildings):
+    for group, (solid,) in zip(groups.values(), (solids(5e5), solids(5e5 + 20))):
         triangles = np.array([triangle for _, triangle in group])
         a, b, c = vertices[triangles].transpose(1, 0, 2)
-        assert np.einsum("ij,ij->i", np.cross(a, b), c).sum() / 6 == pytest.approx(volume(building.solids[0]), abs=1e-6)
+        assert np.einsum("ij,ij->i", np.cross(a, b), c).sum() / 6 == pytest.approx(volume(solid), abs=1e-6)
         edges = {(t[i], t[(i + 1) % 3]) for t in triangles.tolist() for i in range(3)}
         assert len(edges) == 3 * len(triangles)
         assert edges == {(b, a) for a, b in edges}

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import shapely
 
+from tests.solid_files import write_solids
 from urbanmap_qgis.buildings.planes.alpha_expansion import energy_of, expand_labels
 from urbanmap_qgis.buildings.planes.plane_detection import PlaneParameters, detect_planes
 from urbanmap_qgis.buildings.planes.plane_moments import azimuth_degrees, moments, slope_degrees, solve
@@ -19,8 +20,8 @@ from urbanmap_qgis.buildings.planes.roof_type import roof_type
 from urbanmap_qgis.buildings.quality import RoofCell, model_fit
 from urbanmap_qgis.buildings.solids.sloped_solid import SlopedCell, sloped_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.geometry.solid import INNER_WALL, ROOF, volume
-from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 VAL3DITY = Path(__file__).resolve().parents[3] / "shared" / "tools" / "val3dity"
 X0, Y0 = 84_900.0, 447_400.0
@@ -219,7 +220,7 @@ def test_random_roofs_are_valid(random_solids):
 def test_random_roofs_are_valid_by_val3dity(random_solids, tmp_path):
     if not VAL3DITY.is_file():
         pytest.skip("val3dity is not beside the checkout")
-    write_cityjson(tmp_path / "m.city.json", [CityBuilding(f"b{seed}", {}, solids)
+    write_solids(tmp_path / "m.city.json", [solid_object(f"b{seed}", {}, solids)
                                               for seed, solids in enumerate(random_solids)], lod="2.2")
     run = subprocess.run([VAL3DITY, tmp_path / "m.city.json", "--report", tmp_path / "r.json"], capture_output=True)
     if not (tmp_path / "r.json").is_file():

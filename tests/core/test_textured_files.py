@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 import shapely
 
+from tests.solid_files import read_solids, write_solids
+from urbanmap_qgis.citymodel.gltf.glb_writer import write_glb
+from urbanmap_qgis.citymodel.obj import write_obj
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.errors import InputError
 from urbanmap_qgis.geometry.solid import OUTER_WALL, FaceTexture
 from urbanmap_qgis.geometry.solid_faces import solids_of
 from urbanmap_qgis.imagery.textures.texture_files import write_textured
 from urbanmap_qgis.imagery.textures.texture_stage import Textured
-from urbanmap_qgis.io.models.cityjson import CityBuilding, read_cityjson, write_cityjson
-from urbanmap_qgis.io.models.gltf import write_glb
-from urbanmap_qgis.io.models.obj import write_obj
 
 CORNER = np.array([-7000.0, -34000.0, 10.0])
 SIZE = np.array([8.0, 5.0, 3.0])
@@ -38,7 +39,7 @@ def building():
         south = kind == OUTER_WALL and np.allclose(corners[:, 1], CORNER[1])
         uv = ((corners - CORNER) / SIZE)[:, [0, 2]]
         textures.append(FaceTexture("textures/b.jpg", (uv,)) if south else None)
-    return CityBuilding("家 1", {"a": 1}, [solid], [textures])
+    return solid_object("家 1", {"a": 1}, [solid], [textures])
 
 
 def read_glb(path):
@@ -97,7 +98,7 @@ def test_gltf_holds_the_building_and_its_image(tmp_path, building):
 def test_gltf_without_buildings_or_textures(tmp_path, building):
     assert write_glb(tmp_path / "none.glb", []) == 0
     assert "nodes" not in read_glb(tmp_path / "none.glb")[0]
-    plain = CityBuilding("b", {}, building.solids)
+    plain = solid_object("b", {}, box())
     write_glb(tmp_path / "plain.glb", [plain])
     assert "images" not in read_glb(tmp_path / "plain.glb")[0]
 
@@ -111,7 +112,7 @@ def test_gltf_refuses_an_image_that_was_not_given(tmp_path, building):
 
 
 def test_obj_names_the_image_and_the_places_in_it(tmp_path, building):
-    write_obj(tmp_path / "m.obj", [CityBuilding("plain", {}, building.solids), building], origin=tuple(CORNER))
+    write_obj(tmp_path / "m.obj", [solid_object("plain", {}, box()), building], origin=tuple(CORNER))
     lines = (tmp_path / "m.obj").read_text().splitlines()
     vertices = np.array([line.split()[1:] for line in lines if line.startswith("v ")], float)
     places = np.array([line.split()[1:] for line in lines if line.startswith("vt ")], float)
@@ -126,7 +127,7 @@ def test_obj_names_the_image_and_the_places_in_it(tmp_path, building):
 
 
 def test_cityjson_names_the_image_and_the_places_in_it(tmp_path, building):
-    write_cityjson(tmp_path / "m.city.json", [CityBuilding("plain", {}, building.solids), building], epsg=6677)
+    write_solids(tmp_path / "m.city.json", [solid_object("plain", {}, box()), building], epsg=6677)
     content = json.loads((tmp_path / "m.city.json").read_text(encoding="utf-8"))
     appearance = content["appearance"]
     assert appearance["textures"] == [{"type": "JPG", "image": "textures/b.jpg"}]
@@ -144,7 +145,7 @@ def test_cityjson_names_the_image_and_the_places_in_it(tmp_path, building):
             assert np.allclose(uv, ((vertices[face[0]] - CORNER) / SIZE)[:, [0, 2]], atol=1e-4)
             shown += 1
     assert shown == 1
-    assert len(read_cityjson(tmp_path / "m.city.json")) == 2
+    assert len(read_solids(tmp_path / "m.city.json")) == 2
 
 
 @pytest.mark.parametrize("name", ["model.glb", "町.obj", "model.city.json"])

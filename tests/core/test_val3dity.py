@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 import shapely
 
+from tests.solid_files import write_solids
 from urbanmap_qgis.buildings.solids.plan_partition import Cell, partition_plan
 from urbanmap_qgis.buildings.solids.solid import building_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
+from urbanmap_qgis.citymodel.solids import solid_object
 from urbanmap_qgis.geometry.solid import Solid
-from urbanmap_qgis.io.models.cityjson import CityBuilding, write_cityjson
 
 VAL3DITY = Path(__file__).resolve().parents[3] / "shared" / "tools" / "val3dity"
 
@@ -20,7 +21,7 @@ VAL3DITY = Path(__file__).resolve().parents[3] / "shared" / "tools" / "val3dity"
 def judged(folder, solids):
     """Valid or not, by val3dity, of each solid."""
     path, report = folder / "solids.city.json", folder / "report.json"
-    write_cityjson(path, [CityBuilding(f"b{i}", {}, (solid,)) for i, solid in enumerate(solids)])
+    write_solids(path, [solid_object(f"b{i}", {}, (solid,)) for i, solid in enumerate(solids)])
     subprocess.run([str(VAL3DITY), str(path), "--report", str(report)], check=True, capture_output=True, timeout=60)
     found = {item["id"]: item["validity"] for item in json.loads(report.read_text())["features"]}
     return [found[f"b{i}"] for i in range(len(solids))]

@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 
 from tests.city_models import town
+from tests.solid_files import read_solids
 from urbanmap_qgis.buildings.city_export import export_buildings
 from urbanmap_qgis.citymodel.city_files import write_city_files
-from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes, open_citygml
-from urbanmap_qgis.citymodel.citygml_writer import write_citygml
+from urbanmap_qgis.citymodel.citygml.reader import open_citygml
+from urbanmap_qgis.citymodel.citygml.writer import write_citygml
 from urbanmap_qgis.citymodel.model import CityModel, CityReference
-from urbanmap_qgis.io.models.cityjson import read_cityjson
+from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 
 SHARED = Path(__file__).resolve().parents[3] / "shared"
 TOOLS = SHARED / "tools"
@@ -79,7 +80,7 @@ def test_every_geometry_is_valid_by_val3dity(delft, tmp_path):
         if name == "delft":
             assert {row["type"]: row["valid"] for row in found["primitives_overview"]} == {
                 "Solid": 184, "MultiSurface": 184}
-            assert len(read_cityjson(path)) == 92
+            assert len(read_solids(path)) == 92
 
 
 def test_cjio_reads_it(delft, tmp_path):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from urbanmap_qgis.citymodel.city_sources import open_city_model, placed_model
-from urbanmap_qgis.citymodel.citygml_reader import ReadingNotes
-from urbanmap_qgis.citymodel.citygml_writer import write_citygml
+from urbanmap_qgis.citymodel.citygml.writer import write_citygml
+from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.citymodel.tables.building_table import TableNotes, building_rows
 
 PLATEAU = Path(__file__).resolve().parents[3] / "shared" / "data" / "als" / "plateau"

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.solid_files import read_solids
 from urbanmap_qgis.buildings.solids.validity import check_solid
-from urbanmap_qgis.io.models.cityjson import read_cityjson
 
 MODELS = (Path(__file__).resolve().parents[2].parent / "shared" / "data" / "als" / "delft_west"
           / "peer_3dfier_lod1.city.json")
@@ -15,7 +15,7 @@ pytestmark = pytest.mark.skipif(not MODELS.exists(), reason="the shared real dat
 
 @pytest.fixture(scope="module")
 def buildings():
-    return read_cityjson(MODELS)
+    return read_solids(MODELS)
 
 
 def test_peers_models_are_valid(buildings):

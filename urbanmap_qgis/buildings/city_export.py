@@ -11,7 +11,7 @@ import numpy as np
 import shapely
 from scipy.spatial import cKDTree
 
-from ..citymodel.images import TexturedFaces
+from ..citymodel.cityjson.textured_faces import TexturedFaces
 from ..citymodel.model import CityObject
 from ..geometry.solid import Solid
 from ..progress import SILENT, Progress

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -11,28 +10,23 @@ import numpy as np
 import shapely
 
 from ..citymodel.model import (
-    BUILDING_PART,
-    CEILING_SURFACE,
     FOOTPRINT,
     GROUND_SURFACE,
     MULTI_SURFACE,
     ROOF_EDGE,
     ROOF_SURFACE,
     SOLID,
-    WALL_SURFACE,
     CityObject,
     CityShape,
     CitySurface,
 )
-from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid, surfaces
-from ..geometry.solid_faces import area_vector, solids_of
+from ..citymodel.solids import in_parts, solid_surfaces
+from ..geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, FaceTexture, Solid, surfaces
+from ..geometry.solid_faces import solids_of
 from .levels_of_detail import block_solid, stepped_solids
 from .model_figures import ModelFigures, model_figures, roof_outline
 from .party_walls import party_wall_areas
 from .solids.validity import check_solid
-
-KINDS = {ROOF: ROOF_SURFACE, OUTER_WALL: WALL_SURFACE, INNER_WALL: WALL_SURFACE, GROUND: GROUND_SURFACE,
-         OVERHANG: CEILING_SURFACE}
 
 NOT_CLOSED = "not closed"
 _INSIDE = 0.02
@@ -93,10 +87,7 @@ def _city_object(building: BuildingSource, party_area: float) -> tuple[CityObjec
     parts = [_shapes(level, building.lod, problem, faces) for level, problem, faces in zip(levels, problems, textures)]
     found = tuple(dict.fromkeys(problem for problem in problems if problem))
     item = CityObject(building.id, attributes, _outlines(building.solids, figures), problems=found)
-    if len(parts) == 1:
-        return replace(item, shapes=item.shapes + parts[0]), figures
-    return replace(item, parts=tuple(CityObject(f"{building.id}-part-{number}", {}, shapes, BUILDING_PART)
-                                     for number, shapes in enumerate(parts, 1))), figures
+    return in_parts(item, parts), figures
 
 
 def _figure_attributes(figures: ModelFigures) -> dict[str, Any]:
@@ -120,34 +111,6 @@ def _shapes(level: _Levels, lod: str, problem: str, textures: Sequence[FaceTextu
     if lod != "1.3":
         made += [CityShape("1.3", SOLID, (solid_surfaces(one),)) for one in level.stepped]
     return (*made, CityShape(lod, SOLID, (solid_surfaces(level.detailed, textures),)))
-
-
-def solid_surfaces(solid: Solid, textures: Sequence[FaceTexture | None] = ()) -> tuple[CitySurface, ...]:
-    """Faces of a solid with their meaning: kind, slope and azimuth (degrees), area (m2), roof_id."""
-    made = []
-    for number, (face, kind, roof_id) in enumerate(zip(solid.faces, solid.surface_type, solid.roof_id)):
-        rings = tuple(solid.vertices[list(ring)] for ring in face)
-        normal = area_vector(solid.vertices, face)
-        attributes: dict[str, Any] = {"area": round(float(np.linalg.norm(normal)), 2)}
-        if kind == ROOF:
-            attributes |= _inclination(normal)
-        elif kind in (OUTER_WALL, INNER_WALL):
-            attributes |= {"azimuth": _azimuth(normal), "wall": "outer" if kind == OUTER_WALL else "inner"}
-        if roof_id is not None:
-            attributes["roof_id"] = roof_id
-        made.append(CitySurface(rings, KINDS[kind], attributes, texture=textures[number] if textures else None))
-    return tuple(made)
-
-
-def _inclination(normal: np.ndarray) -> dict[str, float]:
-    """Slope of a roof, and the azimuth (from north, clockwise) of the way down where it has one, degrees."""
-    slope = math.degrees(math.atan2(math.hypot(normal[0], normal[1]), normal[2]))
-    found = {"slope": round(slope, 1)}
-    return {**found, "azimuth": _azimuth(normal)} if found["slope"] > 0 else found
-
-
-def _azimuth(normal: np.ndarray) -> float:
-    return round(math.degrees(math.atan2(normal[0], normal[1])) % 360.0, 1) % 360.0
 
 
 def _outlines(solids: Sequence[Solid], figures: ModelFigures) -> tuple[CityShape, ...]:

@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Union
-
-import numpy as np
 
 from ..io.conversion.geoid import Geoid
 from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
 from ..wording import say
 from .city_sources import placed_model
-from .citygml_writer import write_citygml
-from .cityjson_writer import write_model_cityjson, write_model_cityjsonseq
+from .citygml.plateau import with_plateau_attributes
+from .citygml.writer import write_citygml
+from .cityjson.writer import write_model_cityjson, write_model_cityjsonseq
 from .images import images_beside, with_images_there
 from .model import CityModel, CityObject
-from .plateau import with_plateau_attributes
+from .objects import placed
 from .reference import PLATEAU_SYSTEMS, city_reference
 from .tiles.tiles_writer import write_tiles
 
@@ -72,14 +71,7 @@ def model_in_plane(model: CityModel, progress: Progress = SILENT) -> CityModel:
     for note in notes:
         progress.warn(note)
     reference = city_reference(wkt)
-    return replace(model, reference=reference, buildings=(_moved(item, places) for item in buildings))
-
-
-def _moved(item: CityObject, places: Callable[[np.ndarray], np.ndarray]) -> CityObject:
-    shapes = tuple(replace(shape, shells=tuple(tuple(
-        replace(surface, rings=tuple(places(ring) for ring in surface.rings)) for surface in shell)
-        for shell in shape.shells)) for shape in item.shapes)
-    return replace(item, shapes=shapes, parts=tuple(_moved(part, places) for part in item.parts))
+    return replace(model, reference=reference, buildings=(placed(item, places) for item in buildings))
 
 
 def _warn_of_heights(model: CityModel, plateau: bool, bare: bool, progress: Progress) -> None:

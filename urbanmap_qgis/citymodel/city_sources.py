@@ -17,9 +17,11 @@ from ..io.reference.height_systems import height_system, stating_heights
 from ..io.reference.plane_rectangular import zone_epsg, zone_numbers
 from ..progress import SILENT, Progress
 from ..wording import say
-from .citygml_reader import ReadingNotes, open_citygml
-from .cityjson_reader import open_cityjson
+from .citygml.reader import open_citygml
+from .cityjson.reader import open_cityjson
 from .model import CityModel, CityObject, CityReference
+from .objects import rings_of
+from .reading_notes import ReadingNotes
 
 _JSON = (".json", ".jsonl", ".ndjson", ".cityjson")
 _JAPAN = (122.0, 20.0, 154.0, 46.0)
@@ -78,16 +80,14 @@ def placed_model(model: CityModel, target_wkt: str | None, notes: list[str],
     if not head:
         raise InsufficientDataError(say("The city model holds no building: give one that has buildings."))
     heading = head
-    place = next((ring[0] for item in head[0].objects() for shape in item.shapes for surface in shape.surfaces
-                  for ring in surface.rings), None)
+    place = next((ring[0] for ring in rings_of(head[0])), None)
     while place is None:
         more = list(itertools.islice(buildings, 1))
         if not more:
             raise InsufficientDataError(say("No building of the city model has a geometry: give one with outlines or "
                                             "solids."))
         heading += more
-        place = next((ring[0] for item in more[0].objects() for shape in item.shapes for surface in shape.surfaces
-                      for ring in surface.rings), None)
+        place = next((ring[0] for ring in rings_of(more[0])), None)
     source = model.reference.wkt
     target = target_wkt or (_own_zone(place) if model.reference.geographic else source)
     x, y = float(place[0]), float(place[1])

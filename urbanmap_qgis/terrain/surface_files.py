@@ -18,7 +18,7 @@ from pyproj import CRS
 from ..errors import InputError, InsufficientDataError
 from ..execution import in_order
 from ..geometry.grid import Grid
-from ..io.models.ply import MeshWriter, mesh_writer
+from ..io.ply import MeshWriter, mesh_writer
 from ..io.points.point_buckets import PointBuckets
 from ..io.points.pointcloud import PointCloud, iter_chunks, open_cloud, plan_crs, valid_points
 from ..io.raster import write_raster

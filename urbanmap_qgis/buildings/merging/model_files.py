@@ -6,12 +6,11 @@ import os
 import re
 
 import numpy as np
-import shapely
 
+from ...citymodel.cityjson.reader import read_cityjson
+from ...citymodel.solids import solid_faces, solid_rows
 from ...errors import InsufficientDataError
-from ...io.models.cityjson import read_cityjson
 from ...wording import say
-from .model_parts import face_polygons
 
 
 def models_from_cityjson(path: str | os.PathLike) -> tuple[np.ndarray, np.ndarray, list[str]]:
@@ -25,18 +24,14 @@ def models_from_cityjson(path: str | os.PathLike) -> tuple[np.ndarray, np.ndarra
     InputError : the file cannot be read.
     InsufficientDataError : it holds no building.
     """
-    objects = [item for item in read_cityjson(path) if item.type in ("Building", "BuildingPart")]
-    # A building whose parts hold the solids is only their frame: parts are named after it.
-    parts = [item.id for item in objects if item.type == "BuildingPart"]
-    objects = [item for item in objects
-               if item.solids or not any(part.startswith(item.id) for part in parts if part != item.id)]
-    if not objects:
+    rows = solid_rows(read_cityjson(path).buildings)
+    if not rows:
         raise InsufficientDataError(say("{fspath} holds no building: give a CityJSON file with buildings.",
                                         fspath=os.fspath(path)))
-    faces = np.full(len(objects), None, object)
-    for row, item in enumerate(objects):
-        polygons = [polygon for solid in item.solids for polygon in face_polygons(solid.vertices, solid.faces)]
-        faces[row] = shapely.MultiPolygon(polygons) if polygons else None
+    faces = np.full(len(rows), None, object)
+    for row, (_, solids) in enumerate(rows):
+        faces[row] = solid_faces(solids)
+    objects = [item for item, _ in rows]
     return _numbers(objects), faces, [item.id for item in objects]
 
 

@@ -15,7 +15,7 @@ import shapely
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...geometry.solid import Solid
-from ...io.models.ply import mesh_writer
+from ...io.ply import mesh_writer
 from ...io.points.pointcloud import PointCloud
 from ...progress import SILENT, Progress
 from ...wording import say

@@ -8,40 +8,32 @@ from __future__ import annotations
 
 import itertools
 import json
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 import shapely
 
-from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF
+from ...geometry.solid import GROUND, OUTER_WALL, ROOF
 from ...wording import say
-from ..cityjson_writer import plain_attributes
 from ..model import (
-    CEILING_SURFACE,
-    CLOSURE_SURFACE,
-    FLOOR_SURFACE,
     FOOTPRINT,
-    GROUND_SURFACE,
     MULTI_SURFACE,
     ROOF_EDGE,
-    ROOF_SURFACE,
     SOLID,
-    WALL_SURFACE,
     CityObject,
     CityShape,
     CitySurface,
 )
+from ..objects import Places, placed
+from ..plain_values import plain_attributes
+from ..solids import TYPES
 
-_KINDS = {ROOF_SURFACE: ROOF, WALL_SURFACE: OUTER_WALL, GROUND_SURFACE: GROUND, CEILING_SURFACE: OVERHANG,
-          FLOOR_SURFACE: ROOF, CLOSURE_SURFACE: INNER_WALL}
 _UPRIGHT = 0.05  # of the unit normal's height: within 3 degrees of upright
 _LEAST_PLAN = 1e-4  # m2
 _LONGEST_NAME = 60
 
-Places = Callable[[np.ndarray], np.ndarray]
-"""Function from corners (n, 3) as read to corners in the table's reference."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,25 +78,6 @@ def building_rows(buildings: Iterator[CityObject], places: Places, notes: TableN
         yield row
 
 
-def placed(building: CityObject, places: Places) -> CityObject:
-    """A building with its parts in another reference: all its corners at once."""
-    rings = [ring for item in building.objects() for shape in item.shapes for surface in shape.surfaces
-             for ring in surface.rings]
-    if not rings:
-        return building
-    made = iter(np.split(places(np.concatenate(rings)), np.cumsum([len(ring) for ring in rings])[:-1]))
-
-    def moved(item: CityObject) -> CityObject:
-        shapes = tuple(replace(shape, shells=tuple(
-            tuple(replace(surface, rings=tuple(next(made) for _ in surface.rings)) for surface in shell)
-            for shell in shape.shells)) for shape in item.shapes)
-        return replace(item, shapes=shapes)
-
-    # In the order of `objects`: the building itself, then its parts.
-    whole = moved(building)
-    return replace(whole, parts=tuple(moved(part) for part in building.parts))
-
-
 def _row(building: CityObject) -> BuildingRow:
     problems = [problem for item in building.objects() for problem in item.problems]
     shapes = [shape for item in building.objects() for shape in item.shapes]
@@ -112,7 +85,7 @@ def _row(building: CityObject) -> BuildingRow:
     surfaces = [surface for shape in model for surface in shape.surfaces]
     array = _polygons(surfaces)
     lying = _kinds_by_lie(surfaces)
-    kinds = [_KINDS.get(surface.kind) or kind for surface, kind in zip(surfaces, lying)]
+    kinds = [TYPES.get(surface.kind) or kind for surface, kind in zip(surfaces, lying)]
     numbers = itertools.count(1)
     roofs = [next(numbers) if kind == ROOF else None for kind in kinds]
     outline = _outline(shapes, array)

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from ...io.models.glb_file import GlbBuffer
+from ..gltf.glb_file import GlbBuffer
 
 CLASS = "building"
 NO_TEXT, NO_INTEGER, NO_NUMBER = "", -(2**31), -1e30

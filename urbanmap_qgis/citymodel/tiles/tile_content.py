@@ -14,18 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import InputError
-from ...geometry.solid import GROUND, OUTER_WALL, OVERHANG, ROOF
-from ...geometry.triangulation import triangulate_face
-from ...io.models.glb_file import GlbBuffer
-from ...io.models.gltf import SAMPLER, SURFACE_COLOURS
-from ...wording import say
-from ..model import CEILING_SURFACE, FLOOR_SURFACE, GROUND_SURFACE, ROOF_SURFACE, WALL_SURFACE, CitySurface
+from ..gltf.glb_file import GlbBuffer
+from ..gltf.looks import add_primitive, image_contents, is_image, look_entries
 from .property_table import property_table
-
-_LOOKS = {ROOF_SURFACE: ROOF, WALL_SURFACE: OUTER_WALL, GROUND_SURFACE: GROUND, CEILING_SURFACE: OVERHANG,
-          FLOOR_SURFACE: ROOF}
-_NO_AREA = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,27 +31,6 @@ class TileBuilding:
     places: Mapping[str, np.ndarray]
 
 
-def look_of(surface: CitySurface, textured: bool) -> str:
-    """Key of a surface's material."""
-    if textured and surface.texture is not None:
-        return f"image:{surface.texture.image}"
-    return _LOOKS.get(surface.kind, OUTER_WALL)
-
-
-def surface_triangles(surface: CitySurface) -> tuple[np.ndarray, np.ndarray]:
-    """Corners (t, 3, 3) of a surface's triangles, and their numbers (t, 3) among the corners of all its rings.
-
-    Raises
-    ------
-    ValueError : its rings cross each other.
-    """
-    corners = np.vstack(surface.rings)
-    ends = np.cumsum([0, *(len(ring) for ring in surface.rings)]).tolist()
-    rings = [tuple(range(start, end)) for start, end in zip(ends[:-1], ends[1:])]
-    numbers = np.array(triangulate_face(corners, rings), np.int64).reshape(-1, 3)
-    return corners[numbers], numbers
-
-
 def write_tile(path: str | os.PathLike, buildings: Sequence[TileBuilding], origin: np.ndarray, axes: np.ndarray,
                images: Mapping[str, Path]) -> None:
     """Write buildings to a .glb whose coordinates count from `origin` (3,) along east, north, up (`axes` (3, 3)).
@@ -73,17 +43,14 @@ def write_tile(path: str | os.PathLike, buildings: Sequence[TileBuilding], origi
         buffer = GlbBuffer(data, alignment=8)  # as property tables want it
         metadata = property_table([building.attributes for building in buildings], buffer)
         looks = sorted({look for building in buildings for look in building.triangles})
-        files = {look: images.get(look.removeprefix("image:")) for look in looks if look.startswith("image:")}
-        for look, file in files.items():
-            if file is None:
-                raise InputError(say("The image {look} of a texture was not given: its file is missing.",
-                                     look=look.removeprefix("image:")))
+        contents = image_contents(looks, images)
         primitives = [_primitive(number, look, buildings, origin, axes, buffer) for number, look in enumerate(looks)]
-        document = _document(looks, primitives, {look: file.read_bytes() for look, file in files.items()}, buffer)
-        document["extensions"] = {"EXT_structural_metadata": metadata}
-        document["bufferViews"] = buffer.views
-        document["accessors"] = buffer.accessors
-        document["buffers"] = [{"byteLength": buffer.length()}]
+        document = {
+            "asset": {"version": "2.0", "generator": "UrbanMap"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}], "meshes": [{"primitives": primitives}],
+            "extensionsUsed": ["EXT_mesh_features", "EXT_structural_metadata"],
+            **look_entries(looks, contents, buffer), "extensions": {"EXT_structural_metadata": metadata},
+            "bufferViews": buffer.views, "accessors": buffer.accessors, "buffers": [{"byteLength": buffer.length()}]}
         with open(path, "wb") as target:
             buffer.write(target, document)
 
@@ -94,47 +61,7 @@ def _primitive(number: int, look: str, buildings: Sequence[TileBuilding], origin
     rows = [row for row, building in enumerate(buildings) if look in building.triangles]
     corners = np.concatenate([buildings[row].triangles[look] for row in rows])
     owner = np.repeat(rows, [len(buildings[row].triangles[look]) for row in rows])
-    local = (corners - origin) @ axes.T
-    normal = np.cross(local[:, 1] - local[:, 0], local[:, 2] - local[:, 0])
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    normal = np.where(length > _NO_AREA, normal / np.maximum(length, _NO_AREA), (0.0, 0.0, 1.0))
-    attributes = {"POSITION": buffer.accessor(_y_up(local.reshape(-1, 3)), True),
-                  "NORMAL": buffer.accessor(_y_up(np.repeat(normal, 3, axis=0))),
-                  "_FEATURE_ID_0": buffer.accessor(np.repeat(owner, 3).astype(float))}
-    if look.startswith("image:"):
-        places = np.concatenate([buildings[row].places[look] for row in rows]).reshape(-1, 2)
-        attributes["TEXCOORD_0"] = buffer.accessor(places * (1.0, -1.0) + (0.0, 1.0))
+    places = np.concatenate([buildings[row].places[look] for row in rows]) if is_image(look) else None
     features = {"featureCount": len(buildings), "attribute": 0, "propertyTable": 0, "label": "building"}
-    return {"attributes": attributes, "material": number, "mode": 4,
+    return {**add_primitive(buffer, number, (corners - origin) @ axes.T, places, owner),
             "extensions": {"EXT_mesh_features": {"featureIds": [features]}}}
-
-
-def _y_up(vectors: np.ndarray) -> np.ndarray:
-    """East, north, up as x, y up and z to the south."""
-    return np.column_stack([vectors[:, 0], vectors[:, 2], -vectors[:, 1]])
-
-
-def _document(looks: Sequence[str], primitives: list[dict], contents: Mapping[str, bytes],
-              buffer: GlbBuffer) -> dict[str, Any]:
-    """The JSON without what the buffer says."""
-    numbers = {look: number for number, look in enumerate(contents)}
-    materials = []
-    for look in looks:
-        material: dict[str, Any] = {"metallicFactor": 0.0, "roughnessFactor": 1.0}
-        if look in numbers:
-            material["baseColorTexture"] = {"index": numbers[look]}
-        else:
-            material["baseColorFactor"] = [*SURFACE_COLOURS[look], 1.0]
-        materials.append({"name": look, "pbrMetallicRoughness": material})
-    document: dict[str, Any] = {
-        "asset": {"version": "2.0", "generator": "UrbanMap"}, "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0}], "meshes": [{"primitives": primitives}], "materials": materials,
-        "extensionsUsed": ["EXT_mesh_features", "EXT_structural_metadata"]}
-    if contents:
-        document["images"] = [
-            {"bufferView": buffer.view(content), "name": look.removeprefix("image:"),
-             "mimeType": "image/png" if content.startswith(b"\x89PNG") else "image/jpeg"}
-            for look, content in contents.items()]
-        document["textures"] = [{"source": number, "sampler": 0} for number in range(len(contents))]
-        document["samplers"] = [SAMPLER]
-    return document

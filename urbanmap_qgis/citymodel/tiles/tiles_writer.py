@@ -21,9 +21,11 @@ from ...errors import InputError, OutputError
 from ...io.files.atomic import written_beside
 from ...progress import SILENT, Progress
 from ...wording import say
-from ..cityjson_writer import plain_attributes, unique_objects
+from ..gltf.looks import is_image, look_of, surface_triangles
 from ..model import MULTI_SURFACE, SOLID, CityModel, CityObject, CityReference, CityShape
-from .tile_content import TileBuilding, look_of, surface_triangles, write_tile
+from ..objects import unique_objects
+from ..plain_values import plain_attributes
+from .tile_content import TileBuilding, write_tile
 
 GENERATOR = "UrbanMap"
 CELL = 250.0
@@ -219,7 +221,7 @@ def _triangles(shapes: list[CityShape], textured: bool, attributes: Mapping[str,
                 continue
             look = look_of(surface, textured)
             corners.setdefault(look, []).append(found)
-            if look.startswith("image:"):
+            if is_image(look):
                 places.setdefault(look, []).append(np.vstack(surface.texture.uv)[numbers])
     if crossing:
         attributes = {**attributes, "faces_left_out": crossing}

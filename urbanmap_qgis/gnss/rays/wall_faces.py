@@ -15,8 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...citymodel.cityjson.reader import read_cityjson
+from ...citymodel.solids import solid_faces, solid_rows
 from ...errors import InputError
-from ...io.models.cityjson import read_cityjson
 from ...wording import say
 
 _UPRIGHT = 0.02
@@ -140,12 +141,10 @@ def cityjson_shapes(path: str | os.PathLike) -> tuple[list[str], list[shapely.Mu
     InputError : it cannot be read, or holds no solid.
     """
     names, shapes = [], []
-    for item in read_cityjson(path):
-        if item.solids:
+    for item, solids in solid_rows(read_cityjson(path).buildings):
+        if solids:
             names.append(item.attributes.get("building") or item.id)
-            shapes.append(shapely.MultiPolygon([
-                shapely.Polygon(solid.vertices[list(face[0])], [solid.vertices[list(ring)] for ring in face[1:]])
-                for solid in item.solids for face in solid.faces]))
+            shapes.append(solid_faces(solids))
     if not shapes:
         raise InputError(say("{path} holds no solids: give building models of LoD 1 or higher.", path=path))
     return [str(name) for name in names], shapes

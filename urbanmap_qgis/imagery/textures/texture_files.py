@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import os
-import shutil
 import tempfile
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable
 from pathlib import Path
 
+from ...citymodel.cityjson.writer import write_model_cityjson
+from ...citymodel.gltf.glb_writer import write_glb
+from ...citymodel.images import images_beside
+from ...citymodel.model import CityModel, CityObject, CityReference
+from ...citymodel.obj import write_obj
 from ...errors import InputError, OutputError
-from ...geometry.solid import FaceTexture
-from ...io.models.cityjson import CityBuilding, write_cityjson
-from ...io.models.gltf import write_glb
-from ...io.models.obj import write_obj
 from ...progress import SILENT, Progress
 from ...wording import say
 from .texture_stage import FacadeRecord, Textured
@@ -51,7 +50,7 @@ def write_textured(buildings: Iterable[Textured], model: str | os.PathLike | Non
     """
     check_model_name(model)
     records: list[FacadeRecord] = []
-    cities: list[CityBuilding] = []
+    cities: list[CityObject] = []
     images: dict[str, Path] = {}
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
         for number, textured in enumerate(buildings):
@@ -60,35 +59,25 @@ def write_textured(buildings: Iterable[Textured], model: str | os.PathLike | Non
             for name, data in textured.images.items():
                 images[name] = Path(scratch) / f"{number}-{len(images)}.jpg"
                 images[name].write_bytes(data)
+        city = CityModel(CityReference(epsg=epsg), cities, images, "UrbanMap textured buildings")
         if model is not None:
-            _write(Path(model), cities, images, f"{Path(model).name.split('.')[0]}_textures", epsg, crs, progress)
+            _write(Path(model), city, f"{Path(model).name.split('.')[0]}_textures", crs, progress)
         for name in IN_FOLDER if folder is not None else ():
             _make_folder(Path(folder))
-            _write(Path(folder) / name, cities, images, "textures", epsg, crs, progress)
+            _write(Path(folder) / name, city, "textures", crs, progress)
     return records
 
 
-def _write(path: Path, cities: Sequence[CityBuilding], images: dict[str, Path], folder: str, epsg: int | None,
-           crs: str, progress: Progress) -> None:
+def _write(path: Path, model: CityModel, folder: str, crs: str, progress: Progress) -> None:
     """One model file; images are put into `folder` beside it unless the file holds them."""
     if path.suffix.lower() == ".glb":
-        write_glb(path, cities, images, crs=crs, progress=progress)
+        write_glb(path, model.buildings, model.images, crs=crs, progress=progress)
         return
-    names = {name: f"{folder}/{Path(name).name}" for name in images}
-    if images:
-        _make_folder(path.parent / folder)
-    for name, file in images.items():
-        _copy(file, path.parent / names[name])
-    renamed = (replace(city, textures=[[_renamed(texture, names) for texture in faces] for faces in city.textures])
-               for city in cities)
+    placed = images_beside(model, path, folder)
     if path.suffix.lower() == ".obj":
-        write_obj(path, renamed, progress=progress)
+        write_obj(path, placed.buildings, progress=progress)
     else:
-        write_cityjson(path, renamed, epsg=epsg, title="UrbanMap textured buildings", progress=progress)
-
-
-def _renamed(texture: FaceTexture | None, names: dict[str, str]) -> FaceTexture | None:
-    return None if texture is None else FaceTexture(names[texture.image], texture.uv)
+        write_model_cityjson(path, placed, progress)
 
 
 def _make_folder(folder: Path) -> None:
@@ -97,16 +86,3 @@ def _make_folder(folder: Path) -> None:
     except OSError as error:
         raise OutputError(say("The folder {folder} cannot be made ({strerror}): choose another output.", folder=folder,
                               strerror=error.strerror)) from error
-
-
-def _copy(source: Path, target: Path) -> None:
-    """Copy a file beside its place and move it there."""
-    beside = target.with_name(f".{target.name}.part")
-    try:
-        shutil.copyfile(source, beside)
-        os.replace(beside, target)
-    except OSError as error:
-        raise OutputError(say("{target} cannot be written ({strerror}): choose another output.", target=target,
-                              strerror=error.strerror)) from error
-    finally:
-        beside.unlink(missing_ok=True)

@@ -11,11 +11,12 @@ import cv2
 import numpy as np
 import shapely
 
+from ...citymodel.model import CityObject
+from ...citymodel.solids import solid_object
 from ...errors import InputError, InsufficientDataError
 from ...execution import in_order
 from ...geometry.solid import ROOF, FaceTexture, Solid
 from ...geometry.solid_faces import solids_of
-from ...io.models.cityjson import CityBuilding
 from ...progress import SILENT, Progress
 from ...wording import say
 from ..views.obstacles import NO_POINTS, OccupiedVoxels, ViewObstacles, obstacles_within
@@ -76,7 +77,7 @@ class FacadeRecord:
 class Textured:
     """A textured building: what the writers of files take, its image files' contents by name, its facades."""
 
-    city: CityBuilding
+    city: CityObject
     images: dict[str, bytes]
     records: tuple[FacadeRecord, ...]
 
@@ -189,7 +190,7 @@ def _texture_building(piece: _Piece, sources: Sequence[Source], settings: Textur
     area = sum(record.area for record in records)
     seen = sum(record.area * record.seen for record in records)
     attributes = {**building.attributes, "facade_area": area, "facade_seen": seen / area if area else 0.0}
-    return Textured(CityBuilding(f"building-{building.id}", attributes, building.solids, textures), images, records)
+    return Textured(solid_object(f"building-{building.id}", attributes, building.solids, textures), images, records)
 
 
 def _obstacles(cameras: np.ndarray, piece: _Piece, facade: Facade) -> ViewObstacles:

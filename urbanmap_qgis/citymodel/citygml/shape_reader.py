@@ -12,10 +12,11 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from ..geometry.solid import FaceTexture
-from ..wording import say
-from .gml_values import XLINK_HREF, Meaning, generic_value, id_of, leaf_value, split_tag
-from .model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, SURFACE_KINDS, CityShape, CitySurface
+from ...geometry.solid import FaceTexture
+from ...wording import say
+from ..model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, SURFACE_KINDS, CityShape, CitySurface
+from ..objects import unmatched_edges
+from .value_reader import XLINK_HREF, Meaning, generic_value, id_of, leaf_value, split_tag
 
 _DEEPEST = 24
 _OUTLINES = {"lod0FootPrint": FOOTPRINT, "lod0RoofEdge": ROOF_EDGE}
@@ -200,19 +201,6 @@ class ShapeReader:
                                      identifier=identifier))
             return None
         return FaceTexture(image, tuple(uv[:len(ring)] for uv, ring in zip(found, rings)))
-
-
-def unmatched_edges(shell: tuple[CitySurface, ...], digits: int) -> int:
-    """Edges of a shell that no other face has in the opposite sense; corners are equal within `digits` (height: mm)."""
-    count: Counter = Counter()
-    places = np.array([digits, digits, 3])
-    for surface in shell:
-        for ring in surface.rings:
-            corners = list(map(tuple, np.rint(ring * 10.0**places).astype(np.int64).tolist()))
-            for start, end in zip(corners, corners[1:] + corners[:1]):
-                if start != end:
-                    count[start, end] += 1
-    return sum(number for (start, end), number in count.items() if count.get((end, start), 0) != number)
 
 
 def _turned(surface: CitySurface) -> CitySurface:

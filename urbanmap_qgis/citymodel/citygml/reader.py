@@ -17,17 +17,18 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from ..errors import InputError
-from ..io.files.guard import reads
-from ..io.files.named_files import CODE_LIST, IMAGE
-from ..io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources, opened
-from ..io.official.xml_stream import root_children
-from ..progress import SILENT, Progress
-from ..wording import say
-from .gml_shapes import GmlTextures, ShapeReader
-from .gml_values import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
-from .model import BUILDING, BUILDING_PART, CityModel, CityObject, CityReference
-from .named_reference import NamedReference, named_reference
+from ...errors import InputError
+from ...io.files.guard import reads
+from ...io.files.named_files import CODE_LIST, IMAGE
+from ...io.official.gsi_sources import PathLike, Wanted, XmlSource, list_sources, opened
+from ...io.official.xml_stream import root_children
+from ...progress import SILENT, Progress
+from ...wording import say
+from ..model import BUILDING, BUILDING_PART, CityModel, CityObject, CityReference
+from ..named_reference import NamedReference, named_reference
+from ..reading_notes import ReadingNotes
+from .shape_reader import GmlTextures, ShapeReader
+from .value_reader import add_value, extension_value, generic_value, id_of, leaf_value, split_tag
 
 MAKER = "a city model"
 LARGEST_BUILDING = 2**28
@@ -36,48 +37,6 @@ CITYGML = Wanted("city models (CityGML)", "give the files of the buildings (udx/
                  lambda name: bool(_OTHER_THEME.match(name)), (".gml", ".citygml"))
 _OBJECTS = {"Building": BUILDING, "BuildingPart": BUILDING_PART}
 _LARGEST_LIST = 100_000
-
-
-@dataclass
-class ReadingNotes:
-    """What was met besides plain buildings, filled while they are walked through.
-
-    Attributes
-    ----------
-    unread : elements that the record has no place for, by name. others : other kinds of city objects, by name.
-    missing_lists, missing_images : names of code lists and images that are not there. repeated : ids met before.
-    files : files read.
-    """
-
-    unread: Counter = field(default_factory=Counter)
-    others: Counter = field(default_factory=Counter)
-    missing_lists: set[str] = field(default_factory=set)
-    missing_images: set[str] = field(default_factory=set)
-    repeated: list[str] = field(default_factory=list)
-    files: list[str] = field(default_factory=list)
-
-    def sentences(self) -> list[str]:
-        """One sentence for each."""
-        made = []
-        if self.others:
-            made.append(say("City objects that are no buildings were passed over ({counts}).",
-                            counts=_counts(self.others)))
-        if self.unread:
-            made.append(say("Parts of buildings that have no place in the result were left out ({counts}).",
-                            counts=_counts(self.unread)))
-        if self.missing_lists:
-            made.append(say("{missing_lists_count} lists of codes are not there or damaged, so that codes stay as "
-                            "they are ({missing_lists}).", missing_lists_count=len(self.missing_lists),
-                            missing_lists=", ".join(sorted(self.missing_lists)[:3])))
-        if self.missing_images:
-            made.append(say("{missing_images_count} images of textures are not there, not in the model's folder, or "
-                            "no PNG, JPEG or TIFF ({missing_images}); their faces have none.",
-                            missing_images_count=len(self.missing_images),
-                            missing_images=", ".join(sorted(self.missing_images)[:3])))
-        if self.repeated:
-            made.append(say("{repeated_count} ids are there more than once and got a number behind ({repeated}).",
-                            repeated_count=len(self.repeated), repeated=", ".join(self.repeated[:3])))
-        return made
 
 
 @dataclass
@@ -280,7 +239,3 @@ def _code_list(source: XmlSource) -> dict[str, str]:
         if "name" in texts and "description" in texts and len(found) < _LARGEST_LIST:
             found[texts["name"]] = texts["description"]
     return found
-
-
-def _counts(counts: Counter) -> str:
-    return ", ".join(f"{number} {name}" for name, number in counts.most_common(5))

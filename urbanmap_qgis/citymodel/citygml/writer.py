@@ -10,23 +10,24 @@ import os
 import re
 import shutil
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from ..errors import InputError, OutputError
-from ..geometry.mesh_code import third_mesh_code
-from ..io.files.atomic import written_beside
-from ..progress import SILENT, Progress
-from ..wording import say
-from .citygml_attributes import generic_attribute, split_attributes, xml_text
-from .citygml_geometry import object_geometry
-from .cityjson_writer import unique_objects
+from ...errors import OutputError
+from ...geometry.mesh_code import third_mesh_code
+from ...io.files.atomic import written_beside
+from ...progress import SILENT, Progress
+from ...wording import say
+from ..images import copy_images
+from ..model import CityModel, CityObject, CityReference
+from ..objects import rings_of, unique_objects
+from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
+from .attribute_writer import generic_attribute, split_attributes, xml_text
 from .codelists import write_codelists
-from .model import CityModel, CityObject, CityReference
-from .reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
+from .shape_writer import object_geometry
 
 WRITTEN_BY = "<!-- Written by UrbanMap -->"
 THEME = "rgbTexture"
@@ -103,7 +104,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             _add_building(file, building, frame, names, bounds)
         for file in files.values():
             _write_file(place / f"{file.name}.gml", file, frame, model)
-            _place_images(place, file.images, model.images)
+            copy_images(place, file.images, model.images)
     if plateau:
         write_codelists(target / "codelists")
     return {f"{name}.gml": file.count for name, file in files.items()}
@@ -140,8 +141,7 @@ def _frame(reference: CityReference) -> _Frame:
 
 def _bounds(building: CityObject) -> np.ndarray | None:
     """Lowest and highest corner (2, 3) of a building; None without geometry."""
-    rings = [ring for item in building.objects() for shape in item.shapes for surface in shape.surfaces
-             for ring in surface.rings]
+    rings = rings_of(building)
     if not rings:
         return None
     corners = np.vstack(rings)
@@ -261,21 +261,3 @@ def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel) -> 
 def _append(path: Path, target) -> None:
     with open(path, "rb") as source:
         shutil.copyfileobj(source, target)
-
-
-def _place_images(place: Path, names: Mapping[str, str], images: Mapping[str, Path]) -> None:
-    """Copy the images of textures beside the file.
-
-    Raises
-    ------
-    InputError : an image was not given. OutputError : it cannot be copied.
-    """
-    for image, name in names.items():
-        if image not in images:
-            raise InputError(say("The image {image} of a texture was not given: its file is missing.", image=image))
-        try:
-            (place / name).parent.mkdir(exist_ok=True)
-            shutil.copyfile(images[image], place / name)
-        except OSError as error:
-            raise OutputError(say("The image {place} cannot be written ({strerror}).", place=place / name,
-                                  strerror=error.strerror)) from error

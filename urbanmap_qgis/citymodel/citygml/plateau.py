@@ -8,10 +8,10 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from ..errors import InputError
-from ..wording import say
+from ...errors import InputError
+from ...wording import say
+from ..model import AttributeGroup, CityObject, CodeValue, Measure
 from .codelists import code_value
-from .model import AttributeGroup, CityObject, CodeValue, Measure
 
 ID_ATTRIBUTE, QUALITY_ATTRIBUTE = "uro:buildingIDAttribute", "uro:buildingDataQualityAttribute"
 AUTHORITIES = "../../codelists/Common_localPublicAuthorities.xml"

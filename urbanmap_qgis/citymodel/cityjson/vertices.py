@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from array import array
 from typing import IO, Any
 
@@ -68,14 +67,3 @@ def write_end(file: IO[str], vertices: VertexList, epsg: int | None, title: str,
 def json_text(value: Any) -> str:
     """JSON of a value, without blanks, letters of all scripts as they are."""
     return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-
-
-def json_value(value: Any) -> Any:
-    """A value as JSON can say it: numpy numbers as plain ones, what is not finite as null, dates as text."""
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if value is None or isinstance(value, (bool, int, str)):
-        return value
-    return str(value)

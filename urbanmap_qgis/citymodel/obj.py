@@ -13,26 +13,23 @@ from pathlib import Path
 
 import numpy as np
 
-from ...errors import InputError
-from ...geometry.solid import GROUND, INNER_WALL, OUTER_WALL, OVERHANG, ROOF, FaceTexture, Solid
-from ...geometry.triangulation import triangulate_face
-from ...progress import SILENT, Progress
-from ...wording import say
-from ..files.atomic import written_beside
-from .cityjson import CityBuilding
+from ..errors import InputError
+from ..geometry.solid import Face, FaceTexture
+from ..geometry.triangulation import triangulate_face
+from ..io.files.atomic import written_beside
+from ..progress import SILENT, Progress
+from ..wording import say
+from .gltf.looks import SURFACE_COLOURS
+from .model import CityObject, CitySurface
+from .solids import indexed_shell, outer_shells, surface_type, whole_metres
 
-_MATERIALS = {
-    ROOF: ("roof", (0.72, 0.28, 0.22)),
-    OUTER_WALL: ("outer_wall", (0.85, 0.82, 0.75)),
-    INNER_WALL: ("inner_wall", (0.75, 0.70, 0.62)),
-    GROUND: ("ground", (0.45, 0.45, 0.45)),
-    OVERHANG: ("overhang", (0.60, 0.56, 0.50)),
-}
+_MATERIALS = {kind: (kind.replace(" ", "_"), colour) for kind, colour in SURFACE_COLOURS.items()}
+"""Name and colour of the material of each type of face."""
 
 
-def write_obj(path: str | os.PathLike, buildings: Iterable[CityBuilding], *,
+def write_obj(path: str | os.PathLike, buildings: Iterable[CityObject], *,
               origin: tuple[float, float, float] | None = None, progress: Progress = SILENT) -> int:
-    """Write the solids of buildings to an OBJ file and its materials to a .mtl beside it.
+    """Write the most detailed solids of buildings to an OBJ file and its materials to a .mtl beside it.
 
     Faces with a texture get a material of their image, which is expected where its name says.
 
@@ -61,16 +58,16 @@ def write_obj(path: str | os.PathLike, buildings: Iterable[CityBuilding], *,
         with open(temporary, "w", encoding="utf-8", newline="\n") as file:
             for building in buildings:
                 progress.check()
-                if not building.solids:
+                shells = outer_shells(building)
+                if not shells:
                     continue
                 if origin is None:
-                    origin = tuple(np.floor(np.min([s.vertices.min(axis=0) for s in building.solids], axis=0)).tolist())
+                    origin = whole_metres(shells)
                 if not written:
                     file.write(_head(material_file.name, origin))
                 file.write(f"g {_group(building.id)}\n")
-                for number, solid in enumerate(building.solids):
-                    textures = building.textures[number] if building.textures else [None] * len(solid.faces)
-                    file.write(_solid_text(solid, textures, np.asarray(origin), count))
+                for shell in shells:
+                    file.write(_shell_text(shell, np.asarray(origin), count))
                 written += 1
             if not written:
                 file.write(_head(material_file.name, origin or (0.0, 0.0, 0.0)))
@@ -98,30 +95,31 @@ def _group(name: str) -> str:
     return re.sub(r"\s+", "_", name.strip()) or "_"
 
 
-def _solid_text(solid: Solid, textures: Sequence[FaceTexture | None], origin: np.ndarray, count: _Count) -> str:
-    """Vertices and faces of a solid, first those without texture by kind, then the others by image."""
-    lines = [f"v {x:.4f} {y:.4f} {z:.4f}" for x, y, z in (solid.vertices - origin).tolist()]
+def _shell_text(shell: Sequence[CitySurface], origin: np.ndarray, count: _Count) -> str:
+    """Vertices and faces of a shell, first those without texture by type, then the others by image."""
+    vertices, faces = indexed_shell(shell)
+    lines = [f"v {x:.4f} {y:.4f} {z:.4f}" for x, y, z in (vertices - origin).tolist()]
     kinds = list(_MATERIALS)
-    order = sorted(range(len(solid.faces)), key=lambda face: (
-        textures[face].image if textures[face] else "", kinds.index(solid.surface_type[face])))
+    order = sorted(range(len(faces)), key=lambda face: (
+        shell[face].texture.image if shell[face].texture else "", kinds.index(surface_type(shell[face]))))
     material = None
     for face in order:
-        texture = textures[face]
-        wanted = _material_name(texture.image, count) if texture else _MATERIALS[solid.surface_type[face]][0]
+        texture = shell[face].texture
+        wanted = _material_name(texture.image, count) if texture else _MATERIALS[surface_type(shell[face])][0]
         if wanted != material:
             material = wanted
             lines.append(f"usemtl {material}")
-        lines.extend(_face_lines(solid, face, texture, count))
-    count.vertices += len(solid.vertices)
+        lines.extend(_face_lines(vertices, faces[face], texture, count))
+    count.vertices += len(vertices)
     return "\n".join(lines) + "\n"
 
 
-def _face_lines(solid: Solid, face: int, texture: FaceTexture | None, count: _Count) -> list[str]:
+def _face_lines(vertices: np.ndarray, face: Face, texture: FaceTexture | None, count: _Count) -> list[str]:
     """Triangles of a face, with places in its image where it has one."""
-    triangles, before = triangulate_face(solid.vertices, solid.faces[face]), count.vertices + 1
+    triangles, before = triangulate_face(vertices, face), count.vertices + 1
     if texture is None:
         return [f"f {a + before} {b + before} {c + before}" for a, b, c in triangles]
-    names = [vertex for ring in solid.faces[face] for vertex in ring]
+    names = [vertex for ring in face for vertex in ring]
     places = np.vstack(texture.uv)
     number = {vertex: count.places + 1 + place for place, vertex in enumerate(names)}
     count.places += len(names)

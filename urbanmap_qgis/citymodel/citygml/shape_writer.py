@@ -10,8 +10,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .citygml_attributes import generic_attribute
-from .model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, CityObject, CityShape, CitySurface
+from ..model import FOOTPRINT, MULTI_SURFACE, ROOF_EDGE, SOLID, CityObject, CityShape, CitySurface
+from .attribute_writer import generic_attribute
 
 Places = Callable[[np.ndarray], list[str]]
 """Function from corners (n, 3) to a text of three numbers each."""

@@ -6,39 +6,37 @@ Source: CityJSON specifications 2.0.1 and CityJSONSeq, https://www.cityjson.org/
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator
 from datetime import date
 from typing import IO, Any
 
 import numpy as np
 
-from ..errors import InputError
-from ..io.files.atomic import written_beside
-from ..io.models.cityjson_parts import UNITS, VertexList, json_text, json_value, write_end
-from ..progress import SILENT, Progress
-from ..wording import say
-from .model import (
+from ...errors import InputError
+from ...io.files.atomic import written_beside
+from ...progress import SILENT, Progress
+from ...wording import say
+from ..model import (
     FOOTPRINT,
     MULTI_SURFACE,
     ROOF_EDGE,
     SOLID,
     UNKNOWN_HEIGHTS,
-    AttributeGroup,
     CityModel,
     CityObject,
     CityReference,
     CityShape,
     CitySurface,
-    CodeValue,
-    Measure,
 )
-from .reference import compound_epsg
+from ..objects import unique_objects
+from ..plain_values import plain_attributes
+from ..reference import compound_epsg
+from .vertices import UNITS, VertexList, json_text, write_end
 
 THEME = "facades"
 """Name of the textures' theme."""
 
 _SURFACES = (FOOTPRINT, ROOF_EDGE, MULTI_SURFACE)
-_METRE = "m"
 
 
 def write_model_cityjson(path: str | os.PathLike, model: CityModel, progress: Progress = SILENT) -> int:
@@ -101,58 +99,6 @@ def _require_metres(reference: CityReference) -> None:
     if reference.geographic:
         raise InputError(say("CityJSON is written in metres, but the model counts in degrees: take it into a plane "
                              "reference system first."))
-
-
-def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
-    """Buildings as they come.
-
-    Raises
-    ------
-    InputError : an id, of a building or of a part, was there before.
-    """
-    seen: set[str] = set()
-    for building in buildings:
-        for item in building.objects():
-            if item.id in seen:
-                raise InputError(say("Two buildings have the id '{id}': give each building its own.", id=item.id))
-            seen.add(item.id)
-        yield building
-
-
-def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
-    """Attributes as JSON can say them, without loss.
-
-    A code is its meaning, where that is known, with `<name>_code` and `<name>_codeSpace` beside it; a measure its
-    number, with `<name>_uom` where it is not in metres; a group an object with `type`.
-    """
-    made: dict[str, Any] = {}
-    for name, value in attributes.items():
-        name = str(name)
-        if isinstance(value, CodeValue):
-            made[name] = value.meaning or value.value
-            if value.meaning:
-                made[f"{name}_code"] = value.value
-            if value.space:
-                made[f"{name}_codeSpace"] = value.space
-        elif isinstance(value, Measure):
-            made[name] = json_value(value.value)
-            if value.unit != _METRE:
-                made[f"{name}_uom"] = value.unit
-        else:
-            made[name] = _plain(value)
-    return made
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, AttributeGroup):
-        return {"type": value.type, **plain_attributes(value.values)}
-    if isinstance(value, (CodeValue, Measure)):
-        return plain_attributes({"value": value})
-    if isinstance(value, Mapping):
-        return plain_attributes(value)
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return json_value(value)
 
 
 def _entries(building: CityObject, vertices: VertexList, appearance: _Appearance) -> Iterator[tuple[str, dict]]:

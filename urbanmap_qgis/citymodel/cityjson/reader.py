@@ -6,6 +6,7 @@ Source: CityJSON specifications 2.0.1, https://www.cityjson.org/specs/2.0.1/; a 
 from __future__ import annotations
 
 import json
+import math
 import os
 import re
 from collections.abc import Iterator, Mapping
@@ -14,16 +15,14 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import InputError
-from ..geometry.solid import FaceTexture
-from ..io.files.guard import first_not_finite, read_json, reads
-from ..io.files.named_files import IMAGE, named_file
-from ..io.reference.height_systems import JAPANESE
-from ..progress import SILENT, Progress
-from ..wording import say
-from .citygml_reader import ReadingNotes
-from .gml_shapes import unmatched_edges
-from .model import (
+from ...errors import InputError
+from ...geometry.solid import FaceTexture
+from ...io.files.guard import first_not_finite, read_json, reads
+from ...io.files.named_files import IMAGE, named_file
+from ...io.reference.height_systems import JAPANESE
+from ...progress import SILENT, Progress
+from ...wording import say
+from ..model import (
     BUILDING,
     BUILDING_PART,
     FOOTPRINT,
@@ -39,7 +38,9 @@ from .model import (
     CityShape,
     CitySurface,
 )
-from .named_reference import named_reference
+from ..named_reference import named_reference
+from ..objects import unmatched_edges
+from ..reading_notes import ReadingNotes
 
 _TITLE_HEIGHTS = re.compile(r"heights: (\w+)$")
 _SOLIDS = {"Solid": 1, "MultiSolid": 2, "CompositeSolid": 2}
@@ -61,14 +62,7 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
     InputError : it is no CityJSON, is damaged, or names no reference system and none was given.
     """
     path = Path(path)
-    head = _first_line(path)
-    if head is not None:
-        pieces: Iterator[Mapping] = _features(path, head, progress)
-    else:
-        head = read_json(path, "CityJSON")
-        pieces = iter((head,))
-    if not isinstance(head, Mapping) or head.get("type") != "CityJSON":
-        raise InputError(say("{path} is not a CityJSON file: its type is not 'CityJSON'.", path=path.name))
+    head, pieces = _opened(path, progress)
     metadata = head.get("metadata") or {}
     reference = _reference(metadata, path, given)
     images: dict[str, Path] = {}
@@ -82,6 +76,35 @@ def open_cityjson(path: str | os.PathLike, notes: ReadingNotes, given: CityRefer
 
     return CityModel(reference, buildings(path), images, str(metadata.get("title") or ""),
                      str(metadata.get("referenceDate") or ""))
+
+
+@reads("CityJSON")
+def read_cityjson(path: str | os.PathLike, notes: ReadingNotes | None = None) -> CityModel:
+    """All buildings of a CityJSON file or sequence at once, with coordinates as they stand: its reference is not asked.
+
+    Raises
+    ------
+    InputError : it is no CityJSON, or is damaged.
+    """
+    path, notes, images = Path(path), notes or ReadingNotes(), {}
+    head, pieces = _opened(path, SILENT)
+    seen: set[str] = set()
+    buildings = [building for piece in pieces
+                 for building in _Piece(piece, head, path, notes, images, CityReference()).buildings(seen)]
+    return CityModel(CityReference(), buildings, images)
+
+
+def _opened(path: Path, progress: Progress) -> tuple[Mapping, Iterator[Mapping]]:
+    """The head of a file, and the objects or features that hold its buildings."""
+    head = _first_line(path)
+    if head is not None:
+        pieces: Iterator[Mapping] = _features(path, head, progress)
+    else:
+        head = read_json(path, "CityJSON")
+        pieces = iter((head,))
+    if not isinstance(head, Mapping) or head.get("type") != "CityJSON":
+        raise InputError(say("{path} is not a CityJSON file: its type is not 'CityJSON'.", path=path.name))
+    return head, pieces
 
 
 def _first_line(path: Path) -> dict | None:
@@ -138,10 +161,11 @@ class _Piece:
                  reference: CityReference):
         self.path, self.notes, self.digits = path, notes, 9 if reference.geographic else 3
         self.objects = content.get("CityObjects")
-        if not isinstance(self.objects, Mapping):
-            raise InputError(say("{path} is damaged: it has no city objects; export it again.", path=path.name))
+        if not isinstance(self.objects, Mapping) or not isinstance(content.get("vertices"), list):
+            raise InputError(say("{path} is damaged: it has no city objects or no vertices; export it again.",
+                                 path=path.name))
         transform = head.get("transform") or content.get("transform")
-        vertices = np.asarray(content.get("vertices") or [], dtype=np.float64).reshape(-1, 3)
+        vertices = np.asarray(content["vertices"], dtype=np.float64).reshape(-1, 3)
         if transform:
             vertices = vertices * np.asarray(transform["scale"], float) + np.asarray(transform["translate"], float)
         bad = first_not_finite(vertices)
@@ -191,6 +215,9 @@ class _Piece:
             key = next(f"{key}-{number}" for number in range(2, 10**9) if f"{key}-{number}" not in seen)
         seen.add(key)
         attributes = {name: _value(value) for name, value in (item.get("attributes") or {}).items()}
+        if any(isinstance(value, float) and not math.isfinite(value) for value in attributes.values()):
+            raise InputError(say("{path} is damaged: an attribute of {key} is no finite number.", path=self.path.name,
+                                 key=key))
         kind = BUILDING_PART if item.get("type") == BUILDING_PART and item.get("parents") else BUILDING
         return CityObject(key, attributes, tuple(_two_outlines(shapes)), kind, tuple(parts),
                           tuple(dict.fromkeys(problems)))

@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from .model import AttributeGroup, CodeValue, Measure
+from ..model import AttributeGroup, CodeValue, Measure
 
 CODES = ("class", "function", "usage", "roofType")
 _YEARS = ("yearOfConstruction", "yearOfDemolition")

@@ -11,7 +11,7 @@ from datetime import date
 from typing import Any
 from xml.etree.ElementTree import Element
 
-from .model import AttributeGroup, CodeValue, Measure
+from ..model import AttributeGroup, CodeValue, Measure
 
 CORE = "http://www.opengis.net/citygml/"
 GML = "http://www.opengis.net/gml"

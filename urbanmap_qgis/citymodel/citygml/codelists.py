@@ -6,10 +6,10 @@ import os
 from pathlib import Path
 from xml.sax.saxutils import escape
 
-from ..errors import OutputError
-from ..io.files.atomic import written_beside
-from ..wording import say
-from .model import CodeValue
+from ...errors import OutputError
+from ...io.files.atomic import written_beside
+from ...wording import say
+from ..model import CodeValue
 
 FOLDER = "../../codelists/"
 """Where a file in udx/bldg finds the lists."""

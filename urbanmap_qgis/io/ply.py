@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..files.atomic import written_beside
+from .files.atomic import written_beside
 
 _VERTEX = np.dtype([("x", "<f8"), ("y", "<f8"), ("z", "<f8")])
 _FACE = np.dtype([("count", "u1"), ("corners", "<i4", (3,))])

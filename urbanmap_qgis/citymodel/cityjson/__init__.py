@@ -1,0 +1,1 @@
+"""CityJSON and its sequences, read and written."""

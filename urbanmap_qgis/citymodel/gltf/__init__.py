@@ -1,0 +1,1 @@
+"""Looks of surfaces as glTF, and models as one binary file."""

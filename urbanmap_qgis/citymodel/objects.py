@@ -1,0 +1,81 @@
+"""Objects of a city model taken one by one: each once, placed elsewhere, with images named anew, with closed shells."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ..errors import InputError
+from ..geometry.solid import FaceTexture
+from ..wording import say
+from .model import CityObject, CitySurface
+
+Places = Callable[[np.ndarray], np.ndarray]
+"""Function from corners (n, 3) as read to corners in another reference."""
+
+
+def unique_objects(buildings: Iterable[CityObject]) -> Iterator[CityObject]:
+    """Buildings as they come.
+
+    Raises
+    ------
+    InputError : an id, of a building or of a part, was there before.
+    """
+    seen: set[str] = set()
+    for building in buildings:
+        for item in building.objects():
+            if item.id in seen:
+                raise InputError(say("Two buildings have the id '{id}': give each building its own.", id=item.id))
+            seen.add(item.id)
+        yield building
+
+
+def rings_of(building: CityObject) -> list[np.ndarray]:
+    """Rings (n, 3) of all surfaces of a building and its parts."""
+    return [ring for item in building.objects() for shape in item.shapes for surface in shape.surfaces
+            for ring in surface.rings]
+
+
+def placed(building: CityObject, places: Places) -> CityObject:
+    """A building with its parts in another reference: all its corners at once."""
+    rings = rings_of(building)
+    if not rings:
+        return building
+    made = iter(np.split(places(np.concatenate(rings)), np.cumsum([len(ring) for ring in rings])[:-1]))
+
+    def moved(item: CityObject) -> CityObject:
+        shapes = tuple(replace(shape, shells=tuple(
+            tuple(replace(surface, rings=tuple(next(made) for _ in surface.rings)) for surface in shell)
+            for shell in shape.shells)) for shape in item.shapes)
+        return replace(item, shapes=shapes)
+
+    # In the order of `objects`: the building itself, then its parts.
+    whole = moved(building)
+    return replace(whole, parts=tuple(moved(part) for part in building.parts))
+
+
+def retextured(item: CityObject, names: Mapping[str, str]) -> CityObject:
+    """A building whose textures name their images anew; those of images without a new name are left out."""
+    def new(texture: FaceTexture | None) -> FaceTexture | None:
+        return FaceTexture(names[texture.image], texture.uv) if texture and texture.image in names else None
+
+    shapes = tuple(replace(shape, shells=tuple(tuple(
+        surface if surface.texture is None else replace(surface, texture=new(surface.texture))
+        for surface in shell) for shell in shape.shells)) for shape in item.shapes)
+    return replace(item, shapes=shapes, parts=tuple(retextured(part, names) for part in item.parts))
+
+
+def unmatched_edges(shell: tuple[CitySurface, ...], digits: int) -> int:
+    """Edges of a shell that no other face has in the opposite sense; corners are equal within `digits` (height: mm)."""
+    count: Counter = Counter()
+    places = np.array([digits, digits, 3])
+    for surface in shell:
+        for ring in surface.rings:
+            corners = list(map(tuple, np.rint(ring * 10.0**places).astype(np.int64).tolist()))
+            for start, end in zip(corners, corners[1:] + corners[:1]):
+                if start != end:
+                    count[start, end] += 1
+    return sum(number for (start, end), number in count.items() if count.get((end, start), 0) != number)

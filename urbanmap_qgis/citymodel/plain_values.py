@@ -1,0 +1,60 @@
+"""Attributes as plain values, which JSON, tables and property tables can hold."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from .model import AttributeGroup, CodeValue, Measure
+
+_METRE = "m"
+
+
+def plain_attributes(attributes: Mapping[str, Any]) -> dict[str, Any]:
+    """Attributes as JSON can say them, without loss.
+
+    A code is its meaning, where that is known, with `<name>_code` and `<name>_codeSpace` beside it; a measure its
+    number, with `<name>_uom` where it is not in metres; a group an object with `type`.
+    """
+    made: dict[str, Any] = {}
+    for name, value in attributes.items():
+        name = str(name)
+        if isinstance(value, CodeValue):
+            made[name] = value.meaning or value.value
+            if value.meaning:
+                made[f"{name}_code"] = value.value
+            if value.space:
+                made[f"{name}_codeSpace"] = value.space
+        elif isinstance(value, Measure):
+            made[name] = json_value(value.value)
+            if value.unit != _METRE:
+                made[f"{name}_uom"] = value.unit
+        else:
+            made[name] = _plain(value)
+    return made
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, AttributeGroup):
+        return {"type": value.type, **plain_attributes(value.values)}
+    if isinstance(value, (CodeValue, Measure)):
+        return plain_attributes({"value": value})
+    if isinstance(value, Mapping):
+        return plain_attributes(value)
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    return json_value(value)
+
+
+def json_value(value: Any) -> Any:
+    """A value as JSON can say it: numpy numbers as plain ones, what is not finite as null, dates as text."""
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if value is None or isinstance(value, (bool, int, str)):
+        return value
+    return str(value)

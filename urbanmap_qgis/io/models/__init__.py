@@ -1,1 +1,0 @@
-"""Meshes and models of other programs: CityJSON, glTF, OBJ, PLY."""
