@@ -19,6 +19,7 @@ from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, unwrapped
 from .trajectory_accuracy import rms_file_of, sigma_of_columns, sigma_of_rms_file, told
+from .trajectory_glitches import require_drivable
 from .trajectory_reading import USUAL, TrajectoryReading, from_file_angles, judged_headings, to_file_angles
 
 COLUMNS = ("time", "x", "y", "z", "roll", "pitch", "heading")
@@ -134,6 +135,7 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     if reading.geoid is not None:
         notes.append(say("{name}: a geoid is applied to the ellipsoidal heights of SBET only; these heights stay as "
                          "they are.", name=name))
+    require_drivable(table, order, name, "row", 2)
     trajectory = _checked(table[order], name, notes, others, reading)
     sigma = sigma_of_columns(others, reading.angles, name)
     return trajectory if sigma is None else _with_sigma(trajectory, sigma, name)
@@ -213,6 +215,7 @@ def _read_sbet(path: Path, crs_wkt: str | None, reading: TrajectoryReading) -> T
         raise InputError(say("{path} lies outside the coordinate reference system of the survey at record {bad}: "
                              "choose the right one.", path=path.name, bad=bad + 1))
     order, notes = _order(table, path.name)
+    require_drivable(table, order, path.name, "record", 1)
     read = TrajectoryReading(geoid=reading.geoid)
     file = _checked(table[order], path.name, notes, {name: records[name][order] for name in _SBET.names}, read)
     file = replace(file, format="sbet", header=(), delimiter="", crs_wkt=crs_wkt, applied=applied)
