@@ -15,12 +15,14 @@ import re
 import subprocess
 import sys
 import zipfile
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 ROOT = Path(__file__).resolve().parents[1]
 FOLDER = "urbanmap_qgis"
-FILES = ("metadata.txt", "__init__.py", "LICENSE", "README.md", "CHANGELOG.md")
+READMES = ("README.md", "README.ja.md")
+FILES = ("metadata.txt", "__init__.py", "LICENSE", *READMES, "CHANGELOG.md")
 FOLDERS = ("algorithms", "urbanmap_qgis", "resources")
+PICTURES = (".jpg", ".png")
 REQUIRED = ("name", "qgisMinimumVersion", "description", "about", "version", "author")
 PUBLISHED = ("email", "repository", "tracker", "homepage", "changelog")
 
@@ -29,7 +31,8 @@ def tracked_files(root: Path) -> list[Path]:
     """Files of the plugin among those that git tracks, relative to `root`."""
     done = subprocess.run(["git", "-C", str(root), "ls-files", "-z"], capture_output=True, check=True)
     paths = [Path(name) for name in done.stdout.decode("utf-8").split("\0") if name]
-    return sorted(path for path in paths if str(path) in FILES or path.parts[0] in FOLDERS)
+    # Sources of translations are compiled beside them.
+    return sorted(path for path in paths if (str(path) in FILES or path.parts[0] in FOLDERS) and path.suffix != ".ts")
 
 
 def check_metadata(root: Path) -> None:
@@ -67,26 +70,68 @@ def metadata(root: Path, repository: str = "", email: str = "") -> bytes:
     return (text.rstrip("\n") + "\n" + "".join(f"{key}={value}\n" for key, value in added.items())).encode("utf-8")
 
 
-def website(root: Path) -> dict[str, Path]:
-    """The documentation as a website by name in the zip, where `make docs` has built it; without what holds times."""
-    site = root / "build" / "site"
-    return {f"site/{path.relative_to(site).as_posix()}": path for path in sorted(site.rglob("*"))
-            if path.is_file() and not path.name.startswith("sitemap")}
+def website(site: Path) -> dict[str, bytes]:
+    """The documentation as a website by name in the zip, where `make docs` has built it: the help that is in it.
+
+    Left out are what holds times, what is for other programmers (source maps), fonts of symbols that `site.css` hides,
+    and pictures that no page shows.
+    """
+    pages = "".join(path.read_text(encoding="utf-8") for path in site.rglob("*.html"))
+    paths = [path for path in sorted(site.rglob("*")) if path.is_file() and not path.name.startswith("sitemap")
+             and path.suffix != ".map" and path.parent.name != "webfonts"
+             and (path.suffix not in PICTURES or path.name in pages)]
+    return {f"site/{path.relative_to(site).as_posix()}": smaller(path) for path in paths}
 
 
-def build(root: Path, target: Path, repository: str = "", email: str = "") -> int:
+def smaller(path: Path) -> bytes:
+    """A file as it goes into the zip: photographs with the least quality at which their text is read."""
+    data = path.read_bytes()
+    if path.suffix != ".jpg":
+        return data
+    import cv2
+    import numpy as np
+
+    picture = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
+    quality = [cv2.IMWRITE_JPEG_QUALITY, 72, cv2.IMWRITE_JPEG_OPTIMIZE, 1, cv2.IMWRITE_JPEG_PROGRESSIVE, 1]
+    made = cv2.imencode(".jpg", picture, quality)[1].tobytes()
+    return min(data, made, key=len)
+
+
+def readme(text: str, names: set[str]) -> bytes:
+    """A README whose links lead to what the zip holds (`names`); a link that would lead nowhere is plain text."""
+
+    def link(found: re.Match) -> str:
+        mark, words, target = found.groups()
+        place, anchor = re.match(r"([^#]*)(#.*)?$", target).groups()
+        if "://" in target or place in names or not place:
+            return found.group()
+        path = PurePosixPath(place)
+        if path.parts[0] == "docs":
+            there = PurePosixPath("site", *path.parts[1:])
+            there = there.with_suffix(".html") if there.suffix == ".md" else there
+            if str(there) in names:
+                return f"{mark}[{words}]({there}{anchor or ''})"
+        return "" if mark else words
+
+    return re.sub(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)", link, text).encode("utf-8")
+
+
+def build(root: Path, target: Path, repository: str = "", email: str = "", site: Path | None = None) -> int:
     """Write the zip and return the number of files in it; the same files give the same bytes."""
     check_metadata(root)
     told = metadata(root, repository, email)
     files = [path for path in tracked_files(root) if (root / path).is_file()]
-    contents = {path.as_posix(): root / path for path in files} | website(root)
+    contents = {path.as_posix(): (root / path).read_bytes() for path in files}
+    contents |= website(site or root / "build" / "site")
+    contents["metadata.txt"] = told
+    contents |= {name: readme(contents[name].decode("utf-8"), set(contents)) for name in READMES}
     target.parent.mkdir(parents=True, exist_ok=True)
     with zipfile.ZipFile(target, "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, path in contents.items():
+        for name, data in contents.items():
             entry = zipfile.ZipInfo(f"{FOLDER}/{name}", (2000, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
             entry.external_attr = 0o644 << 16
-            archive.writestr(entry, told if name == "metadata.txt" else path.read_bytes())
+            archive.writestr(entry, data, compresslevel=9)
     return len(contents)
 
 
@@ -96,9 +141,10 @@ def main() -> None:
     parser.add_argument("--output", type=Path, default=ROOT / "build" / f"{FOLDER}.zip")
     parser.add_argument("--repository", default="", help="https address of the source code")
     parser.add_argument("--email", default="", help="address for the plugin's users")
+    parser.add_argument("--site", type=Path, help="the documentation as built by mkdocs, by default build/site")
     given = parser.parse_args()
     target = given.output
-    count = build(ROOT, target, given.repository, given.email)
+    count = build(ROOT, target, given.repository, given.email, given.site)
     print(f"{target}: {count} files, {target.stat().st_size / 1024:.0f} kB"
           + ("" if given.repository else "; to install from (the plugin repository needs --repository and --email)"))
 

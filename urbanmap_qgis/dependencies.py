@@ -14,7 +14,7 @@ import os
 import platform
 import re
 import shutil
-import subprocess
+import subprocess  # nosec B404 # runs Python and pip, by lists of arguments, without a shell
 import sys
 import tempfile
 import threading
@@ -238,7 +238,9 @@ def _version_of(python: str) -> str:
     """
     environment = {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
     try:
-        done = subprocess.run([python, "-S", "-c", "import sys; print(sys.version)"], capture_output=True, text=True,
+        # An interpreter that was found beside the running one, with fixed arguments.
+        done = subprocess.run([python, "-S", "-c", "import sys; print(sys.version)"],  # nosec B603
+                              capture_output=True, text=True,
                               stdin=subprocess.DEVNULL, timeout=20, check=False, env=environment, **_hidden_window())
     except (OSError, subprocess.SubprocessError):
         return ""
@@ -353,7 +355,8 @@ def _no_pip(python: str) -> InstallError:
 
 def _run(command: Sequence[str], report: Callable[[str], None], cancelled: Callable[[], bool]) -> None:
     try:
-        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        # pip of this interpreter, with names and versions from PACKAGES.
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,  # nosec B603
                                    stdin=subprocess.DEVNULL, text=True, encoding="utf-8", errors="replace",
                                    env=_environment(), **_hidden_window())
     except OSError as error:

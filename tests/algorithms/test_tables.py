@@ -108,6 +108,8 @@ def test_words_are_read_from_a_style(plugin, qgis_app, tmp_path):
         <config><Option type="Map"><Option name="Precision" value="3"/></Option></config></editWidget></field>
         </fieldConfiguration></qgis>"""
     assert module.words_in_style(styled) == {"sigma": words("sigma (m)", 3)}
+    bomb = styled.replace("<qgis", '<!DOCTYPE qgis [<!ENTITY a "b">]><qgis', 1)
+    assert "ENTITY" in bomb and module.words_in_style(bomb) == {}
     assert module.words_in_style("no style") == {} == module.words_in_file(tmp_path / "none.gpkg")
 
 

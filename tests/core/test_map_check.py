@@ -123,3 +123,11 @@ def test_coordinates_that_are_no_numbers_are_refused(tmp_path, name, value):
     path.write_text(f'<osm version="0.6"><node id="7" lat="{tags["lat"]}" lon="139.0">{inner}</node></osm>')
     with pytest.raises(InputError, match=r"map\.osm"):
         read_osm(path)
+
+
+def test_a_map_with_a_document_type_is_refused(tmp_path):
+    """Entities in it could be a bomb or name other files."""
+    path = tmp_path / "map.osm"
+    path.write_text('<?xml version="1.0"?><!DOCTYPE osm [<!ENTITY a "b">]><osm>&a;</osm>', encoding="utf-8")
+    with pytest.raises(InputError, match="document type"):
+        read_osm(path)

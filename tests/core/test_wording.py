@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from urbanmap_qgis import wording
-from urbanmap_qgis.wording import known, mark, say
+from urbanmap_qgis.wording import known, mark, read_catalogue, say
 
 CATALOGUE = """<?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
@@ -36,6 +38,22 @@ def test_a_catalogue_puts_the_fields_where_its_language_wants_them(japanese):
     assert say("{path} holds {count:,} points.", path="a.laz", count=12345) == "a.laz の点数：12,345"
     assert known("roof & wall") == "屋根と壁"
     assert wording.language() == "ja" and wording.catalogue_path() == japanese
+
+
+def test_a_compiled_catalogue_says_what_its_source_says():
+    source = Path(__file__).parents[2] / "resources" / "translations" / "urbanmap_ja.ts"
+    told, compiled = read_catalogue(source), read_catalogue(source.with_suffix(".qm"))
+    # A compiled one leaves out what is the same in both languages.
+    assert {text: words for text, words in told.items() if words != text} == \
+        {text: words for text, words in compiled.items() if words != text}
+    assert len(compiled) > 2000
+
+
+@pytest.mark.parametrize("data", [b"", b"<TS/>", b"\x3c\xb8\x64"])
+def test_what_is_no_compiled_catalogue_is_refused(tmp_path, data):
+    (tmp_path / "urbanmap_ja.qm").write_bytes(data)
+    with pytest.raises(ValueError, match="no compiled"):
+        read_catalogue(tmp_path / "urbanmap_ja.qm")
 
 
 def test_what_is_not_or_not_finally_translated_stays_english(japanese):

@@ -7,13 +7,14 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from xml.etree import ElementTree
-from xml.sax.saxutils import quoteattr
+from xml.etree.ElementTree import Element, XMLParser  # nosec B405 # fed by `decoded`, which refuses document types
+from xml.sax.saxutils import quoteattr  # nosec B406 # writes, reads nothing
 
 from ..errors import InputError
 from ..wording import say
 from .files.atomic import written_beside
 from .files.guard import reads
+from .official.xml_stream import decoded
 
 
 @dataclass(frozen=True)
@@ -60,9 +61,13 @@ def read_osm(path: str | os.PathLike) -> OsmFile:
 
     Raises
     ------
-    InputError : it is no OSM XML, or a number in it is none.
+    InputError : it is no OSM XML, has a document type, or a number in it is none.
     """
-    root = ElementTree.parse(path).getroot()
+    parser = XMLParser()  # nosec B314 # `decoded` refuses document types
+    with open(path, "rb") as file:
+        for text, _ in decoded(file, Path(path).name, "a lane map"):
+            parser.feed(text)
+    root = parser.close()
     if root.tag != "osm":
         raise InputError(say("{path} is no OSM file: its outermost element is {tag}, not osm.", path=Path(path).name,
                              tag=root.tag))
@@ -82,7 +87,7 @@ _NUMBERS = ("local_x", "local_y", "ele")
 """Tags of a node that are coordinates, m."""
 
 
-def _element(element: ElementTree.Element, identifier: int) -> OsmNode | OsmWay | OsmRelation:
+def _element(element: Element, identifier: int) -> OsmNode | OsmWay | OsmRelation:
     tags = {tag.attrib["k"]: tag.attrib["v"] for tag in element.iter("tag")}
     if element.tag == "node":
         return OsmNode(identifier, *_degrees(element, identifier, tags), tags)
@@ -93,7 +98,7 @@ def _element(element: ElementTree.Element, identifier: int) -> OsmNode | OsmWay 
     return OsmRelation(identifier, members, tags)
 
 
-def _degrees(element: ElementTree.Element, identifier: int, tags: Mapping[str, str]) -> tuple[float, float]:
+def _degrees(element: Element, identifier: int, tags: Mapping[str, str]) -> tuple[float, float]:
     """Latitude and longitude; NaN where the attributes are empty, as Vector Map Builder leaves them, and local
     coordinates stand in the tags."""
     others = [float(tags[name]) for name in _NUMBERS if name in tags]

@@ -22,7 +22,7 @@ GUIDES = {"start": "sample_city.md", "aerial": "aerial.md", "mobile": "mobile.md
 """Page on the methods of each group, in docs/."""
 
 PICTURES = {
-    "samplecity": "sample_city.png", "buildingmodels": "models_city.jpg", "buildingsfromals": "models_sloped.jpg",
+    "samplecity": "sample_city.jpg", "buildingmodels": "models_city.jpg", "buildingsfromals": "models_sloped.jpg",
     "wallsfrommms": "facades.jpg", "mergebuildingmodels": "facades.jpg", "facadetextures": "facade_texture.jpg",
     "registermms": "survey.jpg", "georeferencemms": "survey.jpg", "exportcitymodel": "tiles_cesium.jpg",
     "overlayonimages": "overlay.jpg",

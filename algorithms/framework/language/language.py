@@ -16,14 +16,12 @@ TRANSLATIONS = Path(__file__).resolve().parents[3] / "resources" / "translations
 def speak_language(code: str = "") -> QTranslator | None:
     """Say everything in the language of QGIS (or of `code`, such as "ja"); None where there is no translation.
 
-    The core reads the translation's source, which needs no Qt; all else Qt's compiled file. The translator speaks as
-    long as it is kept.
+    Qt and the core, which needs no Qt for it, read the same compiled file. The translator speaks as long as it is kept.
     """
-    source = TRANSLATIONS / f"urbanmap_{(code or QgsApplication.locale())[:2]}.ts"
-    compiled = source.with_suffix(".qm")
-    if not (source.is_file() and compiled.is_file()):
+    compiled = TRANSLATIONS / f"urbanmap_{(code or QgsApplication.locale())[:2]}.qm"
+    if not compiled.is_file():
         return None
-    use_catalogue(source)
+    use_catalogue(compiled)
     translator = QTranslator()
     translator.load(str(compiled))
     QCoreApplication.installTranslator(translator)

@@ -65,7 +65,9 @@ def count_of(path: Path) -> int:
     try:
         with closing(sqlite3.connect(path)) as database:
             (table,), = database.execute("SELECT table_name FROM gpkg_contents WHERE table_name != 'layer_styles'")
-            (count,), = database.execute(f'SELECT count(*) FROM "{table}"')
+            # SQLite itself quotes the name.
+            (statement,), = database.execute("SELECT printf('SELECT count(*) FROM \"%w\"', ?)", (table,))
+            (count,), = database.execute(statement)
     except (sqlite3.Error, ValueError):
         return -1
     return count

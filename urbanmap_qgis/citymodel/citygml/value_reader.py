@@ -9,7 +9,7 @@ import re
 from collections.abc import Callable
 from datetime import date
 from typing import Any
-from xml.etree.ElementTree import Element
+from xml.etree.ElementTree import Element  # nosec B405 # elements alone, no parser
 
 from ..model import AttributeGroup, CodeValue, Measure
 

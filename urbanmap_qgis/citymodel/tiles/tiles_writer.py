@@ -8,9 +8,8 @@ from __future__ import annotations
 import json
 import math
 import os
-import pickle
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -26,6 +25,7 @@ from ..model import MULTI_SURFACE, SOLID, CityModel, CityObject, CityReference, 
 from ..objects import unique_objects
 from ..plain_values import plain_attributes
 from .tile_content import TileBuilding, write_tile
+from .tile_scratch import append_building, stored_buildings
 
 GENERATOR = "UrbanMap"
 CELL = 250.0
@@ -90,7 +90,7 @@ def write_tiles(folder: str | os.PathLike, model: CityModel, geoid: GeoidHeights
             origin = (cell.low + cell.high) / 2.0
             centre, axes = earth_centred(origin[None])[0], local_axes(*origin[:2])
             for level in ("blocks", "details"):
-                buildings = list(_sorted(Path(scratch) / f"{column}_{row}.{level}"))
+                buildings = list(stored_buildings(Path(scratch) / f"{column}_{row}.{level}"))
                 with written_beside(target / "tiles" / _file(column, row, level)) as temporary:
                     write_tile(temporary, buildings, centre, axes, model.images)
     document = tileset(cells, _statement(model, geoid))
@@ -190,8 +190,7 @@ def _sort_in(building: CityObject, to_degrees, geoid: GeoidHeights | None, cells
     cell.count += 1
     cell.low, cell.high = np.minimum(cell.low, low), np.maximum(cell.high, high)
     for tile, level in zip(made, ("blocks", "details")):
-        with open(scratch / f"{place[0]}_{place[1]}.{level}", "ab") as file:
-            pickle.dump(tile, file)
+        append_building(scratch / f"{place[0]}_{place[1]}.{level}", tile)
 
 
 def _levels(building: CityObject) -> tuple[list[CityShape], list[CityShape]]:
@@ -235,16 +234,6 @@ def _triangles(shapes: list[CityShape], textured: bool, attributes: Mapping[str,
     fixed = np.split(earth_centred(degrees), ends)
     return TileBuilding(attributes, {look: piece.reshape(-1, 3, 3) for look, piece in zip(looks, fixed)},
                         {look: np.concatenate(found) for look, found in places.items()}), degrees
-
-
-def _sorted(path: Path) -> Iterator[TileBuilding]:
-    """Buildings of a cell's scratch file."""
-    with open(path, "rb") as file:
-        while True:
-            try:
-                yield pickle.load(file)
-            except EOFError:
-                return
 
 
 def _file(column: int, row: int, level: str) -> str:

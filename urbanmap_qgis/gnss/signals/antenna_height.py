@@ -157,4 +157,3 @@ def _height_steps(value: np.ndarray, sigma: np.ndarray, unknowns: sparse.csr_mat
             if abs(solution[0] - before) < 1e-2:
                 break
     return solution, weight
-

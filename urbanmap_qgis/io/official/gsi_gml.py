@@ -6,7 +6,9 @@ import sys
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from xml.etree.ElementTree import Element, ParseError, XMLPullParser
+
+# Fed by `decoded`, which refuses document types.
+from xml.etree.ElementTree import Element, ParseError, XMLPullParser  # nosec B405
 
 from ...errors import InputError
 from ...progress import SILENT, Progress

@@ -6,7 +6,9 @@ import codecs
 import re
 from collections.abc import Iterator
 from typing import IO
-from xml.etree.ElementTree import Element, ParseError, XMLPullParser
+
+# Fed by `decoded`, which refuses document types.
+from xml.etree.ElementTree import Element, ParseError, XMLPullParser  # nosec B405
 
 from ...errors import InputError
 from ...progress import SILENT, Progress

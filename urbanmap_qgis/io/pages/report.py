@@ -249,7 +249,6 @@ class Report:
         with written_beside(path) as temporary:
             temporary.write_text(page, encoding="utf-8")
 
-
     def note(self, text: str) -> None:
         """Add a note of whoever made the run; one of settings ("name: value; name: value") becomes a table."""
         pairs = [part.partition(": ") for part in text.split("; ")]

@@ -38,14 +38,21 @@ class WallMap:
         return cls(walls, WallObstacles.of(walls), np.asarray(sigma, float))
 
     def feet(self, xy: np.ndarray, reach: float) -> np.ndarray:
-        """(n,) median height of the feet of the walls nearest to places (n, 2), m; NaN farther away than `reach`."""
+        """(n,) median height of the feet of the walls nearest to places (n, 2), m; NaN farther away than `reach`.
+
+        The foot of a wall is that of its building: a tower's walls begin on its podium, far above the ground.
+        """
+        foot = np.full(int(self.walls.building.max(initial=-1)) + 1, np.inf)
+        lowest = self.walls.low.min(axis=1)
+        stands = np.isfinite(lowest)
+        np.minimum.at(foot, self.walls.building[stands], lowest[stands])
         known = np.flatnonzero(np.isfinite(self.walls.low).all(axis=1))
         if not len(known):
             return np.full(len(xy), np.nan)
         tree = cKDTree((self.walls.start[known] + self.walls.end[known]) / 2)
         count = min(_FEET, len(known))
         distance, number = tree.query(xy, k=count)
-        low = self.walls.low[known].min(axis=1)[number.reshape(len(xy), count)]
+        low = foot[self.walls.building[known]][number.reshape(len(xy), count)]
         low[distance.reshape(len(xy), count) > reach] = np.nan
         found = np.full(len(xy), np.nan)
         some = np.isfinite(low).any(axis=1)

@@ -38,7 +38,6 @@ class WallScan:
     covered: np.ndarray
 
 
-
 AZIMUTHS = 240
 """Rays of a layer that are followed."""
 

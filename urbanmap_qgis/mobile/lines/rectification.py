@@ -444,4 +444,3 @@ def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[st
                            float(off_before[some].mean()), float(off_after[some].mean()), fit,
                            float(predicted.get(k, np.nan)), str(status[k])))
     return tuple(made)
-

@@ -30,7 +30,8 @@ def above_ground(points: np.ndarray, ground: Heights | None = None) -> np.ndarra
 
     `ground` : heights at places x, y; without it the ground is found among the points.
     """
-    assert points.dtype == POINT
+    if points.dtype != POINT:
+        raise TypeError(f"points are {points.dtype}, not POINT")
     if not len(points):
         return np.zeros(0)
     if ground is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-import xml.etree.ElementTree as ET
+import xml.etree.ElementTree as ET  # nosec B405 # writes, reads nothing
 from dataclasses import dataclass
 
 import numpy as np

@@ -438,5 +438,3 @@ def strip_middle(section: RoadSection, strip: Strip) -> tuple[float, float]:
     at = (strip.start + strip.end) / 2.0
     place = (section.tracks[strip.right].place(at) + section.tracks[strip.left].place(at)) / 2.0
     return float(place[0]), float(place[1])
-
-

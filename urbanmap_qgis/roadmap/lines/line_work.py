@@ -101,7 +101,6 @@ class RoadArea:
     score: float
     colour: str
 
-
     @property
     def multipolygon(self) -> shapely.MultiPolygon:
         """The outline as a multipolygon, with heights where it has them."""

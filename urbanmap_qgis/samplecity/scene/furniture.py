@@ -216,5 +216,3 @@ def _elevated_road(ground: Ground, size: float) -> list[Furniture]:
             low = z - 1.3 + ground.slope[0] * along
             things.append(Furniture(beam, low, low + 1.4, Material.BRIDGE, FaceKind.BRIDGE))
     return things
-
-
