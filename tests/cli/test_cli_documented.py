@@ -6,7 +6,9 @@ import os
 import re
 import shlex
 import shutil
+import sqlite3
 import subprocess
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -74,6 +76,14 @@ def test_commands_of_a_page_run(page, folder, done_before):
         missing = [name for name in outputs_of(command) if not (folder / name).exists()]
         assert not missing, f"{command}\n{done.stdout}"
         done_before.add(command)
+    if page.name == "README.md":
+        assert statuses(folder / "accuracy.gpkg") <= {"ok", "slides along the street"}
+
+
+def statuses(path: Path) -> set[str]:
+    """What is said of the places of a map of localisation accuracy."""
+    with closing(sqlite3.connect(path)) as database:
+        return {status for status, in database.execute("SELECT status FROM accuracy")}
 
 
 def test_launcher_lists_helps_and_refuses(folder):

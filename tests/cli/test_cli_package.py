@@ -40,8 +40,8 @@ def unpacked(package, tmp_path_factory):
 
 def test_plugin_repository_finds_nothing_unsafe(unpacked):
     """Its scan: any finding of Bandit's rules keeps an upload back. A waived one has its reason beside it."""
-    done = subprocess.run([sys.executable, "-m", "bandit", "-q", "-r", "-f", "json", str(unpacked)], capture_output=True,
-                          text=True, check=False)
+    done = subprocess.run([sys.executable, "-m", "bandit", "-q", "-r", "-f", "json", str(unpacked)],
+                          capture_output=True, text=True, check=False)
     told = json.loads(done.stdout)
     assert not told["results"] and not told["errors"] and done.returncode == 0
     assert told["metrics"]["_totals"]["loc"] > 40000

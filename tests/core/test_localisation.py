@@ -205,6 +205,20 @@ def test_markings_of_another_height_system_are_not_used():
     assert MARKING_HEIGHTS_DIFFER in made.status[0] and np.isnan(made.sigma["markings"]).all()
 
 
+def test_ground_beside_a_tower_is_the_foot_of_its_podium():
+    """Most walls near the road are a tower's, which begin 24 m above it."""
+    podium, tower = shapely.box(-40, 10, 40, 60), shapely.box(-6, 11, 6, 23)
+    walls = building_walls(np.array([podium, tower], object), np.array([7, 7]), np.array([36.0, 60.0]),
+                           np.array([12.0, 36.0]))
+    found = WallMap.of(walls, wall_sigmas(walls, 0.3)).feet(np.array([[0.0, 5.0], [0.0, -500.0]]), 60.0)
+    assert found[0] == 12.0 and np.isnan(found[1])
+
+
+def test_walls_that_reach_down_without_end_tell_no_foot():
+    walls = building_walls(np.array([shapely.box(0, 0, 9, 9)], object), None, np.array([20.0]), np.array([np.nan]))
+    assert np.isnan(WallMap.of(walls, wall_sigmas(walls, 0.3)).feet(np.zeros((1, 2)), 60.0)).all()
+
+
 def test_places_along_lines_and_drives():
     made = places_on_roads([None, shapely.LineString([(0, 0), (20, 0), (20, 10)])], 5.0)
     assert len(made) == 6 and made.street.tolist() == [1] * 6 and made.step.sum() == pytest.approx(30)
