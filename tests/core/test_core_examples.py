@@ -1,0 +1,42 @@
+"""The examples of the page of the core run as they stand there."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+PAGES = Path(__file__).resolve().parents[2] / "docs" / "api"
+CORE = PAGES.parents[1] / "urbanmap_qgis"
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("ignore::rasterio.errors.NotGeoreferencedWarning")
+def test_examples_run(small_city, tmp_path, monkeypatch):
+    (tmp_path / "city").symlink_to(small_city)
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for block in re.findall(r"```python\n(.*?)```", (PAGES / "index.md").read_text(encoding="utf-8"), re.DOTALL):
+        exec(compile(block, block.split("\n")[0], "exec"), names)
+    error = abs(names["registered"].correction.value[:, :2]).max(axis=1)
+    assert 0.1 < error.mean() < 3.0, "the survey was moved by about what it was wrong"
+    assert sum(bool(model.solids) for model in names["models"]) > 0.8 * len(names["models"]) > 0
+    assert names["walls"] and names["work"].lines and (names["seen"].satellites > 3).any()
+    assert 0.0 < names["accuracy"].ellipse.major[0] < 5.0
+
+
+def test_each_room_has_its_page():
+    rooms = {path.parent.name for path in CORE.glob("*/__init__.py")}
+    assert rooms and rooms == {path.stem for path in PAGES.glob("*.md")} - {"index"}
+    assert all(f"::: urbanmap_qgis.{room}\n" in (PAGES / f"{room}.md").read_text(encoding="utf-8") for room in rooms)
+
+
+def test_items_of_docstrings_go_below_their_names():
+    from scripts.api_docstrings import as_numpydoc
+
+    text = ("What.\n\nParameters\n----------\nx, y : (n,) m.\n    More: words.\nkind : which.\n\n"
+            "Returns\n-------\n(n,) m.\n")
+    assert as_numpydoc(text).splitlines() == [
+        "What.", "", "Parameters", "----------", "x, y", "    (n,) m.", "    More: words.", "kind", "    which.", "",
+        "**Returns**", "", "(n,) m."]
