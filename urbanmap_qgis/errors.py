@@ -34,6 +34,13 @@ class Cancelled(UrbanMapError):
         super().__init__(message)
 
 
+def trouble_words(error: BaseException) -> str:
+    """What is told of one building that could not be worked on, where the others are."""
+    if isinstance(error, MemoryError):
+        return say("the memory was not enough for it")
+    return str(error) if isinstance(error, UrbanMapError) else f"{type(error).__name__}: {error}"
+
+
 SYSTEM_TROUBLES = (OSError, MemoryError, sqlite3.OperationalError)
 """What a system without room raises."""
 

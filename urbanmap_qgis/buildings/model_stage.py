@@ -9,8 +9,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import shapely
 
-from ..errors import InputError, InsufficientDataError
-from ..execution import in_order
+from ..errors import Cancelled, InputError, InsufficientDataError, trouble_words
+from ..execution import checkpoint, in_order
 from ..geometry.grid import Grid
 from ..geometry.solid import Solid
 from ..io.points.pointcloud import PointCloud, PointLayout
@@ -53,6 +53,9 @@ MIN_CELLS = 10
 
 NEIGHBOUR_RANGE, NEIGHBOURS = 100.0, 5
 """Distance (m) within which, and number of nearest outlines from which, an unknown ground height is taken."""
+
+MOST_FIT_POINTS = 50_000
+"""Points of one building that the figures of fit are taken from; of more a regular choice."""
 
 KNOWN, FROM_NEIGHBOURS, ASSUMED = "", "taken from its neighbours", f"assumed {STOREY} m under its lowest roof"
 """Where a base height comes from."""
@@ -226,10 +229,16 @@ def _model_piece(piece: tuple[np.ndarray, ModelPiece]) -> tuple[np.ndarray, list
     rows, block = piece
     made = []
     for place, number in enumerate(block.ids.tolist()):
+        checkpoint()
         points = None if block.points is None else block.points[place]
-        made.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place],
-                                   float(block.base[place]), points, block.sloped, block.source[place],
-                                   float(block.open_share[place])))
+        base = float(block.base[place])
+        try:
+            made.append(model_building(number, block.outlines[place], block.notes[place], block.roofs[place], base,
+                                       points, block.sloped, block.source[place], float(block.open_share[place])))
+        except Cancelled:
+            raise
+        except Exception as error:  # one building's trouble is not the others'
+            made.append(BuildingModel(number, (), base, 0, NOT_MODELLED, trouble_words(error), quality=0.0))
     return rows, made
 
 
@@ -246,6 +255,10 @@ def model_building(number: int, outline: shapely.Geometry | None, note: str, roo
     status, reason = OK, note
     if (roofs.roof_id == 0).all():
         status, reason = BLOCK, say("too few points for roofs; {note}", note=note).rstrip("; ")
+    told = next((str(words) for words in roofs.status if SIMPLIFIED in str(words)), "")
+    if told:
+        why = told[told.index(SIMPLIFIED) + len(SIMPLIFIED):].lstrip(": ")
+        status, reason = SIMPLIFIED, "; ".join(filter(None, (why, note)))
     if source == FROM_NEIGHBOURS and base >= float(roofs.height.min()):
         base = math.nan
     if any(LEVELS_BETTER in str(words) for words in roofs.status):
@@ -325,22 +338,26 @@ def _lost_roofs(points: FitPoints | None, roofs: RoofInput, faces: ModelSurfaces
     said = any(str(status).startswith(LOST_ROOFS) for status in roofs.status)
     if points is None:
         return said
-    absent = ~np.isin(points.roof, [0, *roofs.roof_id.tolist()])
-    xyz = points.xyz[absent]
+    step = -(-len(points.xyz) // MOST_FIT_POINTS)
+    roof = points.roof[::step]
+    absent = ~np.isin(roof, [0, *roofs.roof_id.tolist()])
+    xyz = points.xyz[::step][absent]
     if not len(xyz):
         return False
     cells = faces.cells
     dz = height_differences(*xyz.T, cells)
     far = unexplained_points(*xyz[:, :2].T, dz, surface_distances(*xyz.T, cells, faces.walls), cells)
-    density = np.count_nonzero(points.roof) / faces.ground_area
-    missed, number = xyz[far & np.isfinite(dz)], points.roof[absent][far & np.isfinite(dz)]
+    density = np.count_nonzero(roof) / faces.ground_area
+    missed, number = xyz[far & np.isfinite(dz)], roof[absent][far & np.isfinite(dz)]
     return any(broad_area(missed[number == one], density) >= LOST_AREA for one in np.unique(number))
 
 
 def _measured(model: BuildingModel, points: FitPoints, faces: ModelSurfaces) -> BuildingModel:
     """The model with its figures of fit."""
     on_roof = points.roof > 0
-    fit = model_fit(*np.ascontiguousarray(points.xyz.T), faces.cells, faces.walls, on_roof)
+    step = -(-len(points.xyz) // MOST_FIT_POINTS)
+    fit = model_fit(*np.ascontiguousarray(points.xyz[::step].T), faces.cells, faces.walls, on_roof[::step])
+    fit = replace(fit, points=len(points.xyz))
     plan = shapely.union_all([cell.polygon for cell in faces.cells])
     roof = points.xyz[on_roof]
     density = len(roof) / plan.area

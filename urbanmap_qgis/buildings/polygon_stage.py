@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 import numpy as np
 import shapely
 
-from ..errors import InsufficientDataError
-from ..execution import in_order
+from ..errors import Cancelled, InsufficientDataError, trouble_words
+from ..execution import checkpoint, in_order
 from ..geometry.grid import Grid
 from ..io.points.pointcloud import PointCloud, PointLayout
 from ..progress import SILENT, Progress
@@ -37,7 +37,7 @@ SEGMENT_ROOFS = "Segment roofs"
 CELL = (0.25, 1.0)
 """Least and greatest cell (m) of the raster on which a plan is divided; the density sets it between them."""
 
-BLOCK_STATUS, LOST_ROOFS = "plain block", "lost roofs"
+BLOCK_STATUS, LOST_ROOFS, SIMPLIFIED = "plain block", "lost roofs", "simplified"
 LEVELS_BETTER = "level roofs fit better"
 
 MIN_INNER_POINTS, FLAT_SPREAD, MIN_PARAPET = 10, 0.15, 0.5
@@ -147,28 +147,46 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
     """Number of buildings in a block and their polygons."""
     table = RoofPolygons()
     for number, outline, beside, records in zip(block.ids.tolist(), block.polygons, block.neighbours, block.records):
+        checkpoint()
         if outline is None or not len(records):
             continue
         points = coordinates(block.layout, records)
         roof = records["roof_id"].astype(np.int64)
-        if block.parameters.method == PAPER:
-            _outline_each(table, number, outline, points, roof, block.parameters)
-        elif not roof.any():
-            _add_block(table, number, outline, points[2])
-        else:
-            divide = _divide_planes if block.parameters.roofs == PLANES else _divide_plan
-            plan, status = outline, ""
-            if block.parameters.method == POINTS:
-                plan, status = _outline_of(points, roof, outline, beside)
-            divide(table, number, plan, points, roof, block.parameters, status)
+        own = RoofPolygons()
+        try:
+            _building_polygons(own, number, outline, beside, points, roof, block.parameters)
+        except Cancelled:
+            raise
+        except Exception as error:  # one building's trouble is not the others'
+            own = RoofPolygons()
+            status = f"{SIMPLIFIED}: {trouble_words(error)}"
+            if block.parameters.method != PAPER:
+                _add_block(own, number, outline, points[2][roof > 0] if roof.any() else points[2], status)
+        table.extend(own)
     return len(block.ids), table
 
 
-def _add_block(table: RoofPolygons, number: int, outline: shapely.Geometry, z: np.ndarray) -> None:
+def _building_polygons(table: RoofPolygons, number: int, outline: shapely.Geometry, beside: list[shapely.Geometry],
+                       points: tuple, roof: np.ndarray, parameters: PolygonParameters) -> None:
+    """Rows of one building's polygons."""
+    if parameters.method == PAPER:
+        _outline_each(table, number, outline, points, roof, parameters)
+    elif not roof.any():
+        _add_block(table, number, outline, points[2])
+    else:
+        divide = _divide_planes if parameters.roofs == PLANES else _divide_plan
+        plan, status = outline, ""
+        if parameters.method == POINTS:
+            plan, status = _outline_of(points, roof, outline, beside)
+        divide(table, number, plan, points, roof, parameters, status)
+
+
+def _add_block(table: RoofPolygons, number: int, outline: shapely.Geometry, z: np.ndarray,
+               status: str = BLOCK_STATUS) -> None:
     """Rows of a plain block over the whole outline."""
     height = float(np.median(z))
     for part in shapely.get_parts(outline):
-        _add(table, number, 0, part, height, float(z.max()), z, math.nan, math.nan, BLOCK_STATUS)
+        _add(table, number, 0, part, height, float(z.max()), z, math.nan, math.nan, status)
 
 
 def _add(table: RoofPolygons, number: int, roof_id: int, polygon: shapely.Polygon, height: float, top: float,
@@ -187,7 +205,18 @@ def _divide_planes(table: RoofPolygons, number: int, outline: shapely.Geometry, 
                    parameters: PolygonParameters, outline_status: str = "") -> None:
     """The whole outline divided among its roof planes, or among level roofs where those fit better."""
     xyz = np.column_stack(points)
-    planes = _plane_rows(number, outline, xyz, roof, parameters, outline_status)
+    try:
+        planes = _plane_rows(number, outline, xyz, roof, parameters, outline_status)
+    except Cancelled:
+        raise
+    except Exception as error:  # what planes cannot do, levels may
+        levels = level_roof_numbers(outline, xyz, roof)
+        if not levels.any():
+            raise
+        status = f"{SIMPLIFIED}: {trouble_words(error)}"
+        _divide_plan(table, number, outline, points, levels, parameters,
+                     f"{status}; {outline_status}" if outline_status else status)
+        return
     high = high_points(xyz, roof)
     off = roof_misfit(planes.polygon, high)
     if off > SUSPECT:

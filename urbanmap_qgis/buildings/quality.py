@@ -7,6 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ..execution import checkpoint
+
 BEST_SHARE = 0.95
 """Share of the points, those that fit best, that the trimmed RMSE is taken over."""
 
@@ -140,12 +142,14 @@ def surface_distances(x: np.ndarray, y: np.ndarray, z: np.ndarray, cells: list[R
     for cell, own in zip(cells, below):
         nearest[own] = np.minimum(nearest[own], _roof_distances(x[own], y[own], z[own], cell, at_place=True))
     for cell, own in zip(cells, below):
+        checkpoint()
         near = _within_reach(x, y, z, cell, nearest + ROUNDING)
         near[own] = False
         near = np.flatnonzero(near)
         if len(near):
             nearest[near] = np.minimum(nearest[near], _roof_distances(x[near], y[near], z[near], cell))
     for start in range(0, len(walls), 64):  # bounds the memory of points times walls
+        checkpoint()
         nearest = np.minimum(nearest, _wall_distances(x, y, z, walls[start:start + 64], nearest))
     return nearest
 

@@ -10,9 +10,11 @@ from dataclasses import astuple, dataclass
 import numpy as np
 import shapely
 
-from ..execution import in_order
+from ..errors import Cancelled, trouble_words
+from ..execution import checkpoint, in_order
 from ..io.points.pointcloud import PointCloud, PointLayout, cloud_writer
 from ..progress import SILENT, Progress
+from ..wording import say
 from .building_points import coordinates, iter_building_blocks, require_dimension
 from .outlines.footprint import Footprints
 from .planes.plane_detection import PlaneParameters
@@ -81,7 +83,10 @@ def segment_cloud_roofs(cloud: PointCloud, footprints: Footprints, output: str |
               for rows, records in iter_building_blocks(cloud, layout, footprints.ids, progress.part(0.2, 0.4)))
     done = 0
     with cloud_writer(output, layout) as writer:
-        for rows, records, roofs in in_order(_segment_block, blocks, executor, progress.check):
+        for rows, records, roofs, troubles in in_order(_segment_block, blocks, executor, progress.check):
+            for row, words in troubles:
+                progress.warn(say("Building {number} has no roofs: {words}.", number=int(footprints.ids[row]),
+                                  words=words))
             for row, result in zip(rows, roofs):
                 rows_of_roofs.extend((int(footprints.ids[row]), *values) for values in result)
             writer.write(records)
@@ -106,17 +111,25 @@ def measured_density(cloud: PointCloud, layout: PointLayout, footprints: Footpri
     return float(np.median(positive)) if positive else 1.0
 
 
-def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[list[tuple]]]:
-    """Rows, records with `roof_id`, and the rows of the roofs of each building of a block."""
+def _segment_block(block: RoofBlock) -> tuple[np.ndarray, np.ndarray, list[list[tuple]], list[tuple[int, str]]]:
+    """Rows, records with `roof_id`, the rows of the roofs of each building of a block, and which of them failed and
+    why: these have no roofs."""
     results: list[list[tuple]] = []
-    for polygon, records, ground in zip(block.polygons, block.records, block.ground):
-        if polygon is None or not len(records):
-            results.append([])
-            continue
-        records["roof_id"], rows = _segment_building(block, polygon, records, ground)
+    troubles: list[tuple[int, str]] = []
+    for row, polygon, records, ground in zip(block.rows, block.polygons, block.records, block.ground):
+        checkpoint()
+        rows: list[tuple] = []
+        if polygon is not None and len(records):
+            try:
+                records["roof_id"], rows = _segment_building(block, polygon, records, ground)
+            except Cancelled:
+                raise
+            except Exception as error:  # one building's trouble is not the others'
+                records["roof_id"] = 0
+                troubles.append((int(row), trouble_words(error)))
         results.append(rows)
     joined = np.concatenate(block.records) if block.records else np.zeros(0, block.layout.dtype)
-    return block.rows, joined, results
+    return block.rows, joined, results, troubles
 
 
 def _segment_building(block: RoofBlock, polygon: shapely.Geometry, records: np.ndarray,

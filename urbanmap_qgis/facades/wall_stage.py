@@ -224,24 +224,22 @@ def _depth(plan: shapely.Geometry, plane: WallPlane, flat: shapely.Polygon) -> f
 
 def _behind_another(plane: WallPlane, contour: Contour,
                     planes: Sequence[tuple[WallPlane, Sequence[Contour]]]) -> bool:
-    """Whether walls that face the same way stand before a wall, along a good part of it.
+    """Whether walls that face the same way stand before a good part of a wall, by its length and its height.
 
-    An outline that is too large has its facade inside, and nothing stands before that; a setback has the wall below
-    it before it, a room the facade with its windows.
+    An outline that is too large has its facade inside, and nothing stands before that but a canopy, a sign, a garden
+    wall or a hoarding, which hide a strip of it; a room has the facade with its windows before it.
     """
-    low, _, high, _ = contour.polygon.bounds
+    own = shapely.box(*contour.polygon.bounds)
     covered = []
     for other, contours in planes:
         if other.normal @ plane.normal < _FACING:
             continue
         for one in contours:
-            left, _, right, _ = one.polygon.bounds
-            ends = other.point + np.outer([left, (left + right) / 2, right], other.axes[0])
-            if plane.distance(ends)[1] > _BEFORE:
-                span = np.sort(in_plane(plane, ends)[[0, 2], 0])
-                covered.append(shapely.box(max(span[0], low), 0, min(max(span[1], low), high), 1)
-                               if span[0] < high else shapely.Polygon())
-    return bool(shapely.union_all(covered).area > _OVERLAP * (high - low)) if covered else False
+            corners = shapely.get_coordinates(on_map(other, shapely.box(*one.polygon.bounds)), include_z=True)[:-1]
+            if np.mean(plane.distance(corners)) > _BEFORE:
+                flat = in_plane(plane, corners)
+                covered.append(shapely.intersection(shapely.box(*flat.min(axis=0), *flat.max(axis=0)), own))
+    return bool(shapely.union_all(covered).area > _OVERLAP * own.area) if covered else False
 
 
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:

@@ -187,6 +187,12 @@ class WallsAlong:
     rotation: float
     measured: float
 
+    @property
+    def area_along(self) -> float:
+        """Area of the walls before the edge, m2."""
+        length = self.wall.right - self.wall.left
+        return self.wall.area * min(float(np.diff(self.spans, axis=1).sum()) / max(length, 1e-9), 1.0)
+
 
 def walls_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings
                 ) -> list[WallsAlong]:
@@ -250,20 +256,21 @@ def _union(spans: np.ndarray) -> np.ndarray:
 def steps_along(edge: OuterEdge, walls: WallIndex, base: float, top: float, settings: MergeSettings) -> list[float]:
     """Where the facade along an edge steps (bay, recess), m from its start: between walls of different depth.
 
-    Of walls that lie over each other the one along more of the edge has the place.
+    Of walls that lie over each other the larger one has the place.
     """
     free = [(0.0, edge.length)]
     pieces: list[tuple[float, float, int]] = []
     found = [one for one in walls_along(edge, walls, base, top, settings)
              if abs(one.offset) <= settings.max_offset and abs(one.rotation) <= settings.max_rotation]
-    for number, one in enumerate(sorted(found, key=lambda one: -one.measured)):
+    ordered = sorted(found, key=lambda one: -one.area_along)
+    for number, one in enumerate(ordered):
         own = [(max(low, start), min(high, end)) for low, high in one.spans for start, end in free
                if min(high, end) - max(low, start) >= _MIN_PIECE]
         pieces += [(low, high, number) for low, high in own]
         for low, high in own:
             free = [part for start, end in free for part in ((start, min(low, end)), (max(high, start), end))
                     if part[1] > part[0]]
-    depth = [one.offset for one in sorted(found, key=lambda one: -one.measured)]
+    depth = [one.offset for one in ordered]
     pieces.sort()
     breaks = [(before[1] + after[0]) / 2 for before, after in zip(pieces[:-1], pieces[1:])
               if abs(depth[before[2]] - depth[after[2]]) > _STEP and after[0] - before[1] < _STEP_GAP]
@@ -285,7 +292,8 @@ def match_edge(edge: OuterEdge, walls: WallIndex, base: float, top: float, setti
         found.append(one)
     if not found:
         return far or EdgeMatch(NOT_SEEN, "no measured wall runs along it")
-    best = max(found, key=lambda one: (round(one.measured, 2), one.wall.area))
+    # What is longer but low stands before the facade: a canopy, a sign, a garden wall, a hoarding.
+    best = max(found, key=lambda one: (round(one.area_along, 1), one.measured))
     others = [one for one in found
               if one is not best and abs(one.offset - best.offset) > _STEP and one.measured > 0.25]
     note = say("{others_count} more wall{value} at another depth along it", others_count=len(others),

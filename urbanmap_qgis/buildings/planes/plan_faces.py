@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
+from ...errors import InsufficientDataError
 from ...execution import checkpoint
+from ...wording import say
 from ..polygons.plan_arrangement import GRID, common_borders
 from .alpha_expansion import expand_labels
 from .label_raster import LabelRaster
@@ -40,6 +42,9 @@ FAR = 6.0
 FAR_COST = 14.0
 """Cost (m) of a plane that lies farther away: the greatest that a near one can have."""
 
+MOST_FACES = 40_000
+"""Faces above which a plan is not divided: planes of noise or of trees, and no limit that a real roof meets."""
+
 _AT_ONCE, _TABLE = 20_000, 1_000_000
 """Places that are looked up at once, and entries of the largest table that is made of them."""
 
@@ -56,7 +61,18 @@ class PlanFaces:
 
 
 def plan_faces(outline: shapely.Geometry, segments: np.ndarray) -> PlanFaces:
-    """Cut an outline by segments (m, 2, 2); loose ends cut nothing."""
+    """Cut an outline by segments (m, 2, 2); loose ends cut nothing.
+
+    Raises
+    ------
+    InsufficientDataError : the segments would cut more than about `MOST_FACES` faces.
+    """
+    # Lines of a total length l meet about l2 / (pi area) times, and so many faces they make.
+    total = float(np.hypot(*(segments[:, 1] - segments[:, 0]).T).sum())
+    expected = len(segments) + total**2 / (np.pi * max(outline.envelope.area, 1e-9))
+    if expected > MOST_FACES:
+        raise InsufficientDataError(say("its points lie on so many planes that they would cut its plan into about "
+                                        "{faces:.0f} faces, more than {most}", faces=expected, most=MOST_FACES))
     network = shapely.union_all(np.append(shapely.linestrings(segments), shapely.boundary(outline)), grid_size=GRID)
     pieces = shapely.get_parts(shapely.polygonize([network]))
     inside = shapely.get_coordinates(shapely.point_on_surface(pieces))

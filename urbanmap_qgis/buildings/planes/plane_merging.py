@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...execution import checkpoint
 from .plane_moments import moments, solve
 
 
@@ -22,6 +23,7 @@ def merge_planes(points: np.ndarray, neighbours: np.ndarray, label: np.ndarray, 
     owner = np.arange(count)
     costs = {pair: _cost(table, squares, *pair) for pair in beside}
     while costs:
+        checkpoint()
         (one, two), cost = min(costs.items(), key=lambda item: (item[1], item[0]))
         if cost > tolerance**2:
             break

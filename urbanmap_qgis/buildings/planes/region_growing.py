@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...execution import checkpoint
 from .plane_moments import moments_of, plane_distances, solve
 
 RADIUS = 0.8
@@ -80,6 +81,7 @@ def grow_planes(points: np.ndarray, around: Surroundings, tolerance: float, fewe
     tried = np.zeros(len(points), bool)
     number = failures = 0
     for seed in np.argsort(around.roughness, kind="stable").tolist():
+        checkpoint()
         if not free[seed] or tried[seed] or around.roughness[seed] > tolerance:
             continue
         members = _grown(points, around, normals, free, seed, tolerance, fewest)

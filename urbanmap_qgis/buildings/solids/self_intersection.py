@@ -11,6 +11,8 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
+from ...execution import checkpoint
+
 TOUCH = 1e-6
 """An edge nearer to a face than this (m) touches it."""
 
@@ -59,6 +61,7 @@ def _near_pairs(points, edges, owners, vertex, face_of) -> Iterator[tuple[np.nda
     edge_low, edge_high = ends.min(axis=1), ends.max(axis=1)
     block = max(1, _PAIRS_AT_ONCE // len(face_low))
     for first in range(0, len(edges), block):
+        checkpoint()
         part = slice(first, first + block)
         near = np.ones((len(edges[part]), len(face_low)), dtype=bool)
         for k in range(3):
