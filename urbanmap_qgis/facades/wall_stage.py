@@ -40,7 +40,11 @@ _PODIUM = 8.0
 
 _BEFORE = 0.3
 _OVERLAP = 0.3
-"""Distance (m) and share of its length by which a wall stands before another."""
+"""Distance (m) by which, and share of its area of which, a wall stands before another."""
+
+_STEP = 0.5
+_STOREY = 3.2
+"""A wall from the ground up to this height, m, is no garden wall or hoarding: what begins at its top stands on it."""
 
 _FACING = 0.94
 _MIN_EDGE_COSINE = 0.966
@@ -227,9 +231,12 @@ def _behind_another(plane: WallPlane, contour: Contour,
     """Whether walls that face the same way stand before a good part of a wall, by its length and its height.
 
     An outline that is too large has its facade inside, and nothing stands before that but a canopy, a sign, a garden
-    wall or a hoarding, which hide a strip of it; a room has the facade with its windows before it.
+    wall or a hoarding, which hide a strip of it. A room has the facade with its windows before it, a setback the wall
+    of the storeys below: this counts as if it went on upwards.
     """
     own = shapely.box(*contour.polygon.bounds)
+    foot = float(_heights(plane, own).min())
+    ground = min(float(_heights(other, one.polygon).min()) for other, contours in planes for one in contours)
     covered = []
     for other, contours in planes:
         if other.normal @ plane.normal < _FACING:
@@ -237,9 +244,17 @@ def _behind_another(plane: WallPlane, contour: Contour,
         for one in contours:
             corners = shapely.get_coordinates(on_map(other, shapely.box(*one.polygon.bounds)), include_z=True)[:-1]
             if np.mean(plane.distance(corners)) > _BEFORE:
-                flat = in_plane(plane, corners)
-                covered.append(shapely.intersection(shapely.box(*flat.min(axis=0), *flat.max(axis=0)), own))
+                flat, z = in_plane(plane, corners), corners[:, 2]
+                (left, low), (right, high) = flat.min(axis=0), flat.max(axis=0)
+                if z.min() < ground + 1.0 and z.max() > ground + _STOREY and foot > z.max() - _STEP:
+                    high = own.bounds[3]
+                covered.append(shapely.intersection(shapely.box(left, low, right, high), own))
     return bool(shapely.union_all(covered).area > _OVERLAP * own.area) if covered else False
+
+
+def _heights(plane: WallPlane, flat: shapely.Polygon) -> np.ndarray:
+    """Heights (n,) of the corners of a polygon in the plane, m."""
+    return shapely.get_coordinates(on_map(plane, flat), include_z=True)[:, 2]
 
 
 def _status(plane: WallPlane, points: int, seen: WallCoverage, depth: float) -> tuple[str, str]:
