@@ -36,11 +36,19 @@ class UrbanMapPlugin:
         from qgis.PyQt.QtWidgets import QAction
 
         for label, work in ((tr("Sample city…"), self.make_sample_city), (tr("Documentation"), self.show_documentation),
-                            (tr("Install Python packages…"), self.install_packages)):
+                            (tr("Install Python packages…"), self.install_packages),
+                            (tr("Diagnostics…"), self.show_diagnostics)):
             action = QAction(self.provider.icon(), label, self.iface.mainWindow())
             action.triggered.connect(work)
             self.iface.addPluginToMenu("UrbanMap", action)
             self.actions.append(action)
+        self.offer_packages()
+
+    def offer_packages(self):
+        """Say once, in the message bar, what packages are missing, with a button that installs them."""
+        from .framework.packages.install import PackagesBar
+
+        PackagesBar.offer(self.iface, self.install_packages)
 
     def make_sample_city(self):
         """Show the dialog of the algorithm that makes data to try everything."""
@@ -64,6 +72,13 @@ class UrbanMapPlugin:
         from .framework.packages.install import InstallDialog
 
         self.dialog = InstallDialog(self.iface.mainWindow())
+        self.dialog.show()
+
+    def show_diagnostics(self):
+        """Show versions, packages and providers as one text to copy."""
+        from .framework.packages.diagnostics import DiagnosticsDialog
+
+        self.dialog = DiagnosticsDialog(self.iface.mainWindow())
         self.dialog.show()
 
     def unload(self):

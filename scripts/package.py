@@ -49,7 +49,8 @@ def check_metadata(root: Path) -> None:
 def changelog(root: Path) -> str:
     """The latest section of CHANGELOG.md as metadata takes it: lines that go on are indented."""
     text = (root / "CHANGELOG.md").read_text(encoding="utf-8")
-    latest = re.split(r"^## .*$", text, flags=re.MULTILINE)[1]
+    sections = re.split(r"^## .*$", text, flags=re.MULTILINE)[1:]
+    latest = next(section for section in sections if section.strip())  # what is not released may be nothing yet
     lines = [line.strip() for line in latest.splitlines() if line.strip()]
     return "\n ".join(line.replace("### ", "") for line in lines)
 

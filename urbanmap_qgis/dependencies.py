@@ -47,11 +47,16 @@ class Package:
 
     @property
     def requirement(self) -> str:
-        """What pip is asked for, such as ``shapely>=2.0``."""
+        """What pip is asked for, such as ``shapely~=2.0`` (2.0 or newer, below 3).
+
+        Said without "less than" where that can be: windows take it for the start of a tag, shells for a file.
+        """
         limits = []
+        first = self.below or self.tested_below
+        if len(self.minimum) == 2 and first == (self.minimum[0] + 1,):
+            return f"{self.distribution}~={self.minimum[0]}.{self.minimum[1]}"
         if self.minimum:
             limits.append(">=" + ".".join(map(str, self.minimum)))
-        first = self.below or self.tested_below
         if first:
             limits.append("<" + ".".join(map(str, first)))
         return self.distribution + ",".join(limits)
@@ -71,7 +76,8 @@ class Missing:
                         "QGIS, without the plugin that loads it)", requirement=self.package.requirement,
                         found_version=self.found_version, in_the_way=self.in_the_way))
         if self.found_version:
-            return f"{self.package.requirement} (found {self.found_version})"
+            return say("{requirement} (found {found_version})", requirement=self.package.requirement,
+                       found_version=self.found_version)
         return self.package.distribution
 
 
@@ -261,28 +267,26 @@ def install_command(missing: Sequence[Missing], folder: str | os.PathLike) -> li
     """
     pin = [] if any(item.package.import_name == "numpy" for item in missing) else numpy_pin()
     # rasterio's affine 3 does not work beside the attrs of older systems, which is found first.
-    pin += ["affine<3"] if any(item.package.import_name == "rasterio" for item in missing) else []
+    pin += ["affine~=2.0"] if any(item.package.import_name == "rasterio" for item in missing) else []
     return [python_executable(), "-m", "pip", "install", "--upgrade", "--target", str(folder),
             *pin, *(item.package.requirement for item in missing)]
 
 
 def shown_command(arguments: Sequence[str]) -> str:
-    """A command as one types it into this platform's shell."""
-    if platform.system() == "Windows":
-        return subprocess.list2cmdline(arguments)
-    return " ".join(f'"{part}"' if re.search(r"[^\w./=:+-]", part) else part for part in arguments)
+    """A command as one types it into this platform's shell: no part is taken apart, or for a file to write to."""
+    plain = r"[^\w./=:+~\\-]" if platform.system() == "Windows" else r"[^\w./=:+-]"
+    return " ".join(f'"{part}"' if re.search(plain, part) else part for part in arguments)
 
 
 def missing_message(missing: Sequence[Missing], folder: str | os.PathLike) -> str:
     """One text that names the missing packages and says how they are installed here."""
     names = ", ".join(str(item) for item in missing)
-    noun = "package" if len(missing) == 1 else "packages"
     missing = [item for item in missing if not item.in_the_way]
     if not missing:
-        return say("Python {noun} in the way: {names}.", noun=noun, names=names)
+        return say("Python packages in the way: {names}.", names=names)
     command = shown_command(install_command(missing, folder))
-    return (f"Python {noun} missing: {names}. Install with the menu Plugins > UrbanMap > Install Python packages, "
-            f"or in a terminal with: {command}")
+    return say("Python packages missing: {names}. Install them with the menu Plugins > UrbanMap > Install Python "
+               "packages, or in a terminal with: {command}", names=names, command=command)
 
 
 def install(

@@ -286,7 +286,7 @@ def test_missing_package_is_named_with_the_command(example, qgis_app, polygon_la
     monkeypatch.setattr(example, "REQUIRES", ("numpy", "urbanmap_absent"))
     possible, message = example().create().canExecute()
     assert not possible
-    assert message.startswith("Python package missing: urbanmap-absent.")
+    assert message.startswith("Python packages missing: urbanmap-absent.")
     assert "-m pip install" in message
     with pytest.raises(QgsProcessingException, match="urbanmap-absent"):
         example().create().run({"FOOTPRINTS": polygon_layer([SQUARE]), "OUTPUT": "memory:"},

@@ -62,7 +62,7 @@ def test_menu_comes_and_goes_with_the_plugin(qgis_app, plugin, monkeypatch):
     desktop.initProcessing = lambda: None
     desktop.initGui()
     assert [action.text() for action in interface.menus["UrbanMap"]] == [
-        "Sample city…", "Documentation", "Install Python packages…"]
+        "Sample city…", "Documentation", "Install Python packages…", "Diagnostics…"]
     desktop.provider = None
     monkeypatch.setattr(sys, "modules", dict(sys.modules))  # other tests go on with those that are loaded
     desktop.unload()
@@ -95,3 +95,47 @@ def test_nothing_to_install(qgis_app, plugin, missing):
     dialog = plugin("algorithms.framework.packages.install").InstallDialog()
     assert not dialog.button.isEnabled()
     assert dialog.label.text() == "All Python packages that UrbanMap needs are there."
+
+
+def test_message_bar_offers_missing_packages_once(qgis_app, plugin, missing, monkeypatch):
+    from types import SimpleNamespace
+
+    from qgis.core import QgsSettings
+    from qgis.gui import QgsMessageBar
+    from qgis.PyQt.QtWidgets import QPushButton
+
+    offered = plugin("algorithms.framework.packages.install").PackagesBar
+    QgsSettings().remove(offered.SETTING)
+    bar, pressed = QgsMessageBar(), []
+    interface = SimpleNamespace(messageBar=lambda: bar)
+    assert offered.offer(interface, lambda: pressed.append(1))
+    line = bar.currentItem()
+    assert line.text() == "Python packages missing: urbanmap-toy." and line.title() == "UrbanMap"
+    (button,) = [item for item in line.findChildren(QPushButton) if item.text() == "Install…"]
+    button.click()
+    assert pressed == [1]
+    assert not offered.offer(interface, pressed.append)  # it was told of the same before
+    missing["missing"] = []
+    QgsSettings().remove(offered.SETTING)
+    assert not offered.offer(interface, pressed.append)
+
+
+def test_diagnostics_name_versions_packages_and_providers(qgis_app, plugin, monkeypatch):
+    import numpy
+    from qgis.core import Qgis
+    from qgis.PyQt.QtGui import QGuiApplication
+
+    module = plugin("algorithms.framework.packages.diagnostics")
+    dialog = module.DiagnosticsDialog()
+    text = dialog.text.toPlainText()
+    assert f"QGIS {Qgis.QGIS_VERSION}" in text and "Python packages" in text
+    assert f"numpy {numpy.__version__}, " in text and "urbanmap (" in text and "  blas: " in text
+    for name in plugin("urbanmap_qgis.dependencies").PACKAGES:
+        assert f"  {name} " in text
+    dialog.button.click()
+    assert QGuiApplication.clipboard().text() == text
+    dependencies = plugin("urbanmap_qgis.dependencies")
+    package = dependencies.Package("urbanmap_absent", "urbanmap-absent", (1, 2), (2,))
+    monkeypatch.setattr(module, "PACKAGES", {"urbanmap_absent": package})
+    monkeypatch.setattr(module, "find_missing", lambda: [dependencies.Missing(package)])
+    assert "urbanmap_absent: missing (urbanmap-absent~=1.2)" in module.diagnostics()

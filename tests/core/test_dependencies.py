@@ -101,13 +101,13 @@ def test_too_old_package_is_missing_and_says_so(monkeypatch, version, found):
     items = find_missing(["shapely"])
     assert bool(items) is found
     if found:
-        assert str(items[0]) == "shapely>=2.0,<3 (found 1.8.5)"
+        assert str(items[0]) == "shapely~=2.0 (found 1.8.5)"
 
 
 def test_opencv_5_is_refused(monkeypatch):
     monkeypatch.setattr(dependencies, "installed_version", lambda package: "5.0.0.1")
     (item,) = find_missing(["cv2"])
-    assert item.package.requirement == "opencv-python-headless>=4.5,<5"
+    assert item.package.requirement == "opencv-python-headless~=4.5"
 
 
 @pytest.mark.parametrize(("text", "numbers"), [("1.24.2", (1, 24, 2)), ("2.0.0rc1", (2, 0, 0)), ("dev", ())])
@@ -117,7 +117,7 @@ def test_version_numbers(text, numbers):
 
 def test_message_names_package_and_command(tmp_path):
     message = missing_message([Missing(TOY)], tmp_path)
-    assert message.startswith("Python package missing: urbanmap-toy.")
+    assert message.startswith("Python packages missing: urbanmap-toy.")
     assert f"numpy=={importlib.metadata.version('numpy')}" in message
     assert str(tmp_path) in message
 
@@ -132,6 +132,28 @@ def test_command_never_asks_for_another_numpy(tmp_path):
 def test_shown_command_quotes_what_a_shell_would_take_apart(monkeypatch):
     monkeypatch.setattr(dependencies.platform, "system", lambda: "Linux")
     assert shown_command(["python3", "-m", "pip", "a b", "x>=1,<2"]) == 'python3 -m pip "a b" "x>=1,<2"'
+
+
+def test_command_for_windows_writes_to_no_file(monkeypatch):
+    monkeypatch.setattr(dependencies.platform, "system", lambda: "Windows")
+    told = shown_command([r"C:\QGIS\python3.exe", r"C:\Users\a b", "numpy>=1.22,<3", "shapely~=2.0"])
+    assert told == r'C:\QGIS\python3.exe "C:\Users\a b" "numpy>=1.22,<3" shapely~=2.0'
+
+
+def test_message_on_all_packages_holds_nothing_that_a_window_takes_for_a_tag(tmp_path):
+    message = missing_message([Missing(item) for name, item in PACKAGES.items() if name != "numpy"], tmp_path)
+    assert "<" not in message and "affine~=2.0" in message
+    assert all(item.requirement in message for name, item in PACKAGES.items() if name != "numpy")
+
+
+@pytest.mark.parametrize(("name", "fits", "not_"), [
+    ("shapely", ("2.0", "2.1.4"), ("1.8.5", "3.0")), ("scikit-image", ("0.19", "0.25.1"), ("0.18", "1.0")),
+    ("rasterio", ("1.3.9", "1.4"), ("1.2", "2.0"))])
+def test_requirement_asks_for_the_versions_that_work(name, fits, not_):
+    specifiers = pytest.importorskip("packaging.requirements")
+    (package,) = (item for item in PACKAGES.values() if item.distribution == name)
+    asked = specifiers.Requirement(package.requirement).specifier
+    assert all(version in asked for version in fits) and not any(version in asked for version in not_)
 
 
 @pytest.mark.parametrize(("system", "executable", "expected"), [

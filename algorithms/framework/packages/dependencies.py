@@ -21,6 +21,12 @@ def activate_profile_packages() -> None:
 
 
 def refusal(import_names: Iterable[str]) -> str:
-    """What is missing of `import_names` and how to install it, or an empty text when all is there."""
-    missing = find_missing(import_names)
-    return missing_message(missing, profile_packages()) if missing else ""
+    """What is missing and how to install it; an empty text when all of `import_names` is there.
+
+    Where one is missing, all that UrbanMap lacks is named, so that one command installs it for every algorithm.
+    """
+    needed = find_missing(import_names)
+    if not needed:
+        return ""
+    more = [item for item in find_missing() if item not in needed]
+    return missing_message([*needed, *more], profile_packages())

@@ -2,14 +2,36 @@
 
 from __future__ import annotations
 
-from qgis.core import QgsApplication, QgsTask
-from qgis.PyQt.QtCore import pyqtSignal
-from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdit, QVBoxLayout
+from qgis.core import Qgis, QgsApplication, QgsSettings, QgsTask
+from qgis.PyQt.QtCore import Qt, pyqtSignal
+from qgis.PyQt.QtWidgets import QDialog, QDialogButtonBox, QLabel, QPlainTextEdit, QPushButton, QVBoxLayout
 
 from ....urbanmap_qgis.dependencies import find_missing, install, install_command, shown_command
 from ....urbanmap_qgis.errors import UrbanMapError
 from ..declaring.parameters import tr
 from .dependencies import profile_packages
+
+
+class PackagesBar:
+    """The line above the map that offers to install what is missing."""
+
+    SETTING = "urbanmap/offered_packages"
+
+    @classmethod
+    def offer(cls, iface, install_packages) -> bool:
+        """Whether the line was shown: once for the same missing packages, so that it can be dismissed for good."""
+        names = [item.package.distribution for item in find_missing()]
+        settings = QgsSettings()
+        if not names or settings.value(cls.SETTING, "") == " ".join(names):
+            return False
+        line = iface.messageBar().createMessage("UrbanMap", tr("Python packages missing: {0}.").format(
+            ", ".join(names)))
+        button = QPushButton(tr("Install…"), line)
+        button.clicked.connect(lambda: (iface.messageBar().popWidget(line), install_packages()))
+        line.layout().addWidget(button)
+        iface.messageBar().pushWidget(line, Qgis.MessageLevel.Warning)
+        settings.setValue(cls.SETTING, " ".join(names))
+        return True
 
 
 class InstallTask(QgsTask):
@@ -50,6 +72,7 @@ class InstallDialog(QDialog):
         self.task = None
         self.missing = find_missing()
         self.label = QLabel(self._summary())
+        self.label.setTextFormat(Qt.TextFormat.PlainText)
         self.label.setWordWrap(True)
         self.output = QPlainTextEdit()
         self.output.setReadOnly(True)
