@@ -23,7 +23,7 @@ from ...urbanmap_qgis.progress import SILENT, Progress
 from .declaring import destinations
 from .declaring.parameters import check_names, tr, with_words
 from .layers import crs as crs_checks
-from .layers import layers, reprojection
+from .layers import layers, reprojection, shown_results
 from .layers.trajectories import TrajectoryParameters, trajectory_exists
 from .packages.dependencies import refusal
 from .running.cluster import scheduler
@@ -66,6 +66,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     KEYWORDS : words under which the toolbox finds it too.
     REQUIRES : import names of the packages it needs.
     KEPT_FOLDERS : folder outputs that are written in their place step by step, so that a later run can go on in them.
+    LASTING_FOLDERS : folder outputs that are asked for in the window: a temporary one is gone when QGIS ends.
     """
 
     ID = ""
@@ -75,6 +76,7 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
     KEYWORDS: tuple[str, ...] = ()
     REQUIRES: tuple[str, ...] = ("numpy", "shapely")
     KEPT_FOLDERS: tuple[str, ...] = ()
+    LASTING_FOLDERS: tuple[str, ...] = ()
 
     # To be implemented by the algorithm
 
@@ -137,6 +139,9 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
 
     def initAlgorithm(self, configuration=None):
         self.declare()
+        for output in self.outputDefinitions():
+            if output.type() == "outputHtml":  # QGIS lists the reports of all runs under this name
+                output.setDescription(f"{self.displayName()}: {output.description()}")
 
     def canExecute(self):
         message = refusal(self.REQUIRES)
@@ -210,11 +215,13 @@ class UrbanMapAlgorithm(TrajectoryParameters, QgsProcessingAlgorithm):
             destinations.close_layers(context, staging)
             staging.publish()
             self.judge(results, feedback)
+            results = destinations.results_outside(results, staging)
+            shown_results.show_files(self, results, context, feedback)
         except UrbanMapError as error:
             if final_text(str(error)) == str(error):
                 raise
             raise type(error)(final_text(str(error))) from error
-        return destinations.results_outside(results, staging)
+        return results
 
     def judge(self, results: Mapping, feedback: QgsProcessingFeedback) -> None:
         """Called when all outputs are in their places; raises where the run must not count as one that went well."""

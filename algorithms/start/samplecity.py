@@ -9,6 +9,7 @@ from qgis.core import QgsProcessingOutputFile, QgsProcessingOutputFolder
 from ...urbanmap_qgis.errors import InputError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import tr
+from ..framework.layers.shown_results import show_layer, shown_after
 from ..framework.running.workers import workers
 
 SCENES = ("canyon", "few markings", "repainted", "elevated road")
@@ -30,6 +31,10 @@ FILES = (
 FOLDERS = (("FRAMES", "Aerial frames", "aerial"), ("GNSS", "GNSS observations", "gnss"),
            ("LINES", "Line scans and line images", "lines"), ("TRUTH", "Truth", "truth"))
 
+SHOWN = (("Conventional orthophoto", "aerial/ortho.tif", ""),
+         ("Official outlines", "footprints/gsi_buildings.gpkg", "gsi_buildings"))
+"""Label, place and style of what a window shows afterwards."""
+
 
 class SampleCity(UrbanMapAlgorithm):
     ID = "samplecity"
@@ -45,6 +50,8 @@ class SampleCity(UrbanMapAlgorithm):
         "and 60 MB.\n"
         "The same seed, size and scene give the same files."
     )
+
+    LASTING_FOLDERS = ("OUTPUT",)
 
     def declare(self):
         self.add_number("SEED", "Seed", "A whole number; every one gives another city.", 1, 0, integer=True)
@@ -90,6 +97,9 @@ class SampleCity(UrbanMapAlgorithm):
                              self.parameterAsString(parameters, "SCENE", context),
                              self.parameterAsInt(parameters, "SEED", context), self.progress(feedback), executor,
                              self._faults(parameters, context))
+        if shown_after(feedback):
+            for label, place, style in SHOWN:
+                show_layer(context, folder / place, tr(label), style)
         places = {name: str(folder / place) for name, _, place in FILES + FOLDERS}
         return {"OUTPUT": str(folder), **places, "BUILDINGS": made["city"]["buildings"],
                 "ALS_POINTS": made["als"]["points"],

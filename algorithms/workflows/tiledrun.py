@@ -10,11 +10,17 @@ from ...urbanmap_qgis.errors import InsufficientDataError, UrbanMapError
 from ..framework.base import UrbanMapAlgorithm
 from ..framework.declaring.parameters import HTML_FILTER, tr
 from ..framework.layers.layers import make_fields
+from ..framework.layers.shown_results import show_layer, shown_after
 from ..framework.running.cluster import check_cluster
 from ..framework.tiles.tiled_algorithms import CUTTABLE, WHOLE
 
 SQUARES, MESHES, SHEETS = "squares", ("mesh1km", "mesh500m", "mesh250m"), ("sheet5000", "sheet2500", "sheet1000",
                                                                          "sheet500")
+
+RASTER_STYLES = {("surfacefromals", "OUTPUT"): "dsm", ("surfacefromals", "OUTPUT_GROUND"): "ground",
+                 ("aerialmarkings", "OUTPUT_GROUND"): "ground", ("aerialmarkings", "OUTPUT"): "marking_mask",
+                 ("roadmarkingsfromorthophoto", "OUTPUT"): "marking_mask"}
+"""Of merged rasters; layers bring theirs in their files."""
 
 
 class TiledRun(UrbanMapAlgorithm):
@@ -23,7 +29,7 @@ class TiledRun(UrbanMapAlgorithm):
     SOURCE = "own"
     KEYWORDS = ("tile", "batch", "grid", "large area", "resume", "overnight", "workflow", "scale")
     REQUIRES = ("numpy", "scipy", "shapely", "pyproj", "rasterio", "laspy", "lazrs", "cv2")
-    KEPT_FOLDERS = ("OUTPUT_FOLDER",)
+    KEPT_FOLDERS = LASTING_FOLDERS = ("OUTPUT_FOLDER",)
     HELP = (
         "Runs another algorithm over an area of any size, tile by tile: each tile reads its part of the inputs with "
         "a buffer around it, and keeps what is its own of the results, so that a building on an edge is there once.\n"
@@ -89,7 +95,12 @@ class TiledRun(UrbanMapAlgorithm):
         with only_run(folder):
             inputs = TiledInputs.read(self, self._stage(parameters, context), self._settings(parameters, context),
                                       self._grid(parameters, context), folder, context, progress.part(0.0, 0.05))
-            return self._run(parameters, context, inputs, folder, progress)
+            results, merged = self._run(parameters, context, inputs, folder, progress)
+        if shown_after(feedback):
+            for name, path in merged.items():
+                show_layer(context, path, inputs.stage.parameterDefinition(name).description(),
+                           RASTER_STYLES.get((inputs.stage.name(), name), ""))
+        return results
 
     def _run(self, parameters, context, inputs, folder, progress):
         from ...urbanmap_qgis.tiling.journal import DONE, EMPTY, FAILED, kept_record
@@ -122,7 +133,7 @@ class TiledRun(UrbanMapAlgorithm):
         report = self._report(parameters, context, inputs, [records[tile.name] for tile in tiles], kept)
         layer = self._write(parameters, context, inputs, tiles, records, progress.part(0.97, 1.0))
         return {"OUTPUT": layer, "OUTPUT_FOLDER": str(folder), "OUTPUT_REPORT": report, "TILES": len(tiles),
-                "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}
+                "DONE": count[DONE], "EMPTY": count[EMPTY], "FAILED": count[FAILED], "KEPT": kept}, merged
 
     def judge(self, results, feedback):
         """A run with failed tiles is none that went well: scripts and schedulers see it by the exit code."""

@@ -10,9 +10,10 @@ from .symbols import arrow_along, fill, marker, rules
 
 
 def tiles(layer) -> None:
-    """Tiles of a run by what became of them."""
-    entries = [("done", "\"status\" = 'done'", fill("#5fa777")), ("empty", "\"status\" = 'empty'", fill("#d5d9dc")),
-               ("failed (see table)", "\"status\" = 'failed'", fill("#c8443a"))]
+    """Outlines of a run's tiles by what became of them: the results show through."""
+    entries = [("done", "\"status\" = 'done'", fill("#5fa777", "#2f7d4a", 0.4, brush="no")),
+               ("empty", "\"status\" = 'empty'", fill("#d5d9dc", "#8a9299", 0.3, "dash", "no")),
+               ("failed (see table)", "\"status\" = 'failed'", fill("#c8443a", "#c8443a", 0.6, brush="b_diagonal"))]
     rules(layer, entries)
     layer.setMapTipTemplate("<b>[% \"tile\" %]</b> [% \"status\" %]<br>[% coalesce(\"reason\", '') %]<br>"
                             "[% round(\"seconds\", 1) %] s, [% round(\"memory\") %] MB")

@@ -37,6 +37,8 @@ RUNS = {
     "localisationaccuracy": ({**MAP, "TRAJECTORY": ["city:truth/survey_01_trajectory.csv"], "SPACING": 10.0}, 3, 1, {
         "Localisation accuracy": "localisation_accuracy"}),
     "buildingsfromals": (ALS, 2, 1, {"Building models": "building_models"}),
+    "tiledrun": ({**ALS, "ALGORITHM": "buildingsfromals", "TILE": 100.0, "OUTPUT_FOLDER": "made:tiles"}, 2, 0, {
+        "Tiles": "tiles", "Building models": "building_models"}),
 }
 """Of each group an algorithm that makes layers: what is given, runs in one dialog, new dialogs, style by layer."""
 
@@ -52,13 +54,14 @@ def load_script(name: str):
     return module
 
 
-def in_city(value, city: Path):
-    """A value with "city:PLACE" as the path of that file."""
+def in_place(value, city: Path, made: Path):
+    """A value with "city:PLACE" and "made:PLACE" as the path in that folder."""
     if isinstance(value, dict):
-        return {key: in_city(item, city) for key, item in value.items()}
+        return {key: in_place(item, city, made) for key, item in value.items()}
     if isinstance(value, list):
-        return [in_city(item, city) for item in value]
-    return str(city / value[5:]) if isinstance(value, str) and value.startswith("city:") else value
+        return [in_place(item, city, made) for item in value]
+    kind, _, place = value.partition(":") if isinstance(value, str) else ("", "", "")
+    return str({"city": city, "made": made}[kind] / place) if kind in ("city", "made") else value
 
 
 @pytest.fixture(scope="module")
@@ -71,10 +74,10 @@ def sitting(small_city, tmp_path_factory):
     packages.mkdir(parents=True)
     version = f"py{sys.version_info.major}.{sys.version_info.minor}"
     (packages / version).symlink_to(sysconfig.get_path("purelib"), target_is_directory=True)
-    runs = [(f"urbanmap:{name}", in_city(given, small_city), same, others)
+    runs = [(f"urbanmap:{name}", in_place(given, small_city, folder), same, others)
             for name, (given, same, others, _) in RUNS.items()]
     journey = {"steps": STEPS, "runs": runs, "report": str(folder / "report.json"),
-               "cancel": (f"urbanmap:{CANCELLED[0]}", in_city(CANCELLED[1], small_city))}
+               "cancel": (f"urbanmap:{CANCELLED[0]}", in_place(CANCELLED[1], small_city, folder))}
     (folder / "journey.json").write_text(json.dumps(journey), encoding="utf-8")
     windows.open_desktop(Path(__file__).with_name("desktop_journey.py"), folder, profile,
                          URBANMAP_JOURNEY=str(folder / "journey.json"))

@@ -35,6 +35,7 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
     ------
     InputError, OutputError : with both names and what to do.
     """
+    _refuse_passing_folders(algorithm, parameters, context)
     taken: list[tuple[str, set[tuple]]] = []
     inputs = list(_input_files(algorithm, parameters, context))
     for name, path, table in _wanted(algorithm, parameters, context):
@@ -57,6 +58,16 @@ def check_destinations(algorithm, parameters: Mapping, context: QgsProcessingCon
                 refuse_unless_replaceable(path)
             except OutputError as error:
                 raise OutputError(f"{label}: {error}") from error
+
+
+def _refuse_passing_folders(algorithm, parameters: Mapping, context: QgsProcessingContext) -> None:
+    """In the window, the folder of a long run is asked for; scripts that want a temporary one say so."""
+    from qgis.utils import iface
+
+    for name in algorithm.LASTING_FOLDERS if iface is not None else ():
+        if _is_temporary(_file_text(algorithm, parameters, name, context)):
+            raise InputError(tr("{0}: choose a folder; a temporary one is gone when QGIS ends.").format(
+                algorithm.label_of(name)))
 
 
 def staged(algorithm, parameters: Mapping, context: QgsProcessingContext, staging: Staging) -> dict:

@@ -43,8 +43,9 @@ def entries(algorithm) -> tuple[list[tuple[str, str, str, str]], list[tuple[str,
     inputs = [(item.name(), item.description(), item.help(), _default(item)) for item in definitions
               if not item.isDestination()]
     helps = {item.name(): item.help() for item in definitions if item.isDestination()}
+    labels = {item.name(): item.description() for item in definitions if item.isDestination()}
     helps.update(algorithm.output_helps())
-    outputs = [(item.name(), item.description(), helps.get(item.name(), ""), "")
+    outputs = [(item.name(), labels.get(item.name(), item.description()), helps.get(item.name(), ""), "")
                for item in algorithm.outputDefinitions()]
     return inputs, outputs
 

@@ -99,20 +99,29 @@ def give_style(context: QgsProcessingContext, place: str, style: str, own: tuple
         context.layerToLoadOnCompletionDetails(place).setPostProcessor(_post_processor(style, own, earlier))
 
 
-class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
-    """Gives a style to a layer that QGIS loads after a run."""
+def give_saved_style(context: QgsProcessingContext, path: Path) -> None:
+    """Let QGIS draw the layer of a GeoPackage that it loads after the run as the file itself says."""
+    saved = saved_style(path)
+    if saved is not None:
+        name, text = saved
+        context.layerToLoadOnCompletionDetails(str(path)).setPostProcessor(_post_processor(name, text=text))
 
-    def __init__(self, style: str, own: tuple[str, ...] = (), earlier: Earlier = ()):
+
+class StylePostProcessor(QgsProcessingLayerPostProcessorInterface):
+    """Gives a style to a layer that QGIS loads after a run; `text` is its QML where that is no style of the plugin."""
+
+    def __init__(self, style: str, own: tuple[str, ...] = (), earlier: Earlier = (), text: str = ""):
         super().__init__()
         self.style = style
         self.own = own
         self.earlier = earlier
+        self.text = text
 
     def postProcessLayer(self, layer, context, feedback):
         fields = [field.name() for field in layer.fields()] if layer.type() == QgsMapLayerType.VectorLayer else []
         document = QDomDocument()
         try:
-            document.setContent(style_text(self.style, fields, self.own, self.earlier))
+            document.setContent(self.text or style_text(self.style, fields, self.own, self.earlier))
         except OSError as error:
             feedback.pushWarning(tr("The style {0} could not be given to {1}: {2}").format(
                 self.style, layer.name(), error.strerror))
@@ -129,9 +138,9 @@ _KEPT: list[StylePostProcessor] = []
 _LOCK = Lock()
 
 
-def _post_processor(style: str, own: tuple[str, ...], earlier: Earlier) -> StylePostProcessor:
+def _post_processor(style: str, own: tuple[str, ...] = (), earlier: Earlier = (), text: str = "") -> StylePostProcessor:
     """One for one layer of one run: QGIS deletes it with the run's context."""
-    processor = StylePostProcessor(style, own, earlier)
+    processor = StylePostProcessor(style, own, earlier, text)
     with _LOCK:
         _KEPT[:] = [kept for kept in _KEPT if not sip.isdeleted(kept)]
         _KEPT.append(processor)
