@@ -234,3 +234,15 @@ def test_damaged_records_do_not_end_a_run(run, town, tmp_path):
     third.write_bytes(b"x")
     again = run_tiles(run, town, folder)
     assert (again["KEPT"], again["DONE"], again["FAILED"]) == (1, 4, 0)
+
+
+def test_outlines_that_a_buffer_parts_are_told(run, town, save_outlines, synthetic, tmp_path):
+    """The four buildings stand 26 m apart: no row. Outlines with gaps of 3 m are one."""
+    run_tiles(run, town, tmp_path / "apart")
+    assert not any("moved together" in text for text in run.feedback.warnings)
+    row = save_outlines(tmp_path / "row.gpkg", [synthetic.rectangle(SIDE * column + 2, 12, SIDE - 3, 12)
+                                                for column in range(4)])
+    run_tiles(run, {**town, "FOOTPRINTS": str(row)}, tmp_path / "row", OUTPUT_REPORT=str(tmp_path / "report.html"))
+    told = [text for text in run.feedback.warnings if "moved together" in text]
+    assert len(told) == 1 and "4 of 4 outlines" in told[0] and "a buffer of 119 m" in told[0]
+    assert "4 / 4" in (tmp_path / "report.html").read_text(encoding="utf-8")

@@ -285,3 +285,13 @@ def test_settings_are_checked(wrong):
         SurfaceSettings(**wrong)
 
 
+
+
+def test_a_point_far_outside_is_named_before_its_raster_is_laid_out(make_cloud, tmp_path):
+    chance = np.random.default_rng(2)
+    x, y = chance.uniform(0, 100, (2, 5000))
+    x[700] = 1.9e6
+    cloud = make_cloud(tmp_path / "far.laz", x, y, np.full(5000, 3.0))
+    with pytest.raises(InputError, match="some lie near 19[0-9]{5}, .* km from the others"):
+        surfaces_from_files([cloud], tmp_path / "dsm.tif", settings=SurfaceSettings(resolution=1.0))
+    assert not (tmp_path / "dsm.tif").exists()

@@ -47,6 +47,7 @@ from .tiles import (
 
 _MOST_CELLS = 4_000_000_000
 _MOST_NODES = 100_000_000
+_LEAST_FILLED = 1000  # times the tiles with points: a corridor of 100 km from corner to corner takes 200
 _IN_MEMORY = 1_000_000_000
 _WIDEST_SPACING = 5.0
 _FAR = 10.0
@@ -238,9 +239,22 @@ class _Work:
             raise InputError(say("The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, "
                                  "or check for points far outside the area.", columns=self.grid.columns,
                                  rows=self.grid.rows))
+        self._require_filled()
         cell = self.settings.cloth.resolution
         cloth = Grid.covering(*low, *high, cell)
         self.cloth_grid = Grid(cloth.x_min, cloth.y_max, cell, cloth.rows + 1, cloth.columns + 1)
+
+    def _require_filled(self) -> None:
+        """Refuse a raster that the points' tiles fill next to nothing of: one strange coordinate makes such."""
+        rows, columns = (count // self.tiling.cells + 1 for count in self.grid.shape)
+        if rows * columns > _LEAST_FILLED * len(self.keys):
+            boxes = np.array([self.tiling.box(key) for key in self.keys])
+            middles = (boxes[:, :2] + boxes[:, 2:]) / 2
+            away = np.linalg.norm(middles - np.median(middles, axis=0), axis=1)
+            x, y = middles[np.argmax(away)]
+            raise InputError(say("The points fill less than a thousandth of the box around them, and some lie near "
+                                 "{x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the "
+                                 "places one by one.", x=x, y=y, length=away.max() / 1000))
 
     def reduce(self, source: GroundSource | None, progress: Progress) -> None:
         """Highest points and ground points of all cells."""

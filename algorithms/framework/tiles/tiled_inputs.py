@@ -29,6 +29,8 @@ _SUFFIXES = {"sink": LAYER_SUFFIX, "rasterDestination": ".tif"}
 _FILES = {LAZ_FILTER: POINTS_SUFFIX, HTML_FILTER: ".html"}
 WHERE = ("WORKERS", "SCHEDULER")
 """Where pieces are worked on: the run's own, and no matter for the results."""
+LONGEST_SHIFT = "MAX_DISPLACEMENT"
+"""Parameter of stages that move outlines together: how far at most, m."""
 _NO = ("", "no", "false", "0")
 
 
@@ -130,6 +132,7 @@ class TiledInputs:
         outputs = _outputs(stage, given)
         shown = {stage.label_of(name): str(value) for name, value in rest.items()}
         tiles = _occupied(grid, bounds, points, tables.get(owner))
+        _tell_of_cut_sets(stage, rest, tables.get(owner), grid, tiles, shown, progress)
         pieces = _pieces(points, grid, run_folder, progress)
         # An update must not put tiles of two versions side by side in one layer.
         state = [plugin_version(), sources_mark(), stage.name(), state_of(rest), outputs, grid.key, grid.buffer, state]
@@ -235,6 +238,27 @@ def _occupied(grid: TileGrid, bounds, points, owner) -> list[GridTile]:
         files = FileIndex([file for given in points.values() for file in given])
         return [tile for tile in tiles if files.meeting(tile.core)]
     return tiles
+
+
+def _tell_of_cut_sets(stage, rest: Mapping[str, object], owner, grid: TileGrid, tiles: list[GridTile],
+                      shown: dict[str, str], progress: Progress) -> None:
+    """Warn where outlines that are moved together reach beyond the buffer, and say it in the report."""
+    import numpy as np
+
+    from ....urbanmap_qgis.tiling.outline_sets import buffers_needed
+
+    definition = stage.parameterDefinition(LONGEST_SHIFT)
+    shift = float(rest.get(LONGEST_SHIFT, definition.defaultValue())) if definition is not None else 0.0
+    if owner is None or not shift:
+        return
+    needed = buffers_needed(owner.geometries, grid, tiles, 2 * shift)
+    cut = np.flatnonzero(needed > grid.buffer)
+    if len(cut):
+        progress.warn(tr("{0} of {1} outlines stand in rows or blocks that reach beyond the buffer: outlines nearer "
+                         "than {2} m are moved together, so that these can be moved otherwise than in one run; a "
+                         "buffer of {3} m would hold them all.").format(len(cut), len(needed), f"{2 * shift:g}",
+                                                              int(np.ceil(np.nanmax(needed)))))
+        shown[tr("Outlines moved without all of their neighbours")] = f"{len(cut)} / {len(needed)}"
 
 
 def _copied(tables, owner: str, run_folder: Path, progress: Progress) -> tuple[dict[str, Path], list[str]]:
