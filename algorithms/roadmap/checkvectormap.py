@@ -20,19 +20,24 @@ class CheckVectorMap(UrbanMapAlgorithm):
     KEYWORDS = ("lane", "HD map", "vector map", "Lanelet2", "Autoware", "validation", "check")
     REQUIRES = ("numpy", "shapely", "pyproj")
     HELP = (
-        "Checks any Lanelet2 file (OSM) against the rules of Lanelet2's and Autoware's validators that need no other "
-        "file, and tells what breaks them, with its place.\n"
+        "Checks any Lanelet2 file (OSM) by the rules of Lanelet2's and Autoware's validators that need no other file, "
+        "with their codes and severities, and by some of our own, and tells what breaks them, with its place. The page "
+        "“Rules of lane maps” of the documentation lists all.\n"
         "Errors hinder a reader or change the map's sense: repeated ids, references to what is not in the file, "
-        "missing tags, lanelets without one left and one right bound, bounds that cross, regulatory elements "
-        "that nothing refers to, local coordinates on some nodes only. Warnings: points that fall together, borders "
-        "that coincide but are two ways, odd widths, stop lines and crosswalks without a rule, lanelets without a next "
-        "and a previous one, missing heights. Infos: ends of the map, lanelets without a speed limit."
+        "coordinates that are none, lanelets without one left and one right bound, bounds that cross, regulatory "
+        "elements that the library cannot make, stop lines, crosswalks and areas that no rule refers to. Warnings: "
+        "missing tags, values that are not known, points that fall together, odd widths, lanelets without a next and a "
+        "previous one. Infos: ends of the map, elements that need Autoware's extension."
     )
 
     def declare(self):
         self.add_file("INPUT", "Lanelet2 file", "OSM file, such as that of “Lane map”.", "Lanelet2 (*.osm)")
-        self.add_layer_output("OUTPUT", "Faults of the map", "Points (longitude, latitude): rule, severity (error, "
-                              "warning, info), text, element. Faults without a place have no geometry.",
+        self.add_text("EXCLUDE", "Rules left out", "Codes of rules that are not looked at, with commas between them; "
+                      "the begin of a code stands for all that begin so, such as Lane.BorderSharing.", "",
+                      optional=True, advanced=True)
+        self.add_layer_output("OUTPUT", "Faults of the map", "Points (longitude, latitude): rule (its code), severity "
+                              "(error, warning, info), text, element, source of the rule. Faults without a place have "
+                              "no geometry.",
                               source_type=QgsProcessing.SourceType.TypeVectorPoint)
         self.add_file_output("OUTPUT_REPORT", "Report", "HTML report: numbers by rule, and the faults.", HTML_FILTER,
                              optional=True)
@@ -54,11 +59,12 @@ class CheckVectorMap(UrbanMapAlgorithm):
             raise InputError(tr("{0}: the file holds no lanelets (relations of type lanelet); give a Lanelet2 map.")
                              .format(self.label_of("INPUT")))
         progress.step(0.2)
-        faults = check_map(content)
+        excluded = self.parameterAsString(parameters, "EXCLUDE", context)
+        faults = check_map(content, [code.strip() for code in excluded.split(",") if code.strip()])
         counts = Counter(fault.severity for fault in faults)
         for (severity, rule), count in sorted(Counter((fault.severity, fault.rule) for fault in faults).items()):
             progress.message(f"{severity}: {rule}: {count}")
-        names = ("rule", "severity", "text", "element")
+        names = ("rule", "severity", "text", "element", "source")
         places = [shapely.points(fault.longitude, fault.latitude) if np.isfinite(fault.longitude) else None
                   for fault in faults]
         layer = self.write_layer(parameters, "OUTPUT", context, make_fields(*((name, "text") for name in names)),

@@ -28,7 +28,10 @@ def add_intersections(built: VectorMap) -> None:
     The corners are ends of lanes only. A way that bulges beyond such an area by more than `DRAWN` stays out of it.
     """
     virtual = [number for number, lane in enumerate(built.lanes) if lane.kind == "virtual"]
-    for group in _groups(built, virtual):
+    groups = _groups(built, virtual)
+    while (joined := _joined(built, groups)) != groups:
+        groups = joined
+    for group in groups:
         ring, covered = _area(built, group)
         if covered:
             built.intersections.append(Intersection(ring, covered, _yields(built, covered)))
@@ -49,6 +52,16 @@ def _groups(built: VectorMap, virtual: list[int]) -> list[list[int]]:
     for k, number in enumerate(virtual):
         groups.setdefault(root(k), []).append(number)
     return list(groups.values())
+
+
+def _joined(built: VectorMap, groups: list[list[int]]) -> list[list[int]]:
+    """Two groups made one where the area about one holds a way of the other."""
+    for k, group in enumerate(groups):
+        ring = _ring(built, _end_nodes(built, group))
+        for other in groups[:k] + groups[k + 1:]:
+            if _within(built, ring, other, 0.0):
+                return [one for one in groups if one not in (group, other)] + [sorted(group + other)]
+    return groups
 
 
 def _end_nodes(built: VectorMap, lanes: Iterable[int]) -> set[int]:

@@ -138,17 +138,14 @@ def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray],
     """Add a virtual lane with given inner points of its left and right bound; False where they would cross."""
     ends = _end_nodes(built, one), _begin_nodes(built, other)
     before = len(built.nodes), len(built.bounds), len(built.lanes)
-    for k, points in enumerate(sides):
-        first = len(built.nodes)
-        built.nodes.extend(points)
-        built.bounds.append(Bound([ends[0][k], *range(first, len(built.nodes)), ends[1][k]], "virtual"))
+    bounds = [_virtual_bound(built, ends[0][k], ends[1][k], points) for k, points in enumerate(sides)]
     width = [np.linalg.norm((built.coordinates(lane, "left")[at] - built.coordinates(lane, "right")[at])[:2])
              for lane, at in ((one, -1), (other, 0))]
     number = len(built.lanes)
-    made = MapLane(before[1], before[1] + 1, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
+    made = MapLane(*bounds, True, True, np.zeros((0, 3)), float(np.mean(width)), float(min(width)),
                    "virtual", evidence, _turn(built.lanes[one].centre, built.lanes[other].centre), successors=[other])
     built.lanes.append(made)
-    if not (built.area(number).is_valid and _is_smooth(built, one, other, before[1])):
+    if not (built.area(number).is_valid and _is_smooth(built, one, other, bounds)):
         del built.nodes[before[0]:], built.bounds[before[1]:], built.lanes[before[2]:]
         return False
     made.centre = centre_line(built.coordinates(number, "left"), built.coordinates(number, "right"))
@@ -156,11 +153,22 @@ def _append(built: VectorMap, one: int, other: int, sides: Sequence[np.ndarray],
     return True
 
 
-def _is_smooth(built: VectorMap, one: int, other: int, bound: int) -> bool:
-    """Whether two new bounds leave the end of a lane and enter the begin of another about in their directions."""
+def _virtual_bound(built: VectorMap, first: int, last: int, inner: np.ndarray) -> int:
+    """Number of the virtual bound from node to node: that of the way beside, where there is one, else a new one."""
+    for number, bound in enumerate(built.bounds):
+        if bound.kind == "virtual" and (bound.nodes[0], bound.nodes[-1]) == (first, last):
+            return number
+    begin = len(built.nodes)
+    built.nodes.extend(inner)
+    built.bounds.append(Bound([first, *range(begin, len(built.nodes)), last], "virtual"))
+    return len(built.bounds) - 1
+
+
+def _is_smooth(built: VectorMap, one: int, other: int, bounds: Sequence[int]) -> bool:
+    """Whether a way's bounds leave the end of a lane and enter the begin of another about in their directions."""
     tips = _unit(built.lanes[one].centre[-1] - built.lanes[one].centre[-2]), _unit(
         built.lanes[other].centre[1] - built.lanes[other].centre[0])
-    for number in (bound, bound + 1):
+    for number in bounds:
         points = built.bound_points(built.bounds[number])
         if _unit(points[1] - points[0]) @ tips[0] < SMOOTH or _unit(points[-1] - points[-2]) @ tips[1] < SMOOTH:
             return False

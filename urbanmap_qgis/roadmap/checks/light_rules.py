@@ -1,0 +1,304 @@
+"""Autoware's rules on traffic lights, signs, stop lines, road markings and crosswalks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..formats.lanelet_tags import as_number
+from .inspection import CheckedLane, CheckedRule, MapInspection
+from .rule_table import Broken, MapRule, broken, rule
+
+LARGEST = 200.0
+"""Diagonal of the box about the members of one element, m."""
+
+LOWEST, HIGHEST = 0.2, 2.0
+"""Height of a traffic light's body, m."""
+
+DIVERGENT = 0.707
+"""Cosine between the starting lines of lanelets that refer to one traffic light."""
+
+SPREAD = {"StopLine.RegulatoryElementDetailsForTrafficSigns-005": "traffic_sign",
+          "TrafficLight.RegulatoryElementDetails-008": "traffic_light",
+          "Crosswalk.RegulatoryElementDetails-013": "crosswalk",
+          "Intersection.RegulatoryElementDetailsForVirtualTrafficLights-007": "virtual_traffic_light"}
+
+
+@rule(*SPREAD)
+def _spread(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of(SPREAD[rule.code]):
+        size = inspected.extent(member for members in one.roles.values() for member in members)
+        if size > LARGEST:
+            yield broken("relation", one.number, size=f"{size:.0f}")
+
+
+@rule("StopLine.MissingRegulatoryElements-001")
+def _stop_line_unreferred(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    referred = {number for one in inspected.rules.values() for role in ("refers", "ref_line")
+                for number in one.ids(role)}
+    for way in inspected.ways_of("stop_line"):
+        if way not in referred:
+            yield broken("way", way)
+
+
+def _signs(inspected: MapInspection) -> list[CheckedRule]:
+    """Traffic signs that stand for a board; those with a sign_type of their own need none."""
+    return [one for one in inspected.rules_of("traffic_sign") if "sign_type" not in one.tags]
+
+
+@rule("StopLine.RegulatoryElementDetailsForTrafficSigns-001")
+def _sign_without_board(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in _signs(inspected):
+        if not one.ids("refers"):
+            yield broken("relation", one.number)
+
+
+@rule("StopLine.RegulatoryElementDetailsForTrafficSigns-002")
+def _board_no_stop_sign(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in _signs(inspected):
+        for way in one.ids("refers"):
+            tags = inspected.content.ways[way].tags if way in inspected.content.ways else {}
+            if (tags.get("type"), tags.get("subtype")) != ("traffic_sign", "stop_sign"):
+                yield broken("way", way)
+
+
+@rule("StopLine.RegulatoryElementDetailsForTrafficSigns-003")
+def _sign_without_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in _signs(inspected):
+        if not one.ids("ref_line"):
+            yield broken("relation", one.number)
+
+
+@rule("StopLine.RegulatoryElementDetailsForTrafficSigns-004")
+def _sign_line_subtype(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in _signs(inspected):
+        for way in one.ids("ref_line"):
+            if way in inspected.content.ways and inspected.content.ways[way].tags.get("subtype") != "stop_line":
+                yield broken("way", way)
+
+
+@rule("Intersection.RoadMarkings-001")
+def _marking_members(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("road_marking"):
+        if len(one.ids("refers")) != 1 or one.ids("ref_line"):
+            yield broken("relation", one.number)
+
+
+@rule("Intersection.RoadMarkings-002")
+def _marking_no_stop_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("road_marking"):
+        for way in one.ids("refers"):
+            if inspected.way_type(way) != "stop_line":
+                yield broken("way", way)
+
+
+@rule("TrafficLight.MissingRegulatoryElements-001")
+def _light_unreferred(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    referred = {number for one in inspected.rules_of("traffic_light") for number in one.ids("refers")}
+    for way in inspected.ways_of("traffic_light"):
+        if way not in referred:
+            yield broken("way", way)
+
+
+@rule("TrafficLight.MissingReferrers-001")
+def _light_unused(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("traffic_light"):
+        if not inspected.referrers.get(one.number):
+            yield broken("relation", one.number)
+
+
+@rule("TrafficLight.RegulatoryElementDetails-001")
+def _light_without_stop_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("traffic_light"):
+        lanes = inspected.referrers.get(one.number, ())
+        if not one.ids("ref_line") and any(lane.subtype not in ("crosswalk", "walkway") for lane in lanes):
+            yield broken("relation", one.number)
+
+
+LIGHT_ROLES = {"TrafficLight.RegulatoryElementDetails-002": ("refers", "traffic_light"),
+               "TrafficLight.RegulatoryElementDetails-003": ("ref_line", "stop_line"),
+               "TrafficLight.RegulatoryElementDetails-004": ("light_bulbs", "light_bulbs")}
+
+
+@rule(*LIGHT_ROLES)
+def _light_members(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    role, kind = LIGHT_ROLES[rule.code]
+    for one in inspected.rules_of("traffic_light"):
+        for way in one.ids(role):
+            if inspected.way_type(way) != kind:
+                yield broken("way", way)
+
+
+@rule("TrafficLight.RegulatoryElementDetails-005")
+def _bulbs_without_light(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for way in sorted({way for one in inspected.rules_of("traffic_light") for way in one.ids("light_bulbs")}):
+        if way in inspected.content.ways and "traffic_light_id" not in inspected.content.ways[way].tags:
+            yield broken("way", way)
+
+
+@rule("TrafficLight.RegulatoryElementDetails-006")
+def _bulbs_by_number(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("traffic_light"):
+        lights, bulbs = len(one.ids("refers")), len(one.ids("light_bulbs"))
+        if bulbs and lights != bulbs:
+            yield broken("relation", one.number, lights=lights, bulbs=bulbs)
+
+
+@rule("TrafficLight.RegulatoryElementDetails-007")
+def _bulbs_one_by_one(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("traffic_light"):
+        bulbs = [inspected.content.ways[way].tags.get("traffic_light_id", "") for way in one.ids("light_bulbs")
+                 if way in inspected.content.ways]
+        lights = sorted(map(str, one.ids("refers")))
+        if bulbs and len(bulbs) == len(lights) and sorted(bulbs) != lights:
+            yield broken("relation", one.number)
+
+
+@rule("TrafficLight.LightBulbTagging-001", "TrafficLight.LightBulbTagging-002", "TrafficLight.LightBulbTagging-003")
+def _bulb_tags(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    key, allowed = ("arrow", ("up", "left", "right", "up_left", "up_right")) if rule.code.endswith("003") else (
+        "color", ("red", "yellow", "green"))
+    missing = rule.code.endswith("001")
+    for node in dict.fromkeys(node for way in inspected.ways_of("light_bulbs") for node in inspected.line(way)):
+        value = inspected.content.nodes[node].tags.get(key)
+        if missing and value is None:
+            yield broken("node", node)
+        elif not missing and value is not None and value not in allowed:
+            yield broken("node", node, value=value)
+
+
+@rule("TrafficLight.BodyHeight-001")
+def _no_body_height(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for way in inspected.ways_of("traffic_light"):
+        if "height" not in inspected.content.ways[way].tags:
+            yield broken("way", way)
+
+
+@rule("TrafficLight.BodyHeight-002")
+def _body_height(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for way in inspected.ways_of("traffic_light"):
+        value = inspected.content.ways[way].tags.get("height")
+        if value is not None and not LOWEST <= as_number(value) <= HIGHEST:
+            yield broken("way", way, value=value, low=f"{LOWEST:g}", high=f"{HIGHEST:g}")
+
+
+def _facing(inspected: MapInspection) -> Iterator[tuple[int, bool, list[float]]]:
+    """Three-coloured lights with whether they face the traffic that refers to them, and the cosines between the
+    starting lines of those lanelets."""
+    for one in inspected.rules_of("traffic_light"):
+        lanes = inspected.referrers.get(one.number, ())
+        stop = next((inspected.line(way) for way in one.ids("ref_line") if inspected.line(way)), ())
+        if not lanes:
+            continue
+        starts = [_starting_line(inspected, lane, stop) for lane in lanes]
+        for way in one.ids("refers"):
+            tags = inspected.content.ways[way].tags if way in inspected.content.ways else {}
+            nodes = inspected.line(way)
+            if (tags.get("type"), tags.get("subtype")) == ("traffic_light", "red_yellow_green") and nodes:
+                drawn = np.diff(inspected.places((nodes[0], nodes[-1]))[:, :2], axis=0)[0]
+                yield way, bool(drawn @ starts[0] > 0), [_cosine(starts[0], start) for start in starts[1:]]
+
+
+def _starting_line(inspected: MapInspection, lane: CheckedLane, stop: tuple[int, ...]) -> np.ndarray:
+    """From left to right at the lanelet's end that lies nearer to the stop line, at its begin where there is none."""
+    ends = [inspected.places(pair)[:, :2] for pair in (lane.begin, lane.end)]
+    if stop:
+        line = inspected.places((stop[0], stop[-1]))[:, :2]
+        apart = [min(np.linalg.norm(end - line, axis=1).sum(), np.linalg.norm(end - line[::-1], axis=1).sum())
+                 for end in ends]
+        ends = ends if apart[0] <= apart[1] else ends[::-1]
+    return ends[0][1] - ends[0][0]
+
+
+def _cosine(one: np.ndarray, other: np.ndarray) -> float:
+    return float(one @ other / max(np.linalg.norm(one) * np.linalg.norm(other), 1e-9))
+
+
+@rule("TrafficLight.CorrectFacing-001")
+def _starts_diverge(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for way in sorted({way for way, _, cosines in _facing(inspected) if cosines and min(cosines) < DIVERGENT}):
+        yield broken("way", way)
+
+
+@rule("TrafficLight.CorrectFacing-002", "TrafficLight.CorrectFacing-003")
+def _faces_away(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    judged: dict[int, set[bool]] = {}
+    for way, right, _ in _facing(inspected):
+        judged.setdefault(way, set()).add(right)
+    wanted = {False} if rule.code.endswith("002") else {True, False}
+    for way, found in judged.items():
+        if found == wanted:
+            yield broken("way", way)
+
+
+@rule("Crosswalk.MissingRegulatoryElements-001")
+def _crosswalk_unreferred(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    referred = {number for one in inspected.rules_of("crosswalk") for number in one.ids("refers")}
+    referred |= {number for one in inspected.rules_of("right_of_way") for number in one.ids("right_of_way")}
+    for lane in inspected.lanes.values():
+        if lane.subtype == "crosswalk" and lane.number not in referred:
+            yield broken("relation", lane.number)
+
+
+@rule("Crosswalk.RegulatoryElementDetails-001")
+def _no_crosswalk(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("crosswalk"):
+        if not one.ids("refers"):
+            yield broken("relation", one.number)
+
+
+@rule("Crosswalk.RegulatoryElementDetails-002", "Crosswalk.RegulatoryElementDetails-009")
+def _several_crosswalks(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    role = "refers" if rule.code.endswith("002") else "ref_line"
+    for one in inspected.rules_of("crosswalk"):
+        if len(one.ids(role)) > 1:
+            yield broken("relation", one.number, count=len(one.ids(role)))
+
+
+@rule("Crosswalk.RegulatoryElementDetails-003")
+def _crosswalk_without_stop(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("crosswalk"):
+        if not one.ids("ref_line"):
+            yield broken("relation", one.number)
+
+
+def _crosswalk_lanes(inspected: MapInspection) -> Iterator[tuple[CheckedRule, CheckedLane]]:
+    """Crosswalk elements with the lanelets that they refer to."""
+    for one in inspected.rules_of("crosswalk"):
+        for number in one.ids("refers"):
+            if number in inspected.lanes:
+                yield one, inspected.lanes[number]
+
+
+@rule("Crosswalk.RegulatoryElementDetails-006")
+def _no_crosswalk_lanelet(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for number in dict.fromkeys(lane.number for _, lane in _crosswalk_lanes(inspected) if lane.subtype != "crosswalk"):
+        yield broken("relation", number)
+
+
+@rule("Crosswalk.RegulatoryElementDetails-007")
+def _crosswalk_line(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one in inspected.rules_of("crosswalk"):
+        for way in one.ids("ref_line"):
+            if inspected.way_type(way) != "stop_line":
+                yield broken("way", way)
+
+
+@rule("Crosswalk.RegulatoryElementDetails-010", "Crosswalk.RegulatoryElementDetails-011")
+def _crosswalk_participant(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    missing = rule.code.endswith("010")
+    for lane in dict.fromkeys(lane for _, lane in _crosswalk_lanes(inspected)):
+        value = lane.tags.get("participant:pedestrian")
+        if missing and value is None:
+            yield broken("relation", lane.number)
+        elif not missing and value is not None and value not in ("yes", "true"):
+            yield broken("relation", lane.number, value=value)
+
+
+@rule("Crosswalk.RegulatoryElementDetails-012")
+def _crosswalk_apart(inspected: MapInspection, rule: MapRule) -> Iterator[Broken]:
+    for one, walk in _crosswalk_lanes(inspected):
+        for lane in inspected.referrers.get(one.number, ()):
+            if lane.subtype == "road" and not inspected.areas[lane.number].intersects(inspected.areas[walk.number]):
+                yield broken("relation", one.number, other=lane.number, crosswalk=walk.number)
