@@ -40,8 +40,8 @@ class GnssInputs(Declarations):
                           "models”) or outlines with heights, in a projected CRS in metres.")
         self._add_files("TRAJECTORY", "Trajectories", "Where the receiver was, in the CRS of the buildings: one or "
                         "several files (CSV time,x,y,z,roll,pitch,heading, SBET, or point layers).")
-        self._add_files("OBSERVATIONS", "Observations", "RINEX 2.11 or 3.x observation files, plain or gzipped; each "
-                        "file is a pass.")
+        self._add_files("OBSERVATIONS", "Observations", "RINEX 2.11, 3.x or 4.x observation files, plain or compact "
+                        "(Hatanaka), as they are or packed by gzip or bzip2; each file is a pass.")
         self._add_files("NAVIGATION", "Navigation", "RINEX navigation files or SP3 orbits of the same days.")
         self.add_number("GEOID_SEPARATION", "Geoid separation", "Ellipsoidal height minus the trajectory's height; 0 "
                         "where the trajectory has ellipsoidal heights. Left empty, it is estimated from the "

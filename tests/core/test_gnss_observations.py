@@ -146,6 +146,14 @@ def test_trajectory_of_another_time(gnss):
         trajectory_shift(full, [(1.3e9, 1.3e9 + 60)])
 
 
+def test_seconds_of_week_are_of_the_likeliest_span():
+    """One record of a month before, as receivers write them into navigation files, is not the week of the drive."""
+    week = 2050 * 604800.0
+    drive = Trajectory(np.array([7000.0, 7600.0]), np.zeros((2, 3)), np.zeros((2, 3)))
+    spans = [(week, week + 86400.0), (week - 30 * 86400.0, week - 30 * 86400.0 + 14400.0)]
+    assert trajectory_shift(drive, spans, "navigation files") == week
+
+
 @pytest.mark.parametrize("separation", [SEPARATION, None])
 @pytest.mark.parametrize("seconds, words", [(-18.0, "18 s too early, as UTC is"), (18.0, "18 s too late")])
 def test_leap_seconds_that_were_forgotten_are_noticed(gnss, separation, seconds, words):

@@ -151,3 +151,38 @@ def test_files_that_cannot_be_used(tmp_path, text, words):
 def test_no_file_gives_empty_records():
     records = read_navigation_files([])
     assert len(records.kepler) == len(records.glonass) == 0 and np.shape(records.glonass.place) == (0, 3)
+
+
+def message(kind: str, satellite: str, name: str) -> str:
+    return f"> {kind} {satellite:<3} {name}\n"
+
+
+def klobuchar(alpha: tuple[float, ...], beta: tuple[float, ...]) -> str:
+    rows = ["    2018 12 23 00 00 00" + "".join(number(value) for value in alpha[:3]),
+            "    " + "".join(number(value) for value in (alpha[3], *beta[:3])), "    " + number(beta[3])]
+    return "\n".join(rows) + "\n"
+
+
+def test_version_4_gives_what_version_3_gives(tmp_path):
+    """Its newer messages stand in other columns: were they read as the old ones, orbits would be wrong."""
+    alpha, beta = (1.1e-8, 7.4e-9, -5.9e-8, -1.1e-7), (90112.0, 16384.0, -196608.0, -65536.0)
+    cnav = kepler("G07", sqrt_a=5153.7, m0=-2.0) + "    " + number(0.0) * 4 + "\n"
+    four = write(tmp_path, header(4.01, "N") + message("STO", "G01", "LNAV") + "    2018 12 23 00 00 00 GPUT\n"
+                 + message("ION", "G01", "LNAV") + klobuchar(alpha, beta) + message("ION", "E01", "IFNV")
+                 + "    2018 12 23 00 00 00" + number(45.25) * 3 + "\n" + message("EPH", "G07", "LNAV") + kepler("G07")
+                 + message("EPH", "G07", "CNAV") + cnav + message("EPH", "E11", "INAV") + kepler("E11")
+                 + message("EPH", "R03", "FDMA") + glonass("R03") + message("EOP", "G01", "CNAV")
+                 + "    2018 12 23 00 00 00" + number(0.1) * 3 + "\n", "four.rnx")
+    three = write(tmp_path, header(3.05, "N") + kepler("G07") + kepler("E11") + glonass("R03"), "three.rnx")
+    new, old = read_navigation_files([four]), read_navigation_files([three])
+    for kind in ("kepler", "glonass"):
+        for field, values in vars(getattr(old, kind)).items():
+            assert np.array_equal(getattr(getattr(new, kind), field), values), field
+    model, = new.ionosphere
+    assert (model.source, model.alpha, model.beta) == ("GPS", alpha, beta)
+
+
+def test_a_file_of_version_4_with_newer_messages_only_is_told(tmp_path):
+    only = write(tmp_path, header(4.0, "N") + message("EPH", "G07", "CNAV") + kepler("G07"))
+    with pytest.raises(InputError, match="no record of a satellite"):
+        read_navigation_files([only])

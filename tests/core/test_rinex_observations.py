@@ -271,8 +271,8 @@ def test_epochs_out_of_order_and_twice(tmp_path):
     ("", "is empty"), ("no rinex at all\n" * 5, "not a RINEX file"),
     (head("     3.04           N: GNSS NAV DATA    G", "RINEX VERSION / TYPE") + head("", "END OF HEADER"),
      "holds no observations"),
-    (head("     4.00           OBSERVATION DATA    M", "RINEX VERSION / TYPE") + head("", "END OF HEADER"),
-     "RINEX 4.00"),
+    (head("     5.00           OBSERVATION DATA    M", "RINEX VERSION / TYPE") + head("", "END OF HEADER"),
+     "RINEX 5.00"),
     (head("1.0                 COMPACT RINEX FORMAT", "CRINEX VERS   / TYPE"), "Hatanaka"),
     (head("     3.04           OBSERVATION DATA    M", "RINEX VERSION / TYPE"), "END OF HEADER"),
     (header_3({}), "types of observations"), (header_3({"G": ["C1C"]}, scale="XYZ") + epoch_3(0.0, [
@@ -300,3 +300,11 @@ def test_cancel(tmp_path):
     text, _ = sample(3, 3)
     with pytest.raises(Cancelled):
         read_observations(write(tmp_path, text), progress=Progress(cancelled=lambda: True))
+
+
+def test_version_4_is_read_as_version_3(tmp_path):
+    body = epoch_3(1.0, ["G01" + field(2.1e7) + field(41.0), "E05" + field(2.3e7) + field(39.0)])
+    types = {"G": ["C1C", "S1C"], "E": ["C1C", "S1C"]}
+    three, four = (read_observations(write(tmp_path, header_3(types, version) + body, f"{version}.rnx"))
+                   for version in (3.05, 4.02))
+    assert rows_of(four) == rows_of(three)

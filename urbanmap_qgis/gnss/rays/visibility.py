@@ -138,7 +138,7 @@ def visibility_along(obstacles: WallObstacles, navigation: Navigation, trajector
     ------
     InputError : trajectory and navigation are not of one time.
     """
-    shift = trajectory_shift(trajectory, [navigation.span()], "navigation files")
+    shift = trajectory_shift(trajectory, navigation.spans(), "navigation files")
     time = np.arange(trajectory.time[0], trajectory.time[-1] + 1e-6, every)
     time = time[within_trajectory(trajectory, time, settings.max_gap)]
     place = body_to_map(trajectory, np.minimum(time, trajectory.time[-1]), np.asarray(lever_arm, float))

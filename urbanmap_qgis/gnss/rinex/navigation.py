@@ -1,7 +1,8 @@
-"""Reads RINEX 2.11 and 3.x navigation files: orbits and clocks of the satellites, coefficients of the ionosphere.
+"""Reads RINEX 2.11, 3.x and 4.x navigation files: orbits and clocks of the satellites, coefficients of the ionosphere.
 
-Layouts by the IGS's RINEX 2.11 and 3.05. Records of GPS, QZSS, Galileo and BeiDou are Keplerian, those of GLONASS
-are state vectors.
+Layouts by the IGS's RINEX 2.11, 3.05 and 4.02. Records of GPS, QZSS, Galileo and BeiDou are Keplerian, those of GLONASS
+are state vectors. Of RINEX 4 the messages that RINEX 3 has too are used; the same satellites' newer messages (CNAV and
+its fellows, which have columns of their own), times and earth rotation are passed over.
 """
 
 from __future__ import annotations
@@ -21,6 +22,10 @@ from .text_lines import RinexFile, read_rinex
 
 _SCALE = {"G": "GPS", "E": "GAL", "J": "QZS", "C": "BDT", "R": "UTC"}
 _KINDS_2 = {"N": "G", "G": "R", "L": "E", "E": "E", "C": "C", "J": "J", "Q": "J"}
+_MESSAGES = {"LNAV", "FNAV", "INAV", "IFNV", "D1", "D2", "D1D2", "FDMA"}
+"""Messages of RINEX 4 whose orbits stand in the columns of RINEX 3."""
+_KLOBUCHAR = {("G", "LNAV"): "GPS", ("J", "LNAV"): "QZS", ("C", "D1D2"): "BDS"}
+"""Messages of RINEX 4 with coefficients of the Klobuchar model, by system."""
 _COLUMNS = {"af0": (0, 0), "af1": (0, 1), "af2": (0, 2), "crs": (1, 1), "delta_n": (1, 2), "m0": (1, 3), "cuc": (2, 0),
             "e": (2, 1), "cus": (2, 2), "sqrt_a": (2, 3), "toe_own": (3, 0), "cic": (3, 1), "omega0": (3, 2),
             "cis": (3, 3), "i0": (4, 0), "crc": (4, 1), "omega": (4, 2), "omega_dot": (4, 3), "i_dot": (5, 0),
@@ -190,8 +195,15 @@ def _records(file: RinexFile) -> Iterator[tuple[str, str, list[list[str]]]]:
     lead = 4 if file.version >= 3 else 3
     system = _KINDS_2.get(file.kind, "G")
     name, stamp, rows = "", "", []
+    used = True
     for i in range(len(file)):
         line = file.line(i)
+        if line[:1] == ">" and file.version >= 4:
+            kind, _, message = [*line[1:].split(), "", "", ""][:3]
+            used = kind == "EPH" and message in _MESSAGES
+            continue
+        if not used:
+            continue
         starts = line[:1].isalpha() if file.version >= 3 else line[:2].strip().isdigit()
         if i == len(file) - 1 and file.cut and len(line.rstrip()) < lead + 19:
             break
@@ -261,10 +273,31 @@ def _ionosphere(file: RinexFile, time: float) -> Iterator[Ionosphere]:
         elif label in ("ION ALPHA", "ION BETA"):
             key = "GPSA" if label == "ION ALPHA" else "GPSB"
             found.setdefault(key, tuple(_coefficient(content[2 + 12 * k:14 + 12 * k]) for k in range(4)))
+    if file.version >= 4:
+        found.update(_klobuchar_messages(file))
     for source in ("GPS", "QZS", "BDS"):
         alpha, beta = found.get(source + "A"), found.get(source + "B")
         if alpha and beta and np.all(np.isfinite(alpha + beta)) and any(beta):
             yield Ionosphere(source, alpha, beta, time)
+
+
+def _klobuchar_messages(file: RinexFile) -> Iterator[tuple[str, tuple[float, ...]]]:
+    """Coefficients of RINEX 4 by the names that RINEX 3 has for them; of each system those of its first message."""
+    known = set()
+    for i in range(len(file) - 3):
+        line = file.line(i)
+        if line[:5] != "> ION":
+            continue
+        source = _KLOBUCHAR.get((line[6:7], [*line[1:].split(), "", ""][2]))
+        if source is None or source in known:
+            continue
+        first, second, third = (file.line(i + k) for k in (1, 2, 3))
+        fields = [first[23 + 19 * k:42 + 19 * k] for k in range(3)] + [
+            second[4 + 19 * k:23 + 19 * k] for k in range(4)] + [third[4:23]]
+        values = tuple(_coefficient(field) for field in fields)
+        known.add(source)
+        yield source + "A", values[:4]
+        yield source + "B", values[4:]
 
 
 def _coefficient(field: str) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bz2
 import os
 import zlib
 from dataclasses import dataclass
@@ -12,10 +13,12 @@ import numpy as np
 from ...errors import InputError
 from ...io.files.guard import reads
 from ...wording import say
+from .compact import is_compact, plain_rinex
 
 _LARGEST = 2**30
 _PIECE = 1 << 16
-_MAGIC_GZIP, _MAGIC_COMPRESS, _MAGIC_ZIP = b"\x1f\x8b", b"\x1f\x9d", b"PK\x03\x04"
+_MAGIC_GZIP, _MAGIC_BZIP = b"\x1f\x8b", b"BZh"
+_MAGIC_COMPRESS, _MAGIC_ZIP = b"\x1f\x9d", b"PK\x03\x04"
 
 
 @dataclass(frozen=True)
@@ -60,7 +63,7 @@ class RinexFile:
 
 
 def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
-    """Content of a plain or gzipped file and sentences on damage; a gzip file that breaks off is read up to there.
+    """Content of a plain, gzipped or bzipped file and sentences on damage; one that breaks off is read up to there.
 
     Raises
     ------
@@ -75,6 +78,10 @@ def read_bytes(path: str | os.PathLike) -> tuple[bytes, tuple[str, ...]]:
     notes: tuple[str, ...] = ()
     if data[:2] == _MAGIC_GZIP:
         data, whole = _unpacked(data, path.name)
+        if not whole:
+            notes = (say("{path} breaks off: it is used up to there.", path=path.name),)
+    elif data[:3] == _MAGIC_BZIP:
+        data, whole = _unpacked_bzip(data, path.name)
         if not whole:
             notes = (say("{path} breaks off: it is used up to there.", path=path.name),)
     if data[:2] == _MAGIC_COMPRESS or data[:4] == _MAGIC_ZIP:
@@ -95,8 +102,7 @@ def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
                 parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
                 total += len(parts[-1])
                 if total >= _LARGEST:
-                    raise InputError(say("{name} holds more than {largest} MB when unpacked: give the files of one "
-                                         "drive at a time.", name=name, largest=_LARGEST >> 20))
+                    raise _too_large(name)
                 if stream.eof:
                     break
         except zlib.error as error:
@@ -109,20 +115,42 @@ def _unpacked(data: bytes, name: str) -> tuple[bytes, bool]:
     return b"".join(parts), True
 
 
+def _unpacked_bzip(data: bytes, name: str) -> tuple[bytes, bool]:
+    """Content of bzip2 data, and whether it ended as it should."""
+    parts, total, stream = [], 0, bz2.BZ2Decompressor()
+    try:
+        for first in range(0, len(data), _PIECE):
+            parts.append(stream.decompress(data[first:first + _PIECE], _LARGEST))
+            total += len(parts[-1])
+            if total >= _LARGEST:
+                raise _too_large(name)
+            if stream.eof:
+                return b"".join(parts), True
+    except OSError as error:
+        if not any(parts):
+            raise InputError(say("{name} is not a sound bzip2 file: fetch it again.", name=name)) from error
+    return b"".join(parts), False
+
+
+def _too_large(name: str) -> InputError:
+    return InputError(say("{name} holds more than {largest} MB when unpacked: give the files of one drive at a time.",
+                          name=name, largest=_LARGEST >> 20))
+
+
 @reads("RINEX")
 def read_rinex(path: str | os.PathLike) -> RinexFile:
-    """Read a RINEX file of version 2 or 3 and cut it into lines.
+    """Read a RINEX file of version 2, 3 or 4, plain or compact (Hatanaka), and cut it into lines.
 
     Raises
     ------
-    InputError : not readable, not RINEX, of a version that is not known, compact (Hatanaka) RINEX, no end of header.
+    InputError : not readable, not RINEX, of a version that is not known, no end of header.
     """
     name = Path(path).name
     data, notes = read_bytes(path)
     first = data[:80].decode("latin-1")
-    if "COMPACT RINEX" in first:
-        raise InputError(say("{name} is compact (Hatanaka) RINEX: convert it to plain RINEX with CRX2RNX first.",
-                             name=name))
+    if is_compact(data):
+        data = plain_rinex(data, name)
+        first = data[:80].decode("latin-1")
     if "RINEX VERSION / TYPE" not in first[60:]:
         raise InputError(say("{name} is not a RINEX file: its first line does not say \"RINEX VERSION / TYPE\".",
                              name=name))
@@ -130,8 +158,8 @@ def read_rinex(path: str | os.PathLike) -> RinexFile:
         version = float(first[:9])
     except ValueError as error:
         raise InputError(say("{name} tells no RINEX version in its first line: check the file.", name=name)) from error
-    if not 2.0 <= version < 4.0:
-        raise InputError(say("{name} is RINEX {version:.2f}: convert it to RINEX 2.11 or 3.", name=name,
+    if not 2.0 <= version < 5.0:
+        raise InputError(say("{name} is RINEX {version:.2f}: convert it to RINEX 2.11, 3 or 4.", name=name,
                              version=version))
     header, body = _split_header(data.replace(b"\r\n", b"\n"), name)
     return RinexFile(name, version, first[20], first[40], header, *_lines(body), not body.endswith(b"\n"), notes)

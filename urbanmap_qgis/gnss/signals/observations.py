@@ -100,20 +100,23 @@ def load_observations(observation_paths: Sequence[str | os.PathLike], navigation
 def trajectory_shift(trajectory: Trajectory, spans: Sequence[tuple[float, float]], what: str = "observations") -> float:
     """Seconds to add to the trajectory's time to get GPS seconds since 1980-01-06.
 
-    `spans` : first and last GPS time of the observations (or of what else `what` says). Weeks, full GPS seconds,
-    adjusted standard GPS time and Unix time are tried; the one that brings the two together is taken.
+    `spans` : first and last GPS time of the observations (or of what else `what` says), the likeliest first. For each
+    its week, full GPS seconds, adjusted standard GPS time and Unix time are tried; the first that brings the two
+    together is taken.
 
     Raises
     ------
     InputError : none does.
     """
     first, last = float(trajectory.time[0]), float(trajectory.time[-1])
+    for low, high in spans:
+        week = WEEK * np.floor(low / WEEK)
+        unix = -UNIX_START + float(leap_seconds(np.array([low]))[0])
+        for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
+            if min(last + shift, high) - max(first + shift, low) >= 0:
+                return float(shift)
     start, end = min(span[0] for span in spans), max(span[1] for span in spans)
     week = WEEK * np.floor(start / WEEK)
-    unix = -UNIX_START + float(leap_seconds(np.array([start]))[0])
-    for shift in (week, week - WEEK, week + WEEK, 0.0, STANDARD_OFFSET, unix):
-        if any(min(last + shift, high) - max(first + shift, low) >= 0 for low, high in spans):
-            return float(shift)
     trajectory_span = (say("{first:.0f} to {last:.0f} s of week", first=first, last=last) if last < 2 * WEEK else
                        span_text(*(time + (STANDARD_OFFSET if last < 0.9e9 else 0.0) for time in (first, last))))
     raise InputError(say("Trajectory and {what} are not of one time: the trajectory covers {told}, the {what} cover "
