@@ -10,6 +10,21 @@ from ...urbanmap_qgis.errors import InputError, OutputError
 from ..framework.declaring.destinations import sink_file
 from ..framework.declaring.parameters import tr
 
+IUR_VERSIONS = ("3.2", "3.1", "2.0")
+MAP_LEVELS = ("none", "500", "1000", "2500", "5000")
+
+
+def add_plateau_parameters(algorithm):
+    """What PLATEAU asks for beside the models."""
+    algorithm.add_text("CITY_CODE", "Municipality's code",
+                       "Five digits, such as 13101: CityGML then has the buildings' ids as PLATEAU asks for them.",
+                       advanced=True)
+    algorithm.add_choice("IUR_VERSION", "i-UR version", "Version of PLATEAU's extension of CityGML: 3.2 of the "
+                         "specification in force, 3.1 or 2.0.", IUR_VERSIONS, IUR_VERSIONS[0], advanced=True)
+    algorithm.add_choice("MAP_LEVEL", "Map level of the public survey", "Level of the public survey that the laser "
+                         "points are of, for CityGML's quality attributes; none where they are of no public survey.",
+                         MAP_LEVELS, MAP_LEVELS[0], advanced=True)
+
 
 def day_of(algorithm, parameters, name, context):
     """The day that a text parameter names, as text; empty where none is given."""
@@ -36,8 +51,18 @@ def write_files(algorithm, parameters, context, names, model, progress):
 
     paths = {name: algorithm.output_path(parameters, name, context) for name in names}
     write_city_files(model, *paths.values(), _geoid(algorithm, parameters, context),
-                     algorithm.parameterAsString(parameters, "CITY_CODE", context) or "", progress)
+                     _delivery(algorithm, parameters, context), progress)
     return {name: str(path) for name, path in paths.items() if path}
+
+
+def _delivery(algorithm, parameters, context):
+    """What CityGML says of all its buildings."""
+    from ...urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery
+
+    level = algorithm.parameterAsString(parameters, "MAP_LEVEL", context)
+    return PlateauDelivery(algorithm.parameterAsString(parameters, "IUR_VERSION", context),
+                           algorithm.parameterAsString(parameters, "CITY_CODE", context) or "",
+                           not parameters.get("CITY_MODEL"), int(level) if level.isdigit() else 0)
 
 
 def _geoid(algorithm, parameters, context):

@@ -11,7 +11,7 @@ from ..framework.layers.building_layers import read_buildings
 from ..framework.layers.layers import make_fields
 from ..framework.layers.outlines import column
 from ..framework.layers.trajectories import GEOID_FILTER
-from .city_outputs import check_parquet, day_of, write_files
+from .city_outputs import add_plateau_parameters, check_parquet, day_of, write_files
 
 CITYJSONSEQ_FILTER = "CityJSONSeq (*.city.jsonl *.jsonl)"
 OWN_IDS = ("gml_id", "building_id")
@@ -50,8 +50,7 @@ class ExportCityModel(UrbanMapAlgorithm):
                       optional=True, advanced=True)
         self.add_number("GEOID_HEIGHT", "Height of the geoid", "One height above the ellipsoid for all places, instead "
                         "of a model.", None, -120.0, 120.0, unit="m", optional=True, advanced=True)
-        self.add_text("CITY_CODE", "Municipality's code", "Five digits, such as 13101: CityGML then has the buildings' "
-                      "ids as PLATEAU asks for them.", advanced=True)
+        add_plateau_parameters(self)
         self.add_text("DATA_DATE", "Date of the data", "Day on which the buildings were measured, such as 2026-04-01.",
                       advanced=True)
         self.add_text("TITLE", "Title", "Title of the data set.", "UrbanMap building models", advanced=True)

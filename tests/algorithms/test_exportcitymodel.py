@@ -15,7 +15,7 @@ from urbanmap_qgis.geometry.solid import multipolygon
 from .conftest import make_feedback
 
 SPACES = {"bldg": "http://www.opengis.net/citygml/building/2.0", "gml": "http://www.opengis.net/gml",
-          "uro": "https://www.geospatial.jp/iur/uro/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0"}
+          "uro": "https://www.geospatial.jp/iur/uro/3.2", "app": "http://www.opengis.net/citygml/appearance/2.0"}
 
 
 def layer(path, rows, crs="EPSG:6677", fields=(("building_id", "text"), ("lod", "text"), ("note", "text"))):
@@ -88,6 +88,9 @@ def test_all_formats_from_one_layer(models, tmp_path):
     root = ElementTree.parse(path).getroot()
     assert len(root.findall(".//bldg:Building", SPACES)) == 4
     assert root.find(".//uro:lod1HeightType", SPACES).text == "2"
+    sources = [root.find(f".//uro:geometrySrcDescLod{level}", SPACES).text for level in "012"]
+    assert sources == ["112", "112", "112"] and root.find(".//uro:lodType", SPACES).text == "2.0"
+    assert (tmp_path / "gml" / "codelists" / "DataQualityAttribute_geometrySrcDesc.xml").is_file()
     assert root.find(".//uro:buildingID", SPACES).text == "13101-bldg-1"
     assert root.find(".//bldg:measuredHeight", SPACES).text == "7.0"
     tileset = json.loads((tmp_path / "tiles" / "tileset.json").read_text())

@@ -20,7 +20,7 @@ from urbanmap_qgis.geometry.mesh_code import third_mesh_code
 
 SPACES = {"core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
           "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",
-          "gml": "http://www.opengis.net/gml", "uro": "https://www.geospatial.jp/iur/uro/2.0"}
+          "gml": "http://www.opengis.net/gml", "uro": "https://www.geospatial.jp/iur/uro/3.2"}
 ID = f"{{{SPACES['gml']}}}id"
 HREF = "{http://www.w3.org/1999/xlink}href"
 

@@ -8,6 +8,7 @@ import json
 import struct
 import sys
 import zipfile
+from contextlib import ExitStack
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,9 @@ from pyproj import CRS
 from tests.solid_files import read_solids
 from urbanmap_qgis.aerial.frames.camera import read_camera, read_exterior
 from urbanmap_qgis.aerial.orthophotos.vehicle_filter import OrthophotoSource
+from urbanmap_qgis.citymodel.citygml.reader import open_citygml
 from urbanmap_qgis.citymodel.cityjson.reader import open_cityjson
+from urbanmap_qgis.citymodel.model import CityReference
 from urbanmap_qgis.citymodel.reading_notes import ReadingNotes
 from urbanmap_qgis.errors import InputError, OutputError
 from urbanmap_qgis.gnss.orbits.sp3 import read_sp3
@@ -181,6 +184,14 @@ def test_tables_and_json(tmp_path, name, read, content):
     with pytest.raises(InputError) as refused:
         read(write(tmp_path / name, content))
     assert name in str(refused.value) and "codec" not in str(refused.value)
+
+
+def test_citygml_3_is_refused_by_its_version(tmp_path):
+    path = write(tmp_path / "a.gml", '<core:CityModel xmlns:core="http://www.opengis.net/citygml/3.0" '
+                 'xmlns:bldg="http://www.opengis.net/citygml/building/3.0"><core:cityObjectMember><bldg:Building/>'
+                 "</core:cityObjectMember></core:CityModel>")
+    with ExitStack() as stack, pytest.raises(InputError, match="a.gml is CityGML 3.0"):
+        open_citygml(path, stack, ReadingNotes(), CityReference(epsg=6677))
 
 
 @pytest.mark.parametrize("vertices", ["[" + "9" * 400 + ", 0, 0]", "[0, 0]", '"a"'])

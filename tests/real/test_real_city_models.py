@@ -1,6 +1,7 @@
 """City models by outside judges: the schemas of CityJSON and of CityGML as PLATEAU has it, val3dity, cjio."""
 
 import importlib.util
+import itertools
 import json
 import shutil
 import subprocess
@@ -15,6 +16,7 @@ from tests.city_models import town
 from tests.solid_files import read_solids
 from urbanmap_qgis.buildings.city_export import export_buildings
 from urbanmap_qgis.citymodel.city_files import write_city_files
+from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery
 from urbanmap_qgis.citymodel.citygml.reader import open_citygml
 from urbanmap_qgis.citymodel.citygml.writer import write_citygml
 from urbanmap_qgis.citymodel.model import CityModel, CityReference
@@ -55,11 +57,20 @@ def test_cityjson_is_valid_by_its_schema(delft, tmp_path):
         validator.validate(json.loads(path.read_text(encoding="utf-8")))
 
 
-def test_citygml_is_valid_by_the_schemas_of_plateau(delft, tmp_path):
+SCHEMAS = {"2.0": "plateau.xsd", "3.1": "plateau-3.1.xsd", "3.2": "plateau-3.2.xsd"}
+
+
+def schema_of(version):
     etree = pytest.importorskip("lxml.etree")
-    schema = etree.XMLSchema(etree.parse(str(TOOLS / "citygml" / "plateau.xsd"), etree.XMLParser(no_network=True)))
+    return etree, etree.XMLSchema(etree.parse(str(TOOLS / "citygml" / SCHEMAS[version]),
+                                              etree.XMLParser(no_network=True)))
+
+
+@pytest.mark.parametrize(("version", "level"), [("3.2", 0), ("3.2", 2500), ("3.1", 500), ("2.0", 0)])
+def test_citygml_is_valid_by_the_schemas_of_plateau(delft, tmp_path, version, level):
+    etree, schema = schema_of(version)
     for name, model in models(delft, tmp_path).items():
-        write_city_files(model, citygml=tmp_path / name, city_code="13101")
+        write_city_files(model, citygml=tmp_path / name, delivery=PlateauDelivery(version, "13101", map_level=level))
         (path,) = (tmp_path / name).rglob("*.gml")
         schema.validate(etree.parse(str(path)))
         assert not list(schema.error_log), name
@@ -98,13 +109,12 @@ PLATEAU = sorted((SHARED / "data" / "als" / "plateau").rglob("*.gml"))
 
 @pytest.mark.parametrize("path", PLATEAU, ids=lambda path: path.stem)
 def test_a_file_of_plateau_read_and_written_again_loses_nothing(path, tmp_path):
-    etree = pytest.importorskip("lxml.etree")
-    schema = etree.XMLSchema(etree.parse(str(TOOLS / "citygml" / "plateau.xsd"), etree.XMLParser(no_network=True)))
+    etree, schema = schema_of("2.0")
     with ExitStack() as stack:
         notes = ReadingNotes()
         model = open_citygml(path, stack, notes)
         before = list(model.buildings)
-        files = write_citygml(tmp_path, replace(model, buildings=before))
+        files = write_citygml(tmp_path, replace(model, buildings=before), version="2.0")
     assert files == {path.name: len(before)} and not notes.unread and not notes.others
     written = tmp_path / "udx" / "bldg" / path.name
     schema.validate(etree.parse(str(written)))
@@ -114,6 +124,29 @@ def test_a_file_of_plateau_read_and_written_again_loses_nothing(path, tmp_path):
         after = list(open_citygml(written, stack, ReadingNotes()).buildings)
     assert [described(item) for item in after] == [described(item) for item in before]
     assert len(list((tmp_path / "udx" / "bldg").rglob("*.jpg"))) == len(model.images)
+
+
+@pytest.mark.parametrize("version", ["3.1", "3.2"])
+@pytest.mark.parametrize("path", PLATEAU[:1], ids=lambda path: path.stem)
+def test_a_file_of_an_older_version_becomes_one_of_today(path, version, tmp_path):
+    """What today's version has under another name is renamed; what it does not have stays as generic attributes."""
+    etree, schema = schema_of(version)
+    with ExitStack() as stack:
+        model = open_citygml(path, stack, ReadingNotes())
+        before = [replace(item, shapes=item.shapes[:1]) for item in itertools.islice(model.buildings, 200)]
+    write_city_files(replace(model, buildings=before), citygml=tmp_path,
+                     delivery=PlateauDelivery(version, measured=False))
+    (written,) = tmp_path.rglob("*.gml")
+    schema.validate(etree.parse(str(written)))
+    assert not list(schema.error_log)
+    with ExitStack() as stack:
+        after = list(open_citygml(written, stack, ReadingNotes()).buildings)
+    assert [item.id for item in after] == [item.id for item in before]
+    for old, new in zip(before, after):
+        assert new.attributes["uro:buildingIDAttribute"] == old.attributes["uro:buildingIDAttribute"]
+        quality = new.attributes["uro:bldgDataQualityAttribute"].values
+        assert quality["uro:geometrySrcDescLod1"].value in ("700", "999")
+        assert "uro:thematicSrcDesc" not in quality, "where the model comes from is not known"
 
 
 def described(item):

@@ -12,7 +12,7 @@ from ..io.reference.height_systems import ELLIPSOIDAL, UNKNOWN
 from ..progress import SILENT, Progress
 from ..wording import say
 from .city_sources import placed_model
-from .citygml.plateau import with_plateau_attributes
+from .citygml.plateau import PlateauDelivery, with_plateau_attributes
 from .citygml.writer import write_citygml
 from .cityjson.writer import write_model_cityjson, write_model_cityjsonseq
 from .images import images_beside, with_images_there
@@ -25,8 +25,8 @@ _Place = Union[str, os.PathLike, None]
 
 
 def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Place = None, citygml: _Place = None,
-                     tiles: _Place = None, geoid: Geoid | None = None, city_code: str = "",
-                     progress: Progress = SILENT) -> None:
+                     tiles: _Place = None, geoid: Geoid | None = None,
+                     delivery: PlateauDelivery | None = None, progress: Progress = SILENT) -> None:
     """Write a model, whose buildings are a sequence, to each place that is not None; warn of heights that are not said
     and of images that are not there.
 
@@ -34,8 +34,9 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
     ----------
     cityjson, cityjsonseq : files. citygml, tiles : folders.
     geoid : added to heights in 3D Tiles, unless they are ellipsoidal.
-    city_code : five digits of the municipality, for PLATEAU's ids; empty for none.
+    delivery : what CityGML says of all its buildings.
     """
+    delivery = delivery or PlateauDelivery()
     model = with_images_there(model, progress)
     _warn_of_heights(model, citygml is not None, tiles is not None and geoid is None, progress)
     for number, (path, write) in enumerate(((cityjson, write_model_cityjson), (cityjsonseq, write_model_cityjsonseq))):
@@ -45,9 +46,9 @@ def write_city_files(model: CityModel, cityjson: _Place = None, cityjsonseq: _Pl
         progress.step((number + 1) / 4)
     if citygml is not None:
         buildings: Sequence[CityObject] = tuple(model.buildings)
-        ready = (with_plateau_attributes(item, number, city_code, model.reference.epsg in PLATEAU_SYSTEMS)
+        ready = (with_plateau_attributes(item, number, delivery, model.reference.epsg in PLATEAU_SYSTEMS)
                  for number, item in enumerate(buildings, 1))
-        write_citygml(citygml, replace(model, buildings=ready), progress)
+        write_citygml(citygml, replace(model, buildings=ready), progress, delivery.version)
         missing = sum(not any(part.shapes for part in item.objects()) for item in buildings)
         if missing and model.reference.epsg in PLATEAU_SYSTEMS:
             progress.warn(say("{missing} buildings have no model and no place in a mesh: CityGML leaves them out.",

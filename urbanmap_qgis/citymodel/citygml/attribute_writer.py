@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from datetime import date
 from typing import Any
 from xml.sax.saxutils import escape, quoteattr  # nosec B406 # writes, reads nothing
@@ -15,20 +17,32 @@ from xml.sax.saxutils import escape, quoteattr  # nosec B406 # writes, reads not
 import numpy as np
 
 from ..model import AttributeGroup, CodeValue, Measure
+from .iur import PREFIX, IurTable
 
-CODES = ("class", "function", "usage", "roofType")
-_YEARS = ("yearOfConstruction", "yearOfDemolition")
-_COUNTS = ("storeysAboveGround", "storeysBelowGround")
-_HEIGHTS = ("storeyHeightsAboveGround", "storeyHeightsBelowGround")
-BUILDING_ORDER = ("class", "function", "usage", "yearOfConstruction", "yearOfDemolition", "roofType", "measuredHeight",
-                  *_COUNTS, *_HEIGHTS)
+
+@dataclass(frozen=True)
+class BuildingField:
+    """An attribute of the building module: kinds of values that it takes, their form, and the unit of a bare number."""
+
+    takes: tuple[type, ...]
+    form: str = ""
+    unit: str = ""
+
+
+_CODE, _YEAR = BuildingField((str, int, CodeValue)), BuildingField((str, int), r"-?\d{4,}")
+_COUNT, _HEIGHTS = BuildingField((str, int), r"\d+"), BuildingField((Measure,))
+BUILDING_FIELDS = {
+    "class": _CODE, "function": _CODE, "usage": _CODE, "yearOfConstruction": _YEAR, "yearOfDemolition": _YEAR,
+    "roofType": _CODE, "measuredHeight": BuildingField((Measure, int, float), unit="m"),
+    "storeysAboveGround": _COUNT, "storeysBelowGround": _COUNT,
+    "storeyHeightsAboveGround": _HEIGHTS, "storeyHeightsBelowGround": _HEIGHTS}
 """Attributes of bldg:_AbstractBuilding in the schema's order."""
 
 _FEATURE_ORDER = ("gml:description", "gml:name", "core:creationDate", "core:terminationDate")
 _FEATURE_NAMES = {"description": "gml:description", "name": "gml:name", "creationDate": "core:creationDate",
                   "terminationDate": "core:terminationDate"}
 _NOT_IN_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
-_GENERIC, _EXTENSION = "gen:", "uro:"
+_GENERIC = "gen:"
 
 
 def xml_text(value: object) -> str:
@@ -36,11 +50,12 @@ def xml_text(value: object) -> str:
     return escape(_NOT_IN_XML.sub("", str(value)))
 
 
-def split_attributes(attributes: Mapping[str, Any]) -> tuple[str, str, str]:
+def split_attributes(attributes: Mapping[str, Any], table: IurTable, homeless: Counter) -> tuple[str, str, str]:
     """The XML of what comes before the geometry (features' and generic attributes), of the building's own attributes,
-    and of extensions, which come last."""
+    and of extensions, which come last. `homeless` counts extensions that `table` has no place for, which become
+    generic attributes."""
     feature: dict[str, list[str]] = {name: [] for name in _FEATURE_ORDER}
-    building: dict[str, list[str]] = {name: [] for name in BUILDING_ORDER}
+    building: dict[str, list[str]] = {name: [] for name in BUILDING_FIELDS}
     generic, extension = [], []
     for name, value in attributes.items():
         for item in value if isinstance(value, (list, tuple)) else (value,):
@@ -51,13 +66,17 @@ def split_attributes(attributes: Mapping[str, Any]) -> tuple[str, str, str]:
                 feature[place].append(f"<{place}{_code_space(item)}>{_feature_text(item)}</{place}>")
             elif name in building and _building_element(name, item):
                 building[name].append(_building_element(name, item))
-            elif name.startswith(_EXTENSION):
-                extension.append(f"<{name}>{_nested(item)}</{name}>" if isinstance(item, AttributeGroup)
-                                 else _element(name, item))
+            elif name.startswith(PREFIX):
+                fitted = table.fitted(name, item)
+                if fitted is None:
+                    homeless[name] += 1
+                    generic.append(generic_attribute(name.removeprefix(PREFIX), item))
+                else:
+                    extension.append(_extension(fitted[0], fitted[1][0]))
             else:
                 generic.append(generic_attribute(name.removeprefix(_GENERIC), item))
     return ("".join(text for name in _FEATURE_ORDER for text in feature[name]) + "".join(generic),
-            "".join(text for name in BUILDING_ORDER for text in building[name]), "".join(extension))
+            "".join(text for name in BUILDING_FIELDS for text in building[name]), "".join(extension))
 
 
 def generic_attribute(name: str, value: Any) -> str:
@@ -67,8 +86,8 @@ def generic_attribute(name: str, value: Any) -> str:
     named = f" name={quoteattr(_NOT_IN_XML.sub('', name))}"
     if isinstance(value, (AttributeGroup, Mapping)):
         values = value.values if isinstance(value, AttributeGroup) else value
-        inner = "".join(generic_attribute(key.removeprefix(_GENERIC), item) for key, item in values.items()
-                        if item is not None)
+        inner = "".join(generic_attribute(key.removeprefix(_GENERIC), item) for key, value in values.items()
+                        for item in (value if isinstance(value, (list, tuple)) else (value,)) if item is not None)
         return f"<gen:genericAttributeSet{named}>{inner}</gen:genericAttributeSet>"
     if isinstance(value, Measure):
         return (f"<gen:measureAttribute{named}><gen:value uom={quoteattr(value.unit)}>{_number(value.value)}"
@@ -106,15 +125,18 @@ def _code_space(value: Any) -> str:
 
 def _building_element(name: str, value: Any) -> str:
     """An attribute of the building module, empty where its value is not of the attribute's type."""
-    if name in CODES:
-        return _element(f"bldg:{name}", value) if isinstance(value, (str, int, CodeValue)) else ""
-    if name == "measuredHeight" and isinstance(value, (int, float)):
-        return _element(f"bldg:{name}", Measure(value, "m"))
-    if name in _HEIGHTS or name == "measuredHeight":
-        return _element(f"bldg:{name}", value) if isinstance(value, Measure) else ""
-    pattern = r"-?\d{4,}" if name in _YEARS else r"\d+"
-    text = str(value)
-    return f"<bldg:{name}>{text}</bldg:{name}>" if re.fullmatch(pattern, text) else ""
+    field = BUILDING_FIELDS[name]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if not isinstance(value, field.takes) or (field.form and not re.fullmatch(field.form, str(value))):
+        return ""
+    return _element(f"bldg:{name}", Measure(value, field.unit) if field.unit and not isinstance(value, Measure)
+                    else value)
+
+
+def _extension(name: str, value: Any) -> str:
+    """An attribute of an extension: a group or a simple value."""
+    return f"<{name}>{_nested(value)}</{name}>" if isinstance(value, AttributeGroup) else _element(name, value)
 
 
 def _nested(group: AttributeGroup) -> str:

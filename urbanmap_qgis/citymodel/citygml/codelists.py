@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from pathlib import Path
 from xml.sax.saxutils import escape  # nosec B406 # writes, reads nothing
 
@@ -10,24 +11,30 @@ from ...errors import OutputError
 from ...io.files.atomic import written_beside
 from ...wording import say
 from ..model import CodeValue
+from .iur import code_lists
 
 FOLDER = "../../codelists/"
 """Where a file in udx/bldg finds the lists."""
 
-LISTS: dict[str, dict[str, str]] = {
+_OLD_LISTS: dict[str, dict[str, str]] = {
     "BuildingDataQualityAttribute_lod1HeightType": {"2": "点群から取得_中央値"},
     "UrbanMap_geometrySrcDesc": {"1": "airborne laser scanning", "2": "airborne laser scanning and mobile mapping"},
 }
-"""Codes and their meaning by list; those of `UrbanMap_` are the program's own."""
+"""Lists that models with i-UR 2.0 refer to; those of `UrbanMap_` are the program's own."""
+
+
+def lists_of(version: str) -> Mapping[str, Mapping[str, str]]:
+    """Codes and their meaning by list, of the lists that a version of i-UR refers to."""
+    return _OLD_LISTS if version == "2.0" else code_lists()
 
 
 def code_value(name: str, code: str) -> CodeValue:
-    """A code of one of `LISTS`, which says where the list lies."""
-    return CodeValue(code, f"{FOLDER}{name}.xml", LISTS[name][code])
+    """A code of one of the lists, which says where the list lies."""
+    return CodeValue(code, f"{FOLDER}{name}.xml", (_OLD_LISTS.get(name) or code_lists()[name])[code])
 
 
-def write_codelists(folder: str | os.PathLike) -> None:
-    """Write all lists into a folder.
+def write_codelists(folder: str | os.PathLike, version: str) -> None:
+    """Write all lists that a version refers to into a folder.
 
     Raises
     ------
@@ -39,7 +46,7 @@ def write_codelists(folder: str | os.PathLike) -> None:
     except OSError as error:
         raise OutputError(say("The folder {place} cannot be made ({strerror}): choose another output.", place=place,
                               strerror=error.strerror)) from error
-    for name, codes in LISTS.items():
+    for name, codes in lists_of(version).items():
         entries = "".join(
             f'<gml:dictionaryEntry><gml:Definition gml:id="id{code}"><gml:description>{escape(meaning)}'
             f"</gml:description><gml:name>{code}</gml:name></gml:Definition></gml:dictionaryEntry>\n"

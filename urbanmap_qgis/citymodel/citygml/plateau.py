@@ -1,29 +1,66 @@
 """What PLATEAU asks of a building's attributes beside its geometry.
 
-Source: the standard product specification of 3D city models (Project PLATEAU); i-UR 2.0 (uro) by its schema.
+Source: the standard product specification of 3D city models (Project PLATEAU) 5.0, 4.2.3.2 and 4.2.4.2, with i-UR 3.2
+and 3.1; its edition 2 with i-UR 2.0.
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
 
 from ...errors import InputError
 from ...wording import say
 from ..model import AttributeGroup, CityObject, CodeValue, Measure
 from .codelists import code_value
+from .iur import VERSIONS, code_lists, iur_table
 
-ID_ATTRIBUTE, QUALITY_ATTRIBUTE = "uro:buildingIDAttribute", "uro:buildingDataQualityAttribute"
+ID_ATTRIBUTE = "uro:buildingIDAttribute"
+QUALITY_ATTRIBUTE, OLD_QUALITY_ATTRIBUTE = "uro:bldgDataQualityAttribute", "uro:buildingDataQualityAttribute"
 AUTHORITIES = "../../codelists/Common_localPublicAuthorities.xml"
-LASER, LASER_AND_STREET = "1", "2"
-"""Codes of `UrbanMap_geometrySrcDesc`."""
+
+PUBLIC_SURVEY, AIRBORNE_LASER, OTHER_MATERIAL, NOT_MADE = "000", "112", "700", "999"
+"""Codes of `DataQualityAttribute_geometrySrcDesc`."""
+
+NO_PUBLIC_SURVEY = "100"
+"""Code of `DataQualityAttribute_thematicSrcDesc`: a survey that is no public one."""
+
+PUBLIC_AIRBORNE_LASER = "012"
+"""Code of `PublicSurveyDataQualityAttribute_publicSurveySrcDesc`."""
+
+SCALES = {5000: "0", 2500: "1", 1000: "2", 500: "3"}
+"""Codes of `PublicSurveyDataQualityAttribute_srcScale` by map level."""
+
+LASER = "1"
+"""Code of `UrbanMap_geometrySrcDesc`."""
 
 MEDIAN = "2"
-"""Code of `BuildingDataQualityAttribute_lod1HeightType`: median of the point cloud."""
+"""Code of the lists of lod1HeightType: median of the point cloud."""
 
 PLAIN_ROOFS = "2.0"
 """The least of PLATEAU's kinds of LOD2, which asks for the main roofs; the finer ones ask for sizes that are not
 measured here."""
+
+_LEVELS = "01234"
+
+
+@dataclass(frozen=True)
+class PlateauDelivery:
+    """What a delivery says of all its buildings.
+
+    Attributes
+    ----------
+    version : of i-UR, one of `VERSIONS`. city_code : five digits of the municipality; empty for none.
+    measured : whether the models are of laser points by this program; else nothing is known of where they come from.
+    map_level : of the public survey that the points are of, one of `SCALES`; 0 where it is none.
+    """
+
+    version: str = VERSIONS[0]
+    city_code: str = ""
+    measured: bool = True
+    map_level: int = 0
 
 
 def check_city_code(code: str) -> None:
@@ -38,30 +75,103 @@ def check_city_code(code: str) -> None:
                              code=code))
 
 
-def with_plateau_attributes(item: CityObject, number: int, city_code: str = "", extended: bool = True,
-                            source: str = LASER) -> CityObject:
+def with_plateau_attributes(item: CityObject, number: int, delivery: PlateauDelivery | None = None,
+                            extended: bool = True) -> CityObject:
     """A building with measured height and, `extended`, quality of data and, where the municipality is known, its id.
 
     What the building says already stays.
 
     Parameters
     ----------
-    number : of the building in the data set, from 1. city_code : five digits of the municipality.
-    source : what the geometry was measured by, `LASER` or `LASER_AND_STREET`.
+    number : of the building in the data set, from 1.
     """
+    delivery = delivery or PlateauDelivery()
     made = dict(item.attributes)
     height = made.get("roof_max")
     if "measuredHeight" not in made and height is not None:
         made["measuredHeight"] = Measure(height, "m")
-    shapes = [shape for part in item.objects() for shape in part.shapes]
-    if extended and QUALITY_ATTRIBUTE not in made and any(shape.lod.startswith("1") for shape in shapes):
-        values = {"geometrySrcDesc": code_value("UrbanMap_geometrySrcDesc", source),
-                  "lod1HeightType": code_value("BuildingDataQualityAttribute_lod1HeightType", MEDIAN)}
-        if any(shape.lod.startswith("2") for shape in shapes):
-            values["lodType"] = PLAIN_ROOFS
-        made[QUALITY_ATTRIBUTE] = AttributeGroup("uro:BuildingDataQualityAttribute", values)
-    if extended and city_code and ID_ATTRIBUTE not in made:
-        made[ID_ATTRIBUTE] = AttributeGroup("uro:BuildingIDAttribute", {
-            "buildingID": f"{city_code}-bldg-{number}", "prefecture": CodeValue(city_code[:2], AUTHORITIES),
-            "city": CodeValue(city_code, AUTHORITIES)})
-    return replace(item, attributes=made)
+    if not extended:
+        return replace(item, attributes=made)
+    made = _with_quality(made, item, delivery)
+    if not delivery.city_code:
+        return replace(item, attributes=made)
+    parts = tuple(replace(part, attributes=_with_id(part.attributes, number, delivery.city_code, place))
+                  for place, part in enumerate(item.parts, 1))
+    return replace(item, attributes=_with_id(made, number, delivery.city_code), parts=parts)
+
+
+def _with_id(attributes: dict[str, Any], number: int, city_code: str, part: int = 0) -> dict[str, Any]:
+    """Attributes with the id of the building, which its parts share and tell apart by their number."""
+    if ID_ATTRIBUTE in attributes:
+        return dict(attributes)
+    values = {"buildingID": f"{city_code}-bldg-{number}", **({"partID": part} if part else {}),
+              "prefecture": CodeValue(city_code[:2], AUTHORITIES), "city": CodeValue(city_code, AUTHORITIES)}
+    return {**attributes, ID_ATTRIBUTE: AttributeGroup("uro:BuildingIDAttribute", values)}
+
+
+def _with_quality(attributes: dict[str, Any], item: CityObject, delivery: PlateauDelivery) -> dict[str, Any]:
+    """Attributes with a quality attribute that the version can hold."""
+    table = iur_table(delivery.version)
+    stated = {name: attributes[name] for name in (QUALITY_ATTRIBUTE, OLD_QUALITY_ATTRIBUTE) if name in attributes}
+    if any(table.fitted(name, value) for name, value in stated.items()):
+        return attributes
+    levels = {shape.lod[0] for part in item.objects() for shape in part.shapes}
+    if delivery.version == "2.0":
+        name, values = OLD_QUALITY_ATTRIBUTE, _old_quality(levels, delivery)
+    else:
+        name, values = QUALITY_ATTRIBUTE, _quality(levels, delivery, next(iter(stated.values()), None))
+    if not values or name in stated:
+        return attributes
+    return {**attributes, name: AttributeGroup(_type_of(name), values)}
+
+
+def _type_of(name: str) -> str:
+    return "uro:DataQualityAttribute" if name == QUALITY_ATTRIBUTE else "uro:BuildingDataQualityAttribute"
+
+
+def _old_quality(levels: set[str], delivery: PlateauDelivery) -> dict[str, Any]:
+    """Quality as i-UR 2.0 has it, which asks how LOD1 got its height."""
+    if "1" not in levels or not delivery.measured:
+        return {}
+    made: dict[str, Any] = {"geometrySrcDesc": code_value("UrbanMap_geometrySrcDesc", LASER),
+                            "lod1HeightType": code_value("BuildingDataQualityAttribute_lod1HeightType", MEDIAN)}
+    return {**made, "lodType": PLAIN_ROOFS} if "2" in levels else made
+
+
+def _quality(levels: set[str], delivery: PlateauDelivery, older: Any) -> dict[str, Any]:
+    """Quality as i-UR 3 has it: source of each level of detail, LOD0 to LOD2 in any case.
+
+    `older` : quality attribute of another version, of which the kinds of LOD and of heights are kept.
+    """
+    kept = older.values if isinstance(older, AttributeGroup) else {}
+    source = (PUBLIC_SURVEY if delivery.map_level else AIRBORNE_LASER) if delivery.measured else OTHER_MATERIAL
+    wanted = [level for level in _LEVELS if level in levels or level in "012"]
+    made: dict[str, Any] = {f"geometrySrcDescLod{level}": code_value(
+        "DataQualityAttribute_geometrySrcDesc", source if level in levels else NOT_MADE) for level in wanted}
+    if delivery.measured:
+        thematic = PUBLIC_SURVEY if delivery.map_level else NO_PUBLIC_SURVEY
+        made["thematicSrcDesc"] = code_value("DataQualityAttribute_thematicSrcDesc", thematic)
+    kinds = _codes(kept, "lodType", "Building_lodType") or (
+        [PLAIN_ROOFS] if delivery.measured and "2" in levels else [])
+    if kinds:
+        made["lodType"] = [code_value("Building_lodType", kind) for kind in kinds]
+    heights = _codes(kept, "lod1HeightType", "DataQualityAttribute_lod1HeightType") or (
+        [MEDIAN] if delivery.measured and "1" in levels else [])
+    if heights:
+        made["lod1HeightType"] = code_value("DataQualityAttribute_lod1HeightType", heights[0])
+    if delivery.measured and delivery.map_level:
+        there = [level for level in wanted if level in levels]
+        scale, laser = ("PublicSurveyDataQualityAttribute_srcScale", SCALES[delivery.map_level]), (
+            "PublicSurveyDataQualityAttribute_publicSurveySrcDesc", PUBLIC_AIRBORNE_LASER)
+        made["publicSurveyDataQualityAttribute"] = AttributeGroup("uro:PublicSurveyDataQualityAttribute", {
+            **{f"srcScaleLod{level}": code_value(*scale) for level in there},
+            **{f"publicSurveySrcDescLod{level}": code_value(*laser) for level in there}})
+    return made
+
+
+def _codes(values: Mapping[str, Any], name: str, listed: str) -> list[str]:
+    """Codes of an attribute that the list of today has."""
+    value = values.get(f"uro:{name}", values.get(name))
+    given = value if isinstance(value, list) else [] if value is None else [value]
+    texts = [str(item.value if isinstance(item, CodeValue) else item) for item in given]
+    return [text for text in texts if text in code_lists()[listed]]

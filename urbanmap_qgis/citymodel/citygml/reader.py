@@ -1,4 +1,4 @@
-"""CityGML 2.0 (also 1.0 and 3.0's building geometry) read building by building: PLATEAU files, folders, zips.
+"""CityGML 2.0 (also 1.0) read building by building: PLATEAU files, folders, zips.
 
 Source: OGC 12-019 (CityGML 2.0); the standard product specification of 3D city models (Project PLATEAU).
 """
@@ -37,6 +37,7 @@ CITYGML = Wanted("city models (CityGML)", "give the files of the buildings (udx/
                  lambda name: bool(_OTHER_THEME.match(name)), (".gml", ".citygml"))
 _OBJECTS = {"Building": BUILDING, "BuildingPart": BUILDING_PART}
 _LARGEST_LIST = 100_000
+_VERSION_3 = "{http://www.opengis.net/citygml/3."
 
 
 @dataclass
@@ -140,6 +141,9 @@ def _reference_of(source: XmlSource, given: CityReference | None) -> NamedRefere
         if split_tag(root.tag)[1] != "CityModel":
             raise InputError(say("{source} is no CityGML (its root is {split_tag}): give a city model.",
                                  source=source.name, split_tag=split_tag(root.tag)[1]))
+        if root.tag.startswith(_VERSION_3):
+            raise InputError(say("{source} is CityGML 3.0, whose buildings are not read yet: give CityGML 2.0 or 1.0.",
+                                 source=source.name))
         for item in (root, *element.iter()):
             if item.get("srsName"):
                 return named_reference(item.get("srsName"), source.name)

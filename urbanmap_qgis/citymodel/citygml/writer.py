@@ -10,6 +10,7 @@ import os
 import re
 import shutil
 import tempfile
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
@@ -27,6 +28,7 @@ from ..objects import rings_of, unique_objects
 from ..reference import GEOGRAPHIC, GEOGRAPHIC_2011, GEOGRAPHIC_2024, JGD2024, PLANE_ZONES, compound_epsg
 from .attribute_writer import generic_attribute, split_attributes, xml_text
 from .codelists import write_codelists
+from .iur import VERSIONS, IurTable, iur_table
 from .shape_writer import object_geometry
 
 WRITTEN_BY = "<!-- Written by UrbanMap -->"
@@ -35,7 +37,7 @@ _NAMESPACES = {
     "core": "http://www.opengis.net/citygml/2.0", "bldg": "http://www.opengis.net/citygml/building/2.0",
     "gen": "http://www.opengis.net/citygml/generics/2.0", "app": "http://www.opengis.net/citygml/appearance/2.0",
     "gml": "http://www.opengis.net/gml", "xlink": "http://www.w3.org/1999/xlink",
-    "xAL": "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0", "uro": "https://www.geospatial.jp/iur/uro/2.0",
+    "xAL": "urn:oasis:names:tc:ciq:xsdschema:xAL:2.0",
     "xsi": "http://www.w3.org/2001/XMLSchema-instance"}
 _NAME = re.compile(r"[^\W\d][\w.\-]*\Z")
 _OTHER = re.compile(r"[^\w.\-]")
@@ -72,11 +74,19 @@ class _GmlFile:
                     file.write(text)
 
 
-def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progress = SILENT) -> dict[str, int]:
+def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progress = SILENT,
+                  version: str = VERSIONS[0]) -> dict[str, int]:
     """Write a city model into a folder as CityGML 2.0, building by building; return the files with their buildings.
 
     Coordinates in a JGD2011 or JGD2024 system are written as PLATEAU has them: latitude, longitude and height
     (EPSG:6697, or 11318 where heights are JGD2024), a file a third mesh. Others keep their system, in one file.
+
+    Attributes of i-UR are written as the version has them; those that it has no place for become generic ones, which
+    is warned of.
+
+    Parameters
+    ----------
+    version : of i-UR, one of `VERSIONS`.
 
     Raises
     ------
@@ -92,7 +102,7 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
         raise OutputError(say("The folder {target} cannot be made ({strerror}): choose another output.", target=target,
                               strerror=error.strerror)) from error
     files: dict[str, _GmlFile] = {}
-    names = _Names()
+    names = _Names(iur_table(version))
     with tempfile.TemporaryDirectory(prefix="urbanmap-") as scratch:
         for building in unique_objects(model.buildings):
             progress.check()
@@ -103,10 +113,14 @@ def write_citygml(folder: str | os.PathLike, model: CityModel, progress: Progres
             file = files.setdefault(name, _GmlFile(name, Path(scratch)))
             _add_building(file, building, frame, names, bounds)
         for file in files.values():
-            _write_file(place / f"{file.name}.gml", file, frame, model)
+            _write_file(place / f"{file.name}.gml", file, frame, model, names.table.namespace)
             copy_images(place, file.images, model.images)
     if plateau:
-        write_codelists(target / "codelists")
+        write_codelists(target / "codelists", version)
+    if names.homeless:
+        progress.warn(say("{count} attributes have no place in i-UR {version} and are written as generic ones "
+                          "({names}).", count=sum(names.homeless.values()), version=version,
+                          names=", ".join(sorted(names.homeless)[:3])))
     return {f"{name}.gml": file.count for name, file in files.items()}
 
 
@@ -155,10 +169,12 @@ def _mesh_file(bounds: np.ndarray, frame: _Frame) -> str:
 
 
 class _Names:
-    """Ids of features as XML takes them, each once."""
+    """Ids of features as XML takes them, each once; attributes of i-UR that its version has no place for, by name."""
 
-    def __init__(self) -> None:
+    def __init__(self, table: IurTable) -> None:
+        self.table = table
         self.taken: set[str] = set()
+        self.homeless: Counter = Counter()
 
     def of(self, identifier: str) -> str:
         name = identifier if _NAME.match(identifier) else "bldg_" + _OTHER.sub("_", identifier)
@@ -201,7 +217,7 @@ def _object(item: CityObject, names: _Names, places, textures: dict[str, list]) 
     geometry = object_geometry(item, identifier, places)
     for image, targets in geometry.textured.items():
         textures.setdefault(image, []).extend(targets)
-    before, own, after = split_attributes(item.attributes)
+    before, own, after = split_attributes(item.attributes, names.table, names.homeless)
     if identifier != item.id:
         before += generic_attribute("source_id", item.id)
     if item.problems:
@@ -236,9 +252,9 @@ def _texture(name: str, targets: list) -> str:
             "</app:surfaceDataMember>\n")
 
 
-def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel) -> None:
+def _write_file(path: Path, file: _GmlFile, frame: _Frame, model: CityModel, extension: str) -> None:
     """Put head, members and textures together."""
-    spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in _NAMESPACES.items())
+    spaces = " ".join(f'xmlns:{prefix}="{uri}"' for prefix, uri in {**_NAMESPACES, "uro": extension}.items())
     title = f"<gml:name>{xml_text(model.title)}</gml:name>" if model.title else ""
     envelope = ""
     if np.isfinite(file.low).all():

@@ -1,0 +1,140 @@
+"""i-UR's tables: what a version can hold, in its order, under its names; what PLATEAU asks of quality and ids."""
+
+from collections import Counter
+from datetime import date
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.city_models import town
+from urbanmap_qgis.citymodel.citygml.attribute_writer import split_attributes
+from urbanmap_qgis.citymodel.citygml.codelists import lists_of, write_codelists
+from urbanmap_qgis.citymodel.citygml.iur import VERSIONS, iur_table
+from urbanmap_qgis.citymodel.citygml.plateau import PlateauDelivery, with_plateau_attributes
+from urbanmap_qgis.citymodel.model import AttributeGroup, CodeValue, Measure
+
+LISTS = "../../codelists/"
+
+
+def group(name, **values):
+    return AttributeGroup(f"uro:{name}", {f"uro:{key}": value for key, value in values.items()})
+
+
+def names(made):
+    return list(made.values)
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_values_come_in_the_schemas_order(version):
+    given = group("BuildingIDAttribute", city=CodeValue("13101", LISTS), branchID=2, buildingID="13101-bldg-1")
+    name, (made,) = iur_table(version).fitted("uro:buildingIDAttribute", given)
+    assert name == "uro:buildingIDAttribute" and names(made) == ["buildingID", "branchID", "city"]
+
+
+@pytest.mark.parametrize("values", [
+    {"buildingID": "1"},  # the city is missing
+    {"buildingID": "1", "city": CodeValue("13101"), "storeys": 3},  # no such value
+    {"buildingID": ["1", "2"], "city": CodeValue("13101")},  # two where one may be
+    {"buildingID": "1", "city": CodeValue("13101"), "branchID": "two"},  # no whole number
+    {"buildingID": "1", "city": Measure(1.0, "m")}])
+def test_what_the_schema_refuses_does_not_fit(values):
+    assert iur_table("3.2").fitted("uro:buildingIDAttribute", group("BuildingIDAttribute", **values)) is None
+
+
+def test_names_follow_the_version():
+    pair = group("KeyValuePairAttribute", key=CodeValue("1"), codeValue=CodeValue("2"))
+    assert iur_table("3.2").fitted("uro:keyValuePairAttribute", pair)[0] == "uro:bldgKeyValuePairAttribute"
+    assert iur_table("2.0").fitted("uro:bldgKeyValuePairAttribute", pair)[0] == "uro:keyValuePairAttribute"
+    both = group("KeyValuePairAttribute", key=CodeValue("1"), codeValue=CodeValue("2"), intValue=3)
+    assert iur_table("2.0").fitted("uro:keyValuePairAttribute", both) is None, "one value of the choice, not two"
+    flood = group("BuildingRiverFloodingRiskAttribute", description=CodeValue("1"), rank=CodeValue("2"),
+                  depth=Measure(1.5, "m"), adminType=CodeValue("1"), scale=CodeValue("2"))
+    name, (made,) = iur_table("3.2").fitted("uro:buildingDisasterRiskAttribute", flood)
+    assert (name, made.type) == ("uro:bldgDisasterRiskAttribute", "uro:RiverFloodingRiskAttribute")
+    assert iur_table("2.0").fitted("uro:bldgRealEstateIDAttribute", group("RealEstateIDAttribute")) is None
+
+
+def test_what_a_version_cannot_hold_becomes_generic():
+    homeless = Counter()
+    attributes = {"uro:bldgRealEstateIDAttribute": group("RealEstateIDAttribute", realEstateIDOfLand=["a", "b"]),
+                  "yearOfConstruction": 1999, "measuredHeight": 7.5, "storeysAboveGround": "three"}
+    before, own, after = split_attributes(attributes, iur_table("2.0"), homeless)
+    assert homeless == {"uro:bldgRealEstateIDAttribute": 1} and after == ""
+    assert before.count("<gen:value>a</gen:value>") == before.count("<gen:value>b</gen:value>") == 1
+    assert own == ('<bldg:yearOfConstruction>1999</bldg:yearOfConstruction>'
+                   '<bldg:measuredHeight uom="m">7.5</bldg:measuredHeight>')
+    assert 'name="storeysAboveGround"' in before, "what is no number is kept as a generic text"
+
+
+def test_dates_and_truths_keep_their_form():
+    table = iur_table("3.2")
+    fields = {field.name: field.kind for field in table.fields["BuildingDetailAttribute"]}
+    assert fields["siteArea"] == "measure" and fields["surveyYear"] == "year"
+    given = group("BuildingDetailAttribute", surveyYear=2024)
+    assert table.fitted("uro:buildingDetailAttribute", given)[1][0].values == {"surveyYear": 2024}
+    assert table.fitted("uro:buildingDetailAttribute", group("BuildingDetailAttribute", surveyYear="24")) is None
+    assert table.fitted("uro:buildingDetailAttribute", group("BuildingDetailAttribute", surveyYear=date(2024, 1, 1))
+                        ) is None
+
+
+def quality(item, **delivery):
+    made = with_plateau_attributes(item, 1, PlateauDelivery(**delivery))
+    name = "uro:buildingDataQualityAttribute" if delivery.get("version") == "2.0" else "uro:bldgDataQualityAttribute"
+    found = made.attributes.get(name)
+    return found and {key: [item.value for item in value] if isinstance(value, list) else
+                      getattr(value, "value", value) for key, value in found.values.items()}
+
+
+def test_quality_names_the_source_of_every_level():
+    house, _, bare, block = town().buildings
+    assert quality(house) == {
+        "geometrySrcDescLod0": "112", "geometrySrcDescLod1": "112", "geometrySrcDescLod2": "112",
+        "thematicSrcDesc": "100", "lodType": ["2.0"], "lod1HeightType": "2"}
+    assert quality(block)["geometrySrcDescLod2"] == "999" and "lodType" not in quality(block)
+    assert [quality(bare)[f"geometrySrcDescLod{level}"] for level in "012"] == ["999"] * 3
+    assert quality(bare, version="2.0") is None
+
+
+def test_a_public_survey_says_its_map_level():
+    made = quality(town().buildings[0], map_level=2500)
+    assert made["geometrySrcDescLod2"] == made["thematicSrcDesc"] == "000"
+    survey = made["publicSurveyDataQualityAttribute"].values if hasattr(
+        made["publicSurveyDataQualityAttribute"], "values") else made["publicSurveyDataQualityAttribute"]
+    assert survey["srcScaleLod1"].value == "1" and survey["publicSurveySrcDescLod1"].value == "012"
+
+
+def test_a_model_of_others_claims_no_survey():
+    made = quality(town().buildings[0], measured=False)
+    assert made == {f"geometrySrcDescLod{level}": "700" for level in "012"}
+    old = town(**{"uro:buildingDataQualityAttribute": group(
+        "BuildingDataQualityAttribute", lod1HeightType=CodeValue("6"), lodType="2.1")}).buildings[0]
+    made = quality(old, measured=False)
+    assert made["lod1HeightType"] == "6" and made["lodType"] == ["2.1"]
+
+
+def test_parts_share_the_buildings_id_and_have_their_number():
+    made = with_plateau_attributes(town().buildings[1], 7, PlateauDelivery(city_code="13101"))
+    ids = [item.attributes["uro:buildingIDAttribute"].values for item in made.objects()]
+    assert {values["buildingID"] for values in ids} == {"13101-bldg-7"}
+    assert [values.get("partID") for values in ids] == [None, 1, 2]
+
+
+@pytest.mark.parametrize("version", VERSIONS)
+def test_every_code_has_its_list(version, tmp_path):
+    write_codelists(tmp_path, version)
+    item = with_plateau_attributes(town().buildings[0], 1, PlateauDelivery(version, map_level=500))
+    codes = [value for value in _codes(item.attributes) if LISTS in value.space]
+    assert codes
+    for value in codes:
+        root = ElementTree.parse(tmp_path / value.space.removeprefix(LISTS)).getroot()
+        assert value.value in {entry.text for entry in root.iter("{http://www.opengis.net/gml}name")}
+    assert set(lists_of(version)) == {path.stem for path in tmp_path.iterdir()}
+
+
+def _codes(values):
+    for value in values.values():
+        for item in value if isinstance(value, list) else [value]:
+            if isinstance(item, CodeValue):
+                yield item
+            elif isinstance(item, AttributeGroup):
+                yield from _codes(item.values)
