@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 import tempfile
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
@@ -47,7 +48,8 @@ from .tiles import (
 
 _MOST_CELLS = 4_000_000_000
 _MOST_NODES = 100_000_000
-_LEAST_FILLED = 1000  # times the tiles with points: a corridor of 100 km from corner to corner takes 200
+_PLACE = 1000.0  # m
+_LEAST_FILLED = 300  # times the squares of `_PLACE` with points: a corridor of 100 km from corner to corner takes 35
 _IN_MEMORY = 1_000_000_000
 _WIDEST_SPACING = 5.0
 _FAR = 10.0
@@ -216,7 +218,7 @@ class _Work:
 
     def read(self, progress: Progress) -> None:
         """Sort the points into tiles; find the extent."""
-        low, high, keys = np.full(2, np.inf), np.full(2, -np.inf), set()
+        low, high, keys, places = np.full(2, np.inf), np.full(2, -np.inf), set(), Counter()
         for chunk in iter_chunks(self.cloud, progress):
             records = np.empty(len(chunk), dtype=POINT)
             records["x"], records["y"], records["z"] = chunk.x, chunk.y, chunk.z
@@ -229,6 +231,9 @@ class _Work:
             high = np.maximum(high, [records["x"].max(), records["y"].max()])
             tile = self.tiling.keys(records["x"], records["y"])
             keys.update(np.unique(tile).tolist())
+            place, count = np.unique(np.floor(records["x"] / _PLACE) + 1j * np.floor(records["y"] / _PLACE),
+                                     return_counts=True)
+            places.update(dict(zip(place.tolist(), count.tolist())))
             self.points.add(tile, records)
         if not keys:
             raise InsufficientDataError(say("{paths} holds no usable points: all are noise, withheld or have no "
@@ -239,22 +244,10 @@ class _Work:
             raise InputError(say("The raster would have {columns:,} x {rows:,} cells: choose a coarser resolution, "
                                  "or check for points far outside the area.", columns=self.grid.columns,
                                  rows=self.grid.rows))
-        self._require_filled()
+        _require_filled(places)
         cell = self.settings.cloth.resolution
         cloth = Grid.covering(*low, *high, cell)
         self.cloth_grid = Grid(cloth.x_min, cloth.y_max, cell, cloth.rows + 1, cloth.columns + 1)
-
-    def _require_filled(self) -> None:
-        """Refuse a raster that the points' tiles fill next to nothing of: one strange coordinate makes such."""
-        rows, columns = (count // self.tiling.cells + 1 for count in self.grid.shape)
-        if rows * columns > _LEAST_FILLED * len(self.keys):
-            boxes = np.array([self.tiling.box(key) for key in self.keys])
-            middles = (boxes[:, :2] + boxes[:, 2:]) / 2
-            away = np.linalg.norm(middles - np.median(middles, axis=0), axis=1)
-            x, y = middles[np.argmax(away)]
-            raise InputError(say("The points fill less than a thousandth of the box around them, and some lie near "
-                                 "{x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the "
-                                 "places one by one.", x=x, y=y, length=away.max() / 1000))
 
     def reduce(self, source: GroundSource | None, progress: Progress) -> None:
         """Highest points and ground points of all cells."""
@@ -309,6 +302,18 @@ class _Work:
                             & (other["y"] >= y_min - margin) & (other["y"] <= y_max + margin))
                     parts.append(other[near])
             yield TilePoints(np.concatenate(parts), len(inside), box)
+
+
+def _require_filled(places: Counter[complex]) -> None:
+    """Refuse points whose squares of `_PLACE` fill next to nothing of their box: one strange coordinate does that."""
+    corners = np.array([(place.real, place.imag) for place in places])
+    if np.prod(np.ptp(corners, axis=0) + 1) > _LEAST_FILLED * len(corners):
+        most = places.most_common(1)[0][0]
+        away = np.linalg.norm(corners - (most.real, most.imag), axis=1) * _PLACE / 1000
+        x, y = (corners[np.argmax(away)] + 0.5) * _PLACE
+        raise InputError(say("The points fill next to nothing of the box around them, and some lie near "
+                             "{x:.0f}, {y:.0f}, {length:.0f} km from the others: remove those, or work on the "
+                             "places one by one.", x=x, y=y, length=away.max()))
 
 
 def _put(layers: list[np.ndarray], part: ClothPart) -> None:
