@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -13,6 +11,7 @@ import numpy as np
 
 from ..errors import InputError, InsufficientDataError
 from ..io.files.guard import read_text, reads
+from ..io.files.named_table import known_columns, named_rows
 from ..wording import say
 from .gps_time import shift_between
 from .pose_correction import PoseCorrection
@@ -21,7 +20,17 @@ from .trajectory import Trajectory
 COLUMNS = ("id", "x", "y", "z", "time", "x_mms", "y_mms", "z_mms")
 
 _HEIGHTS = ("z", "z_mms")
-_ALIASES = {"name": "id", "gps_time": "time", "gpstime": "time"}
+_ALIASES = {
+    **dict.fromkeys(("name", "point", "点名", "点番号", "測点名", "名称", "番号"), "id"),
+    **dict.fromkeys(("gpstime", "時刻", "時間", "gps時刻", "gps時間", "gps秒"), "time"),
+    **dict.fromkeys(("easting", "east", "東", "東座標", "東距"), "x"),
+    **dict.fromkeys(("northing", "north", "北", "北座標", "北距"), "y"),
+    **dict.fromkeys(("height", "elevation", "標高", "高さ", "z座標"), "z"),
+    **dict.fromkeys(("計測東", "eastmms"), "x_mms"), **dict.fromkeys(("計測北", "northmms"), "y_mms"),
+    **dict.fromkeys(("計測標高", "計測高さ", "heightmms"), "z_mms")}
+"""Other names of the columns, as `named_table.plain_name` gives them."""
+
+_NEEDED = ("x", "y", "time", "x_mms", "y_mms")
 _FAR = 100.0
 
 
@@ -79,8 +88,9 @@ def read_control(path: str | os.PathLike) -> ControlPoints:
     InputError : it cannot be read, a column is missing, or a value is no number.
     """
     text = read_text(path, "control points (CSV)")
-    rows = list(csv.DictReader(io.StringIO(text), delimiter=";" if text.split("\n", 1)[0].count(";") > 4 else ","))
-    columns = {name: [row.get(name) for row in rows] for name in (rows[0] if rows else ()) if name}
+    header, rows, _ = named_rows(text, _NEEDED, _ALIASES, Path(path).name)
+    columns = {name: [row[place] if place < len(row) else None for row in rows]
+               for place, name in enumerate(header) if name}
     return control_from_columns(columns, Path(path).name)
 
 
@@ -91,8 +101,7 @@ def control_from_columns(columns: Mapping[str, Sequence], name: str = "The contr
     ------
     InputError : a column is missing, a value is no number, or there is no row.
     """
-    lower = {key.strip().lower(): key for key in columns}
-    known = {_ALIASES.get(key, key): original for key, original in lower.items()}
+    known = known_columns(columns, COLUMNS, _ALIASES, name)
     missing = [column for column in COLUMNS if column not in known and column not in ("id", *_HEIGHTS)]
     if missing:
         raise InputError(say("{name} has no column {missing}: control points need {columns} (heights may be left "

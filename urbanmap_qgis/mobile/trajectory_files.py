@@ -15,6 +15,7 @@ from pyproj import CRS, Proj, Transformer
 from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.guard import first_not_finite, read_text, reads
+from ..io.files.named_table import known_columns, named_rows
 from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, unwrapped
@@ -29,8 +30,16 @@ SBET_SUFFIXES = (".out", ".sbet")
 _SBET = np.dtype([(name, "<f8") for name in (
     "time", "latitude", "longitude", "altitude", "velocity_x", "velocity_y", "velocity_z", "roll", "pitch", "heading",
     "wander", "acceleration_x", "acceleration_y", "acceleration_z", "rate_x", "rate_y", "rate_z")])
-_ALIASES = {"gpstime": "time", "gps_time": "time", "t": "time", "easting": "x", "east": "x", "northing": "y",
-            "north": "y", "height": "z", "altitude": "z", "elevation": "z", "yaw": "heading", "azimuth": "heading"}
+_ALIASES = {
+    **dict.fromkeys(("gpstime", "t", "gpsseconds", "gpssec", "sow", "weekseconds", "時刻", "時間", "gps時刻", "gps時間",
+                     "gps秒"), "time"),
+    **dict.fromkeys(("easting", "east", "東", "東座標", "東距", "東西"), "x"),
+    **dict.fromkeys(("northing", "north", "北", "北座標", "北距", "南北"), "y"),
+    **dict.fromkeys(("height", "altitude", "elevation", "ellipsoidheight", "ellipsoidalheight", "orthometricheight",
+                     "hell", "hmsl", "標高", "高さ", "楕円体高", "z座標"), "z"),
+    **dict.fromkeys(("ロール", "ロール角"), "roll"), **dict.fromkeys(("ピッチ", "ピッチ角"), "pitch"),
+    **dict.fromkeys(("yaw", "azimuth", "ヘディング", "ヨー", "ヨー角", "方位", "方位角"), "heading")}
+"""Other names of the columns, as `named_table.plain_name` gives them."""
 _DECIMALS = {"time": 6, "x": 4, "y": 4, "z": 4, "roll": 6, "pitch": 6, "heading": 6}
 _SHOWN = 3
 _TURN = 6.4  # radians; no angle of a body is more
@@ -85,21 +94,21 @@ def read_trajectory(path: str | os.PathLike, crs_wkt: str | None = None,
     if path.suffix.lower() in SBET_SUFFIXES:
         return _read_sbet(path, crs_wkt, reading)
     text = read_text(path, "a trajectory (CSV)")
-    first = text.split("\n", 1)[0]
-    delimiter = max(",;\t ", key=first.count)
-    if delimiter == " " or first.count(delimiter) < len(COLUMNS) - 1:
-        delimiter = "," if first.count(",") else delimiter
-    rows = list(csv.reader(io.StringIO(text), delimiter=delimiter, skipinitialspace=True))
-    rows = [row for row in rows if any(value.strip() for value in row)]
-    header = tuple(name.strip() for name in rows[0]) if rows else ()
-    ragged = next((number for number, row in enumerate(rows, 1) if len(row) != len(header)), None)
+    header, rows, delimiter = named_rows(text, COLUMNS, _ALIASES, path.name, reading.angles.startswith("radians"))
+    header = _each_once(header)
+    ragged = next((number for number, row in enumerate(rows, 2) if len(row) != len(header)), None)
     if ragged:
         raise InputError(say("{path}: row {ragged} has {rows_count} values, the header names {header_count}: the "
                              "file may be cut off; export it again.", path=path.name, ragged=ragged,
-                             rows_count=len(rows[ragged - 1]), header_count=len(header)))
-    columns = dict(zip(header, zip(*rows[1:]))) if len(rows) > 1 else dict.fromkeys(header, ())
+                             rows_count=len(rows[ragged - 2]), header_count=len(header)))
+    columns = dict(zip(header, zip(*rows))) if rows else dict.fromkeys(header, ())
     file = trajectory_from_columns(columns, path.name, reading)
     return replace(file, format="csv", header=header, delimiter=delimiter, crs_wkt=crs_wkt)
+
+
+def _each_once(header: tuple[str, ...]) -> tuple[str, ...]:
+    """Names of columns, those that came before with blanks behind, so that each keeps its values."""
+    return tuple(name + " " * header[:number].count(name) for number, name in enumerate(header))
 
 
 def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The trajectory",
@@ -113,7 +122,7 @@ def trajectory_from_columns(columns: Mapping[str, Sequence], name: str = "The tr
     InputError : a column is missing or holds something else than numbers, fewer than two epochs, or one time with two
         different poses; or headings counted in another way.
     """
-    known = {_ALIASES.get(key.strip().lower(), key.strip().lower()): key for key in columns}
+    known = known_columns(columns, COLUMNS, _ALIASES, name)
     missing = [column for column in COLUMNS if column not in known]
     if missing:
         raise InputError(say("{name} has no column {missing}: a trajectory needs {columns}.", name=name,
@@ -287,7 +296,10 @@ def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
     finer = 2 if like.reading.angles.startswith("radians") else 0
     digits = {name: count + finer * (name in COLUMNS[4:]) for name, count in _DECIMALS.items()}
     text = {name: [f"{value:.{digits[name]}f}" for value in values[name]] for name in COLUMNS}
-    columns = [text.get(_ALIASES.get(name.lower(), name.lower())) or like.columns[name] for name in like.header]
+    # Further columns are in `columns`; the others are the trajectory's, under the names that the file has for them.
+    meant = {key: column for column, key in known_columns(
+        {name: () for name in like.header if name not in like.columns}, COLUMNS, _ALIASES, "").items()}
+    columns = [text[meant[name]] if name in meant else like.columns[name] for name in like.header]
     out = io.StringIO()
     writer = csv.writer(out, delimiter=like.delimiter, lineterminator="\n")
     writer.writerow(like.header)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import codecs
+import contextlib
 import csv
 import functools
 import inspect
 import json
 import os
+import re
 import struct
 import sys
 import zipfile
@@ -22,6 +25,8 @@ from ...errors import InputError, UrbanMapError
 from ...wording import say
 
 Read = TypeVar("Read", bound=Callable)
+
+_CONTROL = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f\x7f]")
 
 LONGEST_FIELD = 2**27
 """Characters of a field of a table: as long as the longest file that is read whole."""
@@ -94,16 +99,31 @@ def _reason(error: BaseException) -> str:
 
 
 def read_text(path: str | os.PathLike, what: str) -> str:
-    """A text file in UTF-8.
+    """A text file in UTF-8, in UTF-16 with its mark, or as Windows in Japanese saves it (code page 932).
 
     Raises
     ------
     InputError : it is no text, or cannot be read.
     """
     try:
-        return Path(path).read_text(encoding="utf-8-sig")
+        return _decoded(Path(path).read_bytes()).replace("\r\n", "\n").replace("\r", "\n")
     except (OSError, UnicodeError) as error:
         raise _refusal(path, what, error) from error
+
+
+def _decoded(data: bytes) -> str:
+    """Text of bytes; the error is that of UTF-8 where they are in none of the encodings."""
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return data.decode("utf-16")
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeError:
+        # Bytes of no text at all may pass as Japanese: text has no control characters.
+        if _CONTROL.search(data):
+            raise
+        with contextlib.suppress(UnicodeError):
+            return data.decode("cp932")
+        raise
 
 
 def read_json(path: str | os.PathLike, what: str) -> object:

@@ -1,0 +1,106 @@
+"""Tables of other programs: heads, units, encodings, Japanese names; what could be meant in two ways is refused."""
+
+import numpy as np
+import pytest
+
+from urbanmap_qgis.errors import InputError
+from urbanmap_qgis.io.files.named_table import known_columns, named_rows, plain_name
+from urbanmap_qgis.mobile.control import read_control
+from urbanmap_qgis.mobile.trajectory_files import read_trajectory, write_trajectory
+
+ROWS = ["10.0,1,2,3,0,0,359", "10.1,2,2,3,0,0,1", "10.2,3,2,3,0,0,3"]
+EXPORT = """Export of a smoothed solution
+Project: 駅前, Datum: JGD2011
+
+TIME, DISTANCE, EASTING, NORTHING, ELLIPSOID HEIGHT, LATITUDE, LONGITUDE, ELLIPSOID HEIGHT, ROLL, PITCH, HEADING
+(time in Sec, distance in Meters, position in Meters, lat, long in Degrees, orientation angles in Degrees)
+
+  10.000   0.0   1.000  2.000  3.000  35.6  139.7  3.000  0.1  -0.2  359.0
+  10.100   1.0   2.000  2.000  3.000  35.6  139.7  3.000  0.1  -0.2    1.0
+  10.200   2.0   3.000  2.000  3.500  35.6  139.7  3.500  0.1  -0.2    3.0
+"""
+
+
+def written(folder, text, encoding="utf-8", name="a.csv"):
+    path = folder / name
+    path.write_bytes(text.encode(encoding))
+    return path
+
+
+def same_poses(read):
+    assert np.allclose(read.trajectory.time, [10.0, 10.1, 10.2])
+    assert np.allclose(read.trajectory.place[:, :2], [[1, 2], [2, 2], [3, 2]])
+    assert np.allclose(read.trajectory.angles[:, 2], [359, 361, 363])
+
+
+def test_names_are_compared_without_case_blanks_and_units():
+    assert plain_name(" ELLIPSOID_HEIGHT (m)") == "ellipsoidheight"
+    assert plain_name("ＧＰＳ時刻［秒］") == "gps時刻" and plain_name("Heading[deg]") == "heading"
+
+
+def test_export_with_a_head_and_a_line_of_units_is_read(tmp_path):
+    read = read_trajectory(written(tmp_path, EXPORT, name="export.txt"))
+    same_poses(read)
+    assert np.allclose(read.trajectory.place[:, 2], [3, 3, 3.5])
+    assert read.columns["DISTANCE"] == ["0.0", "1.0", "2.0"]
+    write_trajectory(tmp_path / "out.csv", read, read.trajectory)
+    same_poses(read_trajectory(tmp_path / "out.csv"))
+
+
+def test_two_different_heights_are_refused_by_name(tmp_path):
+    text = EXPORT.replace("LONGITUDE, ELLIPSOID HEIGHT", "LONGITUDE, ORTHOMETRIC HEIGHT")
+    text = text.replace(" 3.500  0.1", " 4.5 0.1")
+    with pytest.raises(InputError, match=r"several columns that could be z \(ELLIPSOID HEIGHT, ORTHOMETRIC HEIGHT\)"):
+        read_trajectory(written(tmp_path, text))
+
+
+@pytest.mark.parametrize("unit", ["orientation angles in Degrees)\n(rad", "x)\n(feet"])
+def test_a_unit_that_is_not_read_is_refused(tmp_path, unit):
+    with pytest.raises(InputError, match=r"states the unit (rad|feet): metres, seconds and decimal degrees"):
+        read_trajectory(written(tmp_path, EXPORT.replace("orientation angles in Degrees", unit)))
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "cp932", "utf-16"])
+@pytest.mark.parametrize("delimiter", [",", "\t", ";"])
+def test_japanese_names_in_the_encodings_of_spreadsheets_are_read(tmp_path, encoding, delimiter):
+    text = "\r\n".join(["GPS時刻(秒),東(m),北(m),標高(m),ロール(度),ピッチ(度),方位角(度),備考",
+                        *(f"{row},～①" for row in ROWS)])
+    read = read_trajectory(written(tmp_path, text.replace(",", delimiter), encoding))
+    same_poses(read)
+    write_trajectory(tmp_path / "out.csv", read, read.trajectory)
+    again = read_trajectory(tmp_path / "out.csv")
+    same_poses(again)
+    assert again.columns["備考"] == ["～①"] * 3
+
+
+def test_x_and_y_of_the_plane_rectangular_system_are_not_guessed(tmp_path):
+    text = "\n".join(["時刻,X座標,Y座標,標高,ロール,ピッチ,方位角", *ROWS])
+    with pytest.raises(InputError, match="X座標, Y座標 may count north or east"):
+        read_trajectory(written(tmp_path, text, "cp932"))
+
+
+def test_the_name_itself_goes_before_another_name():
+    columns = {"altitude": ["9"], "z": ["3"], "x": ["1"]}
+    assert known_columns(columns, ("x", "z"), {"altitude": "z"}, "a.csv") == {"z": "z", "x": "x"}
+
+
+def test_bytes_that_are_no_text_are_refused(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_bytes(bytes(range(256)) * 4)
+    with pytest.raises(InputError, match="no text in UTF-8"):
+        read_trajectory(path)
+    path.write_bytes("time,x,y\n1,2,é".encode("latin-1"))  # no Japanese text either
+    with pytest.raises(InputError, match="no text in UTF-8"):
+        read_trajectory(path)
+
+
+def test_control_points_of_a_japanese_spreadsheet_are_read(tmp_path):
+    text = "点名,東,北,標高,時刻,計測東,計測北,計測標高\r\n基1,1.5,2.5,3.5,10,1.6,2.6,3.4\r\n基2,5,6,,11,5.1,6.1,\r\n"
+    control = read_control(written(tmp_path, text, "cp932"))
+    assert control.id == ("基1", "基2") and np.allclose(control.true[0], [1.5, 2.5, 3.5])
+    assert np.allclose(control.surveyed[:, :2], [[1.6, 2.6], [5.1, 6.1]]) and np.isnan(control.true[1, 2])
+
+
+def test_a_table_without_the_names_is_left_to_its_reader():
+    assert named_rows("a,b\n1,2\n", ("x",), {}, "a.csv") == (("a", "b"), [["1", "2"]], ",")
+    assert named_rows("", ("x",), {}, "a.csv") == ((), [], ",")

@@ -1,0 +1,134 @@
+"""Tables of numbers in text files of other programs: where the names of the columns stand, and what each one means.
+
+Before the names there may be lines of another kind (the head of a report), after them a line of units. Names are
+compared without case, blanks, marks and the unit in brackets, full-width letters as plain ones.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+import unicodedata
+from collections.abc import Iterable, Mapping, Sequence
+
+from ...errors import InputError
+from ...wording import say
+
+DELIMITERS = ",;\t "
+_HEAD_LINES = 200
+_BRACKETS = re.compile(r"[(\[（［<].*?[)\]）］>]")
+_OTHER_UNITS = {"rad": "radians", "radian": "radians", "radians": "radians", "ラジアン": "radians", "ft": "feet",
+                "feet": "feet", "foot": "feet", "usft": "feet", "gon": "gon", "grad": "gon", "dms": "degrees, minutes, "
+                "seconds", "mm": "millimetres", "cm": "centimetres", "km": "kilometres"}
+_NORTH_OR_EAST = re.compile(r"[xy]座標|座標[xy]|平面直角[xy]")
+
+
+def plain_name(name: object) -> str:
+    """A column's name as names are compared: "ELLIPSOID HEIGHT (m)" is "ellipsoidheight"."""
+    text = _BRACKETS.sub("", unicodedata.normalize("NFKC", str(name)))
+    return re.sub(r"[\s_\-.:]+", "", text).lower()
+
+
+def known_columns(columns: Mapping[str, Sequence], needed: Iterable[str], aliases: Mapping[str, str],
+                  name: str) -> dict[str, str]:
+    """The file's column (its key) of each needed one that is there; one of just that name goes before another name.
+
+    Parameters
+    ----------
+    aliases : the needed name by another one, written as `plain_name` gives it. name : of the file, for messages.
+
+    Raises
+    ------
+    InputError : several columns could be meant and differ, or X and Y are named as in the Japanese plane rectangular
+        system, where X counts north.
+    """
+    wanted = {plain_name(key): key for key in needed}
+    found: dict[str, list[str]] = {}
+    for key in columns:
+        plain = plain_name(key)
+        meant = wanted.get(plain) or aliases.get(plain)
+        if meant:
+            found.setdefault(meant, []).append(key)
+    known = {}
+    for meant, keys in found.items():
+        exact = [key for key in keys if str(key).strip().lower() == meant]
+        if not exact and any(list(columns[key]) != list(columns[keys[0]]) for key in keys[1:]):
+            raise InputError(say("{name} has several columns that could be {meant} ({keys}): keep the right one, or "
+                                 "call it {meant}.", name=name, meant=meant, keys=", ".join(map(str, keys))))
+        known[meant] = (exact or keys)[0]
+    japanese = [str(key) for key in columns if _NORTH_OR_EAST.fullmatch(plain_name(key))]
+    if japanese and not {"x", "y"} <= set(known):
+        raise InputError(say("{name}: {columns} may count north or east (in the Japanese plane rectangular system X "
+                             "counts north): call the column that counts east “東” or “east”, and the one that counts "
+                             "north “北” or “north”.", name=name, columns=", ".join(japanese)))
+    return known
+
+
+def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], name: str,
+               radians: bool = False) -> tuple[tuple[str, ...], list[list[str]], str]:
+    """Names of the columns, rows and delimiter of the names in a table with the columns `needed`.
+
+    Where no line names them all, the first line is taken for the names.
+
+    Parameters
+    ----------
+    radians : whether angles are told to be in radians, so that such a unit is right.
+
+    Raises
+    ------
+    InputError : a unit is stated that is not metres, seconds or degrees.
+    """
+    lines = [line for line in text.splitlines() if line.strip()]
+    at, delimiter = _head(lines, needed, aliases)
+    header = tuple(item.strip() for item in _cells(lines[at:at + 1], delimiter)[0]) if lines else ()
+    rows = [row for row in _cells(lines[at + 1:], delimiter) if any(cell.strip() for cell in row)]
+    if rows and all(len(row) != len(header) for row in rows[:3]):
+        apart = [line.split() for line in lines[at + 1:]]
+        if any(len(row) == len(header) for row in apart[:3]):
+            rows = apart
+    units = 0
+    while units < min(len(rows), 3) and not any(_is_number(cell) for cell in rows[units]):
+        units += 1
+    units = units if units < len(rows) else 0
+    _check_units([*header, *(cell for line in lines[at + 1:at + 1 + units] for cell in line.split())], name, radians)
+    return header, rows[units:], delimiter
+
+
+def _head(lines: Sequence[str], needed: Sequence[str], aliases: Mapping[str, str]) -> tuple[int, str]:
+    """Number of the line with the names, and their delimiter; that of the first line where none has all."""
+    wanted = {plain_name(key) for key in needed}
+    for number, line in enumerate(lines[:_HEAD_LINES]):
+        for delimiter in DELIMITERS:
+            plain = [plain_name(cell) for cell in _cells([line], delimiter)[0]]
+            if {plain_name(aliases.get(cell, cell)) for cell in plain} >= wanted:
+                return number, delimiter
+    first = lines[0] if lines else ""
+    delimiter = max(DELIMITERS, key=first.count)
+    if delimiter == " " or first.count(delimiter) < len(needed) - 1:
+        delimiter = "," if first.count(",") else delimiter
+    return 0, delimiter
+
+
+def _cells(lines: Sequence[str], delimiter: str) -> list[list[str]]:
+    if delimiter == " ":
+        return [line.split() for line in lines]
+    return list(csv.reader(lines, delimiter=delimiter, skipinitialspace=True))
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _check_units(cells: Iterable[str], name: str, radians: bool) -> None:
+    """Refuse units in brackets, or alone in a cell, that are others than the ones read."""
+    for cell in cells:
+        text = unicodedata.normalize("NFKC", cell)
+        for part in [*(found.group()[1:-1] for found in _BRACKETS.finditer(text)), text]:
+            other = _OTHER_UNITS.get(re.sub(r"[\s\-_.,()]+", "", part).lower())
+            if other and not (radians and other == "radians"):
+                raise InputError(say("{name} states the unit {unit}: metres, seconds and decimal degrees are read; "
+                                     "export it in these.", name=name, unit=part.strip(" ,()")))
