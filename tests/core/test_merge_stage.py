@@ -223,10 +223,10 @@ def test_a_gable_wall_moves_and_the_ridge_with_it():
 
 def test_models_that_cannot_be_merged_keep_their_model_and_say_why():
     block = model((box(40, 0, 10, 10), 30.0))
-    gabled, none, moved = merge_models([1, 2, 3], [gabled_house(25.0, 29.0), None, block],
+    gabled, none, moved = merge_models([1, 2, 3], [gabled_house(8.0, 29.0), None, block],
                                        [wall((0, -0.3), (20, -0.3)), wall((40, -0.3), (50, -0.3))])
     assert gabled.status == NOT_MERGED and "sloped" in gabled.reason and gabled.valid
-    assert gabled.volume == pytest.approx(20 * 10 * 27)
+    assert gabled.volume == pytest.approx(20 * 10 * 18.5)
     assert none.status == NOT_MERGED and none.solids == () and not none.valid
     assert moved.status == MERGED
 

@@ -1,8 +1,9 @@
 """Models of all buildings merged with the measured walls below a height (J 5.7, figure 5-12).
 
 Below the height the plan's outer edges lie on the measured walls, above it the model from the air stays as it was;
-what stands out or back at the height becomes a level overhang or ledge. Under sloped roofs, which go on to the moved
-walls, a building must lie below the height as a whole. Every result is checked like any other solid; a building that
+what stands out or back at the height becomes a level overhang or ledge. Sloped roofs go on to the moved walls where a
+building lies below the height as a whole, and stay as they were where they lie above it as a whole: the cut is made
+below the lowest of them. Every result is checked like any other solid; a building that
 cannot be merged keeps its model and says why.
 """
 
@@ -25,6 +26,7 @@ from ...progress import SILENT, Progress
 from ...wording import say
 from ..solids.sloped_solid import SlopedCell, sloped_solids
 from ..solids.validity import check_solid
+from .cut_solid import cut_height, on_the_grid, with_sloped_top
 from .layered_solid import Prism, layered_solids, solid_volume
 from .model_parts import ModelParts, model_parts
 from .plan_edges import Line, PlanEdges
@@ -92,7 +94,7 @@ class MergedBuilding:
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """A building while it is being merged."""
+    """A building while it is being merged; `cut`: the height (m) above which its sloped roofs stay as they are."""
 
     building_id: int
     geometry: shapely.Geometry | None
@@ -100,6 +102,7 @@ class _Plan:
     edges: PlanEdges | None = None
     matches: tuple[EdgeMatch, ...] = ()
     reason: str = ""
+    cut: float | None = None
 
     @property
     def lines(self) -> dict[int, Line]:
@@ -164,9 +167,14 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
     parts = model_parts(list(shapely.get_parts(shapely.get_parts(geometry))))
     if parts.problem:
         return _Plan(building_id, geometry, parts, reason=parts.problem)
+    cut = None
     if parts.sloped and max(cell.height for cell in parts.cells) > parts.base + settings.height + _LOW:
-        return _Plan(building_id, geometry, parts, reason=say("it has sloped roofs and is higher than the walls are "
-                                                              "taken"))
+        cut = cut_height(parts, parts.base + settings.height)
+        if cut is None:
+            return _Plan(building_id, geometry, parts, reason=say("it has sloped roofs and is higher than the walls "
+                                                                  "are taken"))
+        parts = replace(parts, cells=tuple(replace(cell, polygon=on_the_grid(cell.polygon)) for cell in parts.cells))
+        settings = replace(settings, height=cut - parts.base)
     edges = PlanEdges(parts.cells)
     heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
     breaks = [edge.ends[0] + at * edge.line.along for edge, top in zip(edges.edges, heights)
@@ -175,7 +183,7 @@ def _matched(piece: tuple[int, shapely.Geometry | None], index: WallIndex, setti
         edges = PlanEdges(parts.cells, np.array(breaks))
         heights = [min(top, parts.base + settings.height) for top in _tops(edges, parts)]
     matches = tuple(match_edge(edge, index, parts.base, top, settings) for edge, top in zip(edges.edges, heights))
-    plan = _Plan(building_id, geometry, parts, edges, matches)
+    plan = _Plan(building_id, geometry, parts, edges, matches, cut=cut)
     while plan.lines and edges.moved(plan.lines) is None:
         weakest = _weakest(plan)
         plan = plan.stopped([weakest], FOLDED, "the plan would fold over itself")
@@ -249,6 +257,8 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
     """The building's solids on the measured walls, or as they were."""
     if plan.geometry is None:
         return MergedBuilding(plan.building_id, (), NOT_MERGED, plan.reason)
+    if plan.cut is not None:
+        settings = replace(settings, height=plan.cut - plan.parts.base)
     old = tuple(solids_of(plan.geometry))
     before = sum(solid_volume(solid) for solid in old)
     if plan.edges is None:
@@ -274,10 +284,9 @@ def _merged(plan: _Plan, settings: MergeSettings) -> MergedBuilding:
 def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], str]:
     """The solids of a plan with its edges moved, and what the check says against them, "" if nothing."""
     problem = ""
-    for lift in (0.0,) if plan.parts.sloped else (0.0, _LIFT):
+    for lift in (0.0,) if plan.parts.sloped and plan.cut is None else (0.0, _LIFT):
         try:
-            solids = (_under_slopes(plan) if plan.parts.sloped else
-                      layered_solids(_prisms(plan, settings), lift))
+            solids = _made(plan, settings, lift)
         except (InputError, ValueError) as error:
             return (), str(error)
         problems = [problem for solid in solids for problem in check_solid(solid)]
@@ -285,6 +294,25 @@ def _checked(plan: _Plan, settings: MergeSettings) -> tuple[tuple[Solid, ...], s
             return solids, ""
         problem = problem or f"{problems[0].code} {problems[0].name}"
     return (), problem
+
+
+def _made(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Solid, ...]:
+    """The solids of a plan with its edges moved: of level roofs, under sloped ones, or cut at a height."""
+    if plan.cut is not None:
+        return _cut_solids(plan, settings, lift)
+    return _under_slopes(plan) if plan.parts.sloped else layered_solids(_prisms(plan, settings), lift)
+
+
+def _cut_solids(plan: _Plan, settings: MergeSettings, lift: float) -> tuple[Solid, ...]:
+    """Measured walls up to the cut, and above it the sloped roofs as they were."""
+    parts, cut = plan.parts, plan.cut
+    tall = [cell.height > cut for cell in parts.cells]
+    level = tuple(replace(cell, height=cut + 4 * _LOW) if high else cell for cell, high in zip(parts.cells, tall))
+    lower = layered_solids(_prisms(replace(plan, parts=replace(parts, cells=level)), settings), lift)
+    roofs = [SlopedCell(piece, cell.roof_id, plane, parts.origin)
+             for cell, plane, high in zip(parts.cells, parts.planes, tall) if high
+             for piece in _pieces(cell.polygon)]
+    return with_sloped_top(lower, roofs, cut)
 
 
 def _valid(solids: Sequence[Solid]) -> bool:
