@@ -15,7 +15,7 @@ from pyproj import CRS, Proj, Transformer
 from ..errors import InputError
 from ..io.files.atomic import written_beside
 from ..io.files.guard import first_not_finite, read_text, reads
-from ..io.files.named_table import known_columns, named_rows
+from ..io.files.named_table import known_columns, meanings, named_rows
 from ..io.points.pointcloud import plan_crs
 from ..wording import say
 from .trajectory import Trajectory, gaps, jumps, unwrapped
@@ -296,9 +296,8 @@ def _csv_text(like: TrajectoryFile, trajectory: Trajectory) -> str:
     finer = 2 if like.reading.angles.startswith("radians") else 0
     digits = {name: count + finer * (name in COLUMNS[4:]) for name, count in _DECIMALS.items()}
     text = {name: [f"{value:.{digits[name]}f}" for value in values[name]] for name in COLUMNS}
-    # Further columns are in `columns`; the others are the trajectory's, under the names that the file has for them.
-    meant = {key: column for column, key in known_columns(
-        {name: () for name in like.header if name not in like.columns}, COLUMNS, _ALIASES, "").items()}
+    # A column that the file has twice (a height, say) is written twice.
+    meant = meanings(like.header, COLUMNS, _ALIASES)
     columns = [text[meant[name]] if name in meant else like.columns[name] for name in like.header]
     out = io.StringIO()
     writer = csv.writer(out, delimiter=like.delimiter, lineterminator="\n")

@@ -42,26 +42,33 @@ def known_columns(columns: Mapping[str, Sequence], needed: Iterable[str], aliase
     InputError : several columns could be meant and differ, or X and Y are named as in the Japanese plane rectangular
         system, where X counts north.
     """
-    wanted = {plain_name(key): key for key in needed}
     found: dict[str, list[str]] = {}
-    for key in columns:
-        plain = plain_name(key)
-        meant = wanted.get(plain) or aliases.get(plain)
-        if meant:
-            found.setdefault(meant, []).append(key)
-    known = {}
+    for key, meant in meanings(columns, needed, aliases).items():
+        found.setdefault(meant, []).append(key)
     for meant, keys in found.items():
-        exact = [key for key in keys if str(key).strip().lower() == meant]
-        if not exact and any(list(columns[key]) != list(columns[keys[0]]) for key in keys[1:]):
+        if any(list(columns[key]) != list(columns[keys[0]]) for key in keys[1:]):
             raise InputError(say("{name} has several columns that could be {meant} ({keys}): keep the right one, or "
                                  "call it {meant}.", name=name, meant=meant, keys=", ".join(map(str, keys))))
-        known[meant] = (exact or keys)[0]
+    known = {meant: keys[0] for meant, keys in found.items()}
     japanese = [str(key) for key in columns if _NORTH_OR_EAST.fullmatch(plain_name(key))]
     if japanese and not {"x", "y"} <= set(known):
         raise InputError(say("{name}: {columns} may count north or east (in the Japanese plane rectangular system X "
                              "counts north): call the column that counts east “東” or “east”, and the one that counts "
                              "north “北” or “north”.", name=name, columns=", ".join(japanese)))
     return known
+
+
+def meanings(keys: Iterable[str], needed: Iterable[str], aliases: Mapping[str, str]) -> dict[str, str]:
+    """The needed column that each key stands for, where it stands for one; other names give way to the name itself."""
+    wanted = {plain_name(key): key for key in needed}
+    exact = {meant: key for key in keys if (meant := str(key).strip().lower()) in wanted.values()}
+    made = {}
+    for key in keys:
+        plain = plain_name(key)
+        meant = wanted.get(plain) or aliases.get(plain)
+        if meant and exact.get(meant, key) == key:
+            made[key] = meant
+    return made
 
 
 def named_rows(text: str, needed: Sequence[str], aliases: Mapping[str, str], name: str,
