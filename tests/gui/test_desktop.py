@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import shutil
+import subprocess
 import sys
 import sysconfig
 from pathlib import Path
@@ -36,8 +37,8 @@ RUNS = {
         "Visible satellites": "satellite_visibility", "Visible satellites over the area": "satellite_visibility_area"}),
     "localisationaccuracy": ({**MAP, "TRAJECTORY": ["city:truth/survey_01_trajectory.csv"], "SPACING": 10.0}, 3, 1, {
         "Localisation accuracy": "localisation_accuracy"}),
-    "buildingsfromals": (ALS, 2, 1, {"Building models": "building_models"}),
-    "tiledrun": ({**ALS, "ALGORITHM": "buildingsfromals", "TILE": 100.0, "OUTPUT_FOLDER": "made:tiles"}, 2, 0, {
+    "buildingsfromals": (ALS, 2, 0, {"Building models": "building_models"}),
+    "tiledrun": ({**ALS, "ALGORITHM": "buildingsfromals", "TILE": 100.0, "OUTPUT_FOLDER": "made:tiles"}, 1, 0, {
         "Tiles": "tiles", "Building models": "building_models"}),
 }
 """Of each group an algorithm that makes layers: what is given, runs in one dialog, new dialogs, style by layer."""
@@ -79,8 +80,11 @@ def sitting(small_city, tmp_path_factory):
     journey = {"steps": STEPS, "runs": runs, "report": str(folder / "report.json"),
                "cancel": (f"urbanmap:{CANCELLED[0]}", in_place(CANCELLED[1], small_city, folder))}
     (folder / "journey.json").write_text(json.dumps(journey), encoding="utf-8")
-    windows.open_desktop(Path(__file__).with_name("desktop_journey.py"), folder, profile,
-                         URBANMAP_JOURNEY=str(folder / "journey.json"))
+    try:
+        windows.open_desktop(Path(__file__).with_name("desktop_journey.py"), folder, profile,
+                             URBANMAP_JOURNEY=str(folder / "journey.json"))
+    except subprocess.CalledProcessError as error:
+        print(error)  # the steps that it came to are in the report; the others fail
     return json.loads((folder / "report.json").read_text(encoding="utf-8"))
 
 
