@@ -28,14 +28,20 @@ def time_range(cloud: PointCloud) -> tuple[float, float]:
     if not cloud.has_dimension("gps_time"):
         raise InputError(say("The points of {paths} carry no GPS time, which ties them to the trajectory: export the "
                              "survey with it.", paths=cloud.paths[0].name))
-    first, last = np.inf, -np.inf
+    first, last, zeros, count, lowest = np.inf, -np.inf, 0, 0, np.inf
     for chunk in iter_chunks(cloud):
         time = np.asarray(chunk["gps_time"])
         if len(time):
             first, last = min(first, float(time.min())), max(last, float(time.max()))
+            zeros, count = zeros + int(np.count_nonzero(time == 0.0)), count + len(time)
+            lowest = min(lowest, float(time[time != 0.0].min(initial=np.inf)))
     if not last > first and last == 0.0:
         raise InputError(say("All GPS times in {paths} are zero: export the survey with the points' times.",
                              paths=cloud.paths[0].name))
+    if zeros and first == 0.0 and lowest > last - lowest:  # zero is no time of this survey
+        raise InputError(say("{zeros} of {count} points in {paths} have the GPS time 0, and the others {lowest:.1f} to "
+                             "{last:.1f} s: remove those without a time, or export the survey again.", zeros=zeros,
+                             count=count, paths=cloud.paths[0].name, lowest=lowest, last=last))
     return first, last
 
 

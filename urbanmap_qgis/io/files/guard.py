@@ -36,6 +36,10 @@ PARSER_ERRORS = (ArithmeticError, AttributeError, EOFError, LookupError, MemoryE
                  zipfile.BadZipFile, zlib.error)
 """What parsers raise on damaged files: LookupError is also an unknown encoding, RuntimeError also a recursion."""
 
+_NO_NUMBER = re.compile(r"(?:could not convert string to float|invalid literal for int\(\) with base 10): "
+                        r"(?:np\.str_\()?b?'([^']*)'")
+"""What Python and numpy say of a text that is no number."""
+
 csv.field_size_limit(min(sys.maxsize, LONGEST_FIELD))
 
 
@@ -95,7 +99,14 @@ def _reason(error: BaseException) -> str:
         return say(" (it is nested too deep)")
     if isinstance(error, (MemoryError, OverflowError)):
         return say(" (a number in it is too large)")
-    return ""
+    if isinstance(error, ParseError) and getattr(error, "position", None):
+        return say(" (line {line} is no XML)", line=error.position[0])
+    if isinstance(error, json.JSONDecodeError):
+        return say(" (line {line} is no JSON)", line=error.lineno)
+    if isinstance(error, KeyError) and error.args and isinstance(error.args[0], str):
+        return say(" (“{name}” is missing in it)", name=error.args[0][:40])
+    value = _NO_NUMBER.search(str(error)) if isinstance(error, ValueError) else None
+    return say(" (“{value}” is no number)", value=value.group(1)[:40]) if value else ""
 
 
 def read_text(path: str | os.PathLike, what: str) -> str:

@@ -37,6 +37,9 @@ def final_text(text: str) -> str:
         text = text.replace(scratch, folder)
     return text
 
+LONGEST_NAME = 200
+"""Bytes of an output's name: systems take 255, and files beside it have longer ones (`-journal`, `.part`)."""
+
 
 class Staging:
     """Scratch places for the outputs of one run. Use as a context manager.
@@ -68,6 +71,10 @@ class Staging:
         OutputError : the folder of `target` cannot be written.
         """
         target = Path(target)
+        if len(os.fsencode(target.name)) > LONGEST_NAME:
+            raise OutputError(say("The name {name} is too long for the files that are made beside it: give a shorter "
+                                  "one, of at most {longest} bytes.", name=f"{target.name[:40]}…",
+                                  longest=LONGEST_NAME))
         folder = target.parent
         try:
             if folder not in self._scratch:

@@ -166,6 +166,7 @@ def _list_zip(archive: zipfile.ZipFile, name: str, listing: Listing, stack: Exit
             with archive.open(info) as packed:
                 _copy(packed, spool, label)
             spool.seek(0)
+        with _explained(label):
             inner = stack.enter_context(zipfile.ZipFile(_seekable(spool)))
         _list_zip(inner, label, listing, stack, wanted, depth + 1)
 

@@ -25,6 +25,10 @@ from ...wording import known, language, say
 from ..files.atomic import written_beside
 from .svg import bars
 
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
+"""What a browser lets a report do: its own styles and pictures; no script, nothing from elsewhere. Names and reasons
+in it come from files."""
+
 _STYLE = """
 body { font-family: sans-serif; color: #222; background: #fff; max-width: 62em; margin: 2em auto; padding: 0 1em;
   line-height: 1.45; overflow-wrap: anywhere; }
@@ -243,6 +247,7 @@ class Report:
         title = html.escape(known(self._title))
         self._about_run()
         page = (f'<!DOCTYPE html>\n<html lang="{language()}">\n<head>\n<meta charset="utf-8">\n'
+                f'<meta http-equiv="Content-Security-Policy" content="{_POLICY}">\n'
                 '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
                 f"<title>{title}</title>\n<style>\n{_STYLE}\n</style>\n</head>\n<body>\n<h1>{title}</h1>\n"
                 + self._verdict + "\n".join(self._parts) + "\n</body>\n</html>\n")
