@@ -24,6 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from scripts.bench_faults import fault_tables  # noqa: E402
+from scripts.bench_large import large_roofs_table  # noqa: E402
 from scripts.bench_sloped import sloped_table  # noqa: E402
 from scripts.bench_stages import stage_tables  # noqa: E402
 from scripts.bench_street import street_tables  # noqa: E402
@@ -222,6 +223,7 @@ def main() -> int:
     print(f"Reference: Delaunay triangulation of 200,000 points by scipy, {reference:.2f} s of CPU")
     stage_tables()
     ground_table(reference)
+    large_roofs_table()
     if DELFT.is_dir():
         delft = Delft.read()
         delft_table(delft)

@@ -80,7 +80,7 @@ def divided(monkeypatch, error):
 
     monkeypatch.setattr(polygon_stage, "partition_planes", fails)
     table = RoofPolygons()
-    polygon_stage._building_polygons(table, 1, outline, [], tuple(points.T), roof, PolygonParameters(roofs=PLANES))
+    polygon_stage.roof_polygons_of(table, 1, outline, [], tuple(points.T), roof, PolygonParameters(roofs=PLANES))
     return outline, points, roof, table
 
 

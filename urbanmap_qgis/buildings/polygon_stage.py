@@ -154,7 +154,7 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
         roof = records["roof_id"].astype(np.int64)
         own = RoofPolygons()
         try:
-            _building_polygons(own, number, outline, beside, points, roof, block.parameters)
+            roof_polygons_of(own, number, outline, beside, points, roof, block.parameters)
         except Cancelled:
             raise
         except Exception as error:  # one building's trouble is not the others'
@@ -166,7 +166,7 @@ def _block_polygons(block: PolygonBlock) -> tuple[int, RoofPolygons]:
     return len(block.ids), table
 
 
-def _building_polygons(table: RoofPolygons, number: int, outline: shapely.Geometry, beside: list[shapely.Geometry],
+def roof_polygons_of(table: RoofPolygons, number: int, outline: shapely.Geometry, beside: list[shapely.Geometry],
                        points: tuple, roof: np.ndarray, parameters: PolygonParameters) -> None:
     """Rows of one building's polygons."""
     if parameters.method == PAPER:
