@@ -10,6 +10,7 @@ import shapely
 
 from ...progress import SILENT, Progress
 from .crosswalks import Crosswalk, find_crosswalks
+from .dash_consensus import with_common_patterns
 from .dash_pattern import Section, line_sections, painted_intervals, with_worn_ends
 from .line_chains import StrokeChain, link_strokes
 from .line_fit import STATION, FittedLine, fit_centre_line, polyline
@@ -166,6 +167,8 @@ def line_work(polygons: Sequence[shapely.Polygon], colours: Sequence[str], setti
     stops, sure = _stop_lines(bars, lines, crosswalks, paint)
     of_stops = {n for line in stops for n in line.chain.strokes}
     lines = _without_crossing([line for line in lines if not of_stops.issuperset(line.chain.strokes)])
+    common = with_common_patterns([line.sections for line in lines])
+    lines = [replace(line, sections=sections) for line, sections in zip(lines, common)]
     made = _sections_of(lines, strokes, colours, settings)
     made += [replace(_whole(line, strokes, colours, settings, len(lines) + k), confidence=sure[k])
              for k, line in enumerate(stops)]

@@ -18,8 +18,9 @@ STRAIGHT_FILL, STRAIGHT_ASPECT = 0.72, 3.0
 CORNER = np.radians(30.0)
 """A stroke that turns by more is two."""
 
-LARGEST = 60.0
-"""Paint larger than this is no line, m2."""
+LARGEST, WIDEST = 60.0, 1.0
+"""Paint larger than the first (m2) whose mean width is larger than the second (m) is no line, such as a bright yard; a
+long line, or lines that hang together, are large but narrow."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ def polygon_strokes(polygon: shapely.Polygon, number: int = 0) -> list[Stroke]:
     straight = _straight_stroke(polygon, number)
     if straight is not None:
         return [straight]
-    if polygon.area > LARGEST:
+    if polygon.area > LARGEST and 2.0 * polygon.area > WIDEST * polygon.length:
         return []
     paths = [piece for path in _axis_paths(polygon) for piece in _cut_at_corners(path)]
     boundary = polygon.boundary

@@ -1,0 +1,112 @@
+"""One town paints its dashes alike: patterns that regular lines show decide what worn lines are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .dash_pattern import Section
+
+ALIKE = 0.2
+"""Dashes of one pattern differ in length by up to this share."""
+
+IN_STEP = 0.06
+"""Distances of dashes differ from multiples of the period by up to this share of it."""
+
+REGULAR, IRREGULAR = 0.7, 0.5
+"""A section is regular where so much of its paint lies in dashes of one length in step; below the second it is no
+dashed line, but a solid one with gaps worn into it."""
+
+LEAST = 3
+"""Dashes in step that show a pattern."""
+
+MULTIPLES = 3
+"""Dashes up to so many periods apart are in step: those between may be hidden."""
+
+
+def with_common_patterns(lines: Sequence[Sequence[Section]]) -> list[list[Section]]:
+    """The sections of lines with dashes only where the dashes keep a pattern that a regular line shows.
+
+    Of each dashed section, the pattern (period, dash) among those of regular sections is taken that explains most of
+    its paint; runs in step with it stay dashes, the others are solid. Where none explains any, the section stays as it
+    is if half of its paint is in step by its own pattern, and is solid otherwise.
+    """
+    patterns = _patterns(lines)
+    return [_resolved(sections, patterns) for sections in lines]
+
+
+def _patterns(lines: Sequence[Sequence[Section]]) -> list[tuple[float, float]]:
+    """Periods and dashes (m) of the regular sections."""
+    found = []
+    for section in (one for sections in lines for one in sections if one.kind == "dashed"):
+        held = _in_step(section.dashes, section.period, _usual(section))
+        if held.sum() >= LEAST and _share(section.dashes, held) >= REGULAR:
+            found.append((section.period, _usual(section)))
+    return found
+
+
+def _usual(section: Section) -> float:
+    """The dash of a section: the median of its dashes near the pattern's own, m."""
+    length = section.dashes[:, 1] - section.dashes[:, 0]
+    near = np.abs(length - section.dash) <= ALIKE * section.dash
+    return float(np.median(length[near])) if near.any() else section.dash
+
+
+def _in_step(runs: np.ndarray, period: float, dash: float) -> np.ndarray:
+    """Which runs (n,) are as long as a dash and lie in step with another such run."""
+    alike = np.abs(runs[:, 1] - runs[:, 0] - dash) <= ALIKE * dash
+    apart = np.abs(runs.mean(axis=1)[:, None] - runs.mean(axis=1)) / period
+    number = np.round(apart)
+    near = (number >= 1) & (number <= MULTIPLES) & (np.abs(apart - number) <= IN_STEP * np.sqrt(np.maximum(number, 1)))
+    return alike & (near & alike).any(axis=1)
+
+
+def _share(runs: np.ndarray, held: np.ndarray) -> float:
+    """Share of the paint that lies in the runs held."""
+    length = runs[:, 1] - runs[:, 0]
+    return float(length[held].sum() / max(length.sum(), 1e-9))
+
+
+def _resolved(sections: Sequence[Section], patterns: Sequence[tuple[float, float]]) -> list[Section]:
+    """The sections of one line by the common patterns; neighbours of one kind are one."""
+    runs, owner = [], []
+    for section in sections:
+        found = _best(section, patterns) if section.kind == "dashed" else (np.zeros(len(section.dashes), bool), None)
+        held, pattern = found
+        runs += list(section.dashes)
+        owner += [pattern if one else None for one in held]
+    if not runs:
+        return list(sections)
+    runs = np.array(runs)
+    borders = [0, *(k for k in range(1, len(owner)) if owner[k] != owner[k - 1]), len(owner)]
+    return [_section(runs[a:b], owner[a]) for a, b in zip(borders[:-1], borders[1:])]
+
+
+def _best(section: Section, patterns: Sequence[tuple[float, float]]) -> tuple[np.ndarray, tuple[float, float] | None]:
+    """Runs of a dashed section that stay dashes, and the pattern they keep."""
+    tried = [(_in_step(section.dashes, *pattern), pattern) for pattern in patterns]
+    held, pattern = max(tried, key=lambda one: _share(section.dashes, one[0]), default=(np.zeros(1, bool), None))
+    if held.any():
+        return _with_worn(section.dashes, held, *pattern), pattern
+    own = section.period, _usual(section)
+    regular = _share(section.dashes, _in_step(section.dashes, *own)) >= IRREGULAR or len(section.dashes) < LEAST
+    return np.full(len(section.dashes), regular), own
+
+
+def _with_worn(runs: np.ndarray, held: np.ndarray, period: float, dash: float) -> np.ndarray:
+    """The runs held, and shorter ones beside such a one that lie where a dash in step with them would."""
+    middle = runs.mean(axis=1)
+    apart = (middle[:, None] - middle[held]) / period
+    off = np.abs(apart - np.round(apart)) * period
+    near = (np.abs(apart) <= MULTIPLES + 0.5) & (off <= (dash * (1 + ALIKE) - (runs[:, 1] - runs[:, 0]))[:, None] / 2)
+    beside = np.append(held[1:], False) | np.append(False, held[:-1])
+    return held | (near.any(axis=1) & beside)
+
+
+def _section(runs: np.ndarray, pattern: tuple[float, float] | None) -> Section:
+    length = runs[-1, 1] - runs[0, 0]
+    if pattern is None:
+        return Section(runs[0, 0], runs[-1, 1], "solid", runs, np.nan, np.nan,
+                       float((runs[:, 1] - runs[:, 0]).sum() / max(length, 1e-9)))
+    return Section(runs[0, 0], runs[-1, 1], "dashed", runs, *pattern, np.nan)
