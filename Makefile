@@ -6,7 +6,7 @@
 # make package the zip for QGIS's plugin repository
 # make docs    the documentation as a website, build/site
 # make translations  bring the translations up to date and compile them
-# make bench   table of speed and memory
+# make bench soak   table of speed and memory
 # make clean   remove what was made, but not .venv
 
 PYTHON := .venv/bin/python
@@ -61,6 +61,9 @@ translations: setup
 
 bench: setup
 	$(PYTHON) scripts/bench.py
+
+soak: setup
+	$(PYTHON) scripts/soak.py build/soak
 
 clean:
 	rm -rf build demo .pytest_cache .ruff_cache .hypothesis
