@@ -20,7 +20,7 @@ PYTEST = $(PYTHON) -m pytest --dist loadfile -n
 export PATH := /usr/bin:/bin:$(PATH)
 export QGIS_NO_OVERRIDE_IMPORT := 1
 
-.PHONY: setup judges demo quick test lint package docs translations bench clean $(PARTS:%=test-%)
+.PHONY: setup judges demo quick test lint package docs translations bench soak clean $(PARTS:%=test-%)
 
 setup:
 	@scripts/setup.sh
