@@ -191,6 +191,15 @@ def test_rooms_stay_small(folder):
     assert not {room: number for room, number in held.items() if number > MODULES_OF_A_ROOM}
 
 
+def test_architecture_names_every_folder_of_the_core():
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    folders = {path.parent.relative_to(ROOT / CORE).parts for path in source_tree.modules().values()} - {()}
+    rows = {line.split("|")[1].strip(" `/"): line for line in page.partition("## Inside the rooms")[2].splitlines()
+            if line.startswith("| `")}
+    assert {parts[0] for parts in folders if len(parts) == 1} <= set(re.findall(r"`(\w+)/`", page))
+    assert not [parts for parts in folders if len(parts) > 1 and f"`{parts[-1]}/`" not in rows.get(parts[0], "")]
+
+
 @pytest.mark.parametrize("folder", [CORE, source_tree.FACE])
 def test_modules_and_functions_stay_short(folder):
     for name, path in source_tree.modules(folder).items():
