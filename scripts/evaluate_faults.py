@@ -110,7 +110,7 @@ def faulty(survey: DrivenSurvey, fault: Fault) -> DrivenSurvey:
     change = fault.change(path_chainage(survey.reported), survey.reported)
     wrong = Trajectory(survey.reported.time, survey.reported.place + change[:, :3],
                        survey.reported.angles + change[:, 3:])
-    markings = survey.markings.take(survey.reported.within(survey.markings.time))
+    markings = survey.markings.select(survey.reported.within(survey.markings.time))
     place = move_points(np.column_stack([markings.x, markings.y, markings.z]), markings.time, survey.reported, wrong)
     return replace(survey, markings=replace(markings, x=place[:, 0], y=place[:, 1], z=place[:, 2]), reported=wrong)
 

@@ -72,12 +72,12 @@ class Survey:
     @property
     def checks(self) -> ControlPoints:
         """Control points that no method may use."""
-        return self.control.take(~self._used())
+        return self.control.select(~self._used())
 
     @property
     def marks(self) -> ControlPoints:
         """Control points for landmark updating."""
-        return self.control.take(self._used())
+        return self.control.select(self._used())
 
     def _used(self) -> np.ndarray:
         return np.arange(len(self.control)) % self.landmarks == self.landmarks // 2

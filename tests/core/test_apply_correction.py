@@ -107,7 +107,7 @@ def test_table_is_as_exact_as_interpolation_for_coarse_epochs():
     rng = np.random.default_rng(0)
     time = rng.uniform(1000.0, 1020.0, 2000)
     points = np.array([X0, Y0, 30.0]) + rng.uniform(-80, 80, (2000, 3))
-    moved = points + correction_between(reported, other).at(points, time)
+    moved = points + correction_between(reported, other).translations(points, time)
     assert np.abs(moved - move_points(points, time, reported, other)).max() < 1e-4
 
 

@@ -26,9 +26,9 @@ def test_buckets_keep_the_order_in_memory_and_on_disk(limit):
             buckets.add(keys[start:start + 130], records[start:start + 130])
         for key in range(5):
             assert np.array_equal(buckets.read(key)["n"], np.flatnonzero(keys == key))
-            assert np.array_equal(buckets.take(key)["n"], np.flatnonzero(keys == key))
+            assert np.array_equal(buckets.pop(key)["n"], np.flatnonzero(keys == key))
             assert len(buckets.read(key)) == 0
-        assert len(buckets.read(99)) == 0 and len(buckets.take(99)) == 0
+        assert len(buckets.read(99)) == 0 and len(buckets.pop(99)) == 0
 
 
 def test_blocks_give_each_building_its_points_whatever_the_order(tmp_path, make_cloud):

@@ -114,7 +114,7 @@ def test_landmarks_of_one_epoch_are_averaged_and_heights_may_be_missing():
     assert np.allclose(moved[0], [-1.5, 0.0, 0.0])
     assert np.allclose(moved[-1], [0.0, 0.0, -0.6])
     with pytest.raises(InsufficientDataError, match="cannot be updated"):
-        update_by_landmarks(reported, control.take(np.zeros(3, bool)))
+        update_by_landmarks(reported, control.select(np.zeros(3, bool)))
 
 
 def test_report_shows_before_and_after(tmp_path):

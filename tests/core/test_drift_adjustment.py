@@ -73,7 +73,7 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
         step = time[k + 1] - time[k]
         state = f @ state @ f.T + step * np.diag([walk.position_walk**2, walk.position_walk**2, walk.heading_walk**2])
         covariance[k + 1, :, k + 1] = state
-    turn = model.at(pairs.time)[:, 2]
+    turn = model.interpolate(pairs.time)[:, 2]
     lever = rotated_vectors(pairs.seen, turn + np.pi / 2)
     design = np.zeros((2 * len(turn), len(time), 3))
     for row, node in enumerate(np.searchsorted(time, pairs.time)):
@@ -84,7 +84,7 @@ def test_values_and_variances_are_those_of_the_full_covariance(coupled):
     linear = (pairs.true - rotated_vectors(pairs.seen, turn) + lever * turn[:, None]).ravel()
     value = (gain @ linear).reshape(-1, 3)
     variance = np.diag(whole - gain @ design @ whole).reshape(-1, 3)
-    np.testing.assert_allclose(model.at(time), value, atol=2e-3)
+    np.testing.assert_allclose(model.interpolate(time), value, atol=2e-3)
     np.testing.assert_allclose(np.sqrt(model.variances(time)), np.sqrt(variance), rtol=0.02, atol=1e-4)
 
 
@@ -111,7 +111,7 @@ def test_walk_and_sigma_are_found_and_errors_are_as_large_as_said(coupled):
     for _ in range(5):
         drift = walked(trajectory, walk, rng)
         model = fit_drift(observed(trajectory, drift, walk, rng, sets=25), trajectory, RandomWalk())
-        error = model.at(trajectory.time) - drift
+        error = model.interpolate(trajectory.time) - drift
         ratios.append(np.mean(error**2 / model.variances(trajectory.time), axis=0))
         paces.append([model.walk.position_walk, model.walk.sigma])
         told.append(model.walk.coupled)
@@ -141,5 +141,5 @@ def test_one_set_holds_and_tells_no_prediction():
     trajectory, walk = course(), RandomWalk()
     pairs = observed(trajectory, np.tile([1.0, -2.0, 0.001], (len(trajectory), 1)), walk, rng, sets=1, margin=300.0)
     model = fit_drift(pairs, trajectory, walk)
-    np.testing.assert_allclose(model.at(np.array([0.0, 600.0]))[:, :2], [[1.0, -2.0]] * 2, atol=0.15)
+    np.testing.assert_allclose(model.interpolate(np.array([0.0, 600.0]))[:, :2], [[1.0, -2.0]] * 2, atol=0.15)
     assert np.isnan(leave_one_out_misfits(pairs, model)[0]).all()

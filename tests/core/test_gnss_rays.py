@@ -139,7 +139,7 @@ def test_both_legs_must_be_free():
         shapes = [wall] if other is None else [wall, other]
         walls = building_walls(shapes, None, np.array([60.0, height])[:len(shapes)], np.zeros(len(shapes)))
         found = mirror_reflections(walls, antenna, np.array([0]), satellite, 100.0)
-        found = found.take(np.flatnonzero(found.excess > 40))
+        found = found.select(np.flatnonzero(found.excess > 40))
         assert len(found.ray) == 1
         assert legs_in_line_of_sight(WallObstacles.of(walls), antenna, satellite, found)[0] == free
 

@@ -41,7 +41,7 @@ def floored(r):
 def worst(curve, law, low=None, high=None):
     """Greatest departure of a curve from a law between its limits, as a share."""
     r = np.linspace(low or curve.nearest + 0.25, high or curve.r2 - 0.25, 50)
-    return np.abs(curve.at(r) / law(r) - 1).max()
+    return np.abs(curve.intensity(r) / law(r) - 1).max()
 
 
 ASPHALT = ((1.0, 1.0, 1.0),)
@@ -82,7 +82,7 @@ def test_the_floor_gives_r1():
     assert curve.r1 == pytest.approx(expected, abs=3.0)
     assert curve.r2 > curve.r1
     beyond = np.linspace(curve.r1, curve.r2, 5)
-    assert np.allclose(curve.at(beyond), curve.smallest)
+    assert np.allclose(curve.intensity(beyond), curve.smallest)
 
 
 def test_r2_is_where_paint_is_lost_in_the_scatter():

@@ -110,7 +110,7 @@ def test_markings_with_all_their_attributes(write, tmp_path):
     assert set(found.curves) == {1} and not found.failed
     curve = found.curves[1]
     r = np.linspace(2.5, 7.0, 20)
-    assert np.abs(curve.at(r) / (200 + 60_000 * r ** -2.0) - 1).max() < 0.05
+    assert np.abs(curve.intensity(r) / (200 + 60_000 * r ** -2.0) - 1).max() < 0.05
     facts = facts_of(found)
     assert facts["POINTS_READ"] == len(number) and facts["MARKING_POINTS"] == len(found.number)
     assert facts["PAINT_CONTRAST"] == pytest.approx(3.5, rel=0.1) and facts["MARKED_WAY"] == 1.0

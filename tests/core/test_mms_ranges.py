@@ -46,14 +46,14 @@ def test_range_is_the_distance_to_the_scanners_place(epochs):
     time = rng.uniform(0, trajectory.time[-1], 300)
     points = rng.normal([100, 200, 0], 10, (300, 3))
     expected = [np.linalg.norm(point - scanner_place(trajectory, at, ARM)) for point, at in zip(points, time)]
-    assert np.abs(ranges(*points.T, track.at(time)) - expected).max() < 0.003
+    assert np.abs(ranges(*points.T, track.interpolate(time)) - expected).max() < 0.003
     assert track.max_range == 40.0
 
 
 def test_without_calibration_from_the_body():
     trajectory = turning()
     track = Tracks(trajectory, None).of(1234)
-    x, y, z = track.at(np.array([5.0]))
+    x, y, z = track.interpolate(np.array([5.0]))
     assert np.allclose([x[0], y[0], z[0]], trajectory.place[50])
 
 

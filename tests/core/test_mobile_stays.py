@@ -70,7 +70,7 @@ def test_moved_points_stay(survey, small_city, tmp_path):
 
 def test_accuracy_and_landmark_update_stay(survey, tmp_path):
     _, reported, true, control, _ = survey
-    updated = update_by_landmarks(reported, control.take(slice(0, None, 3)))
+    updated = update_by_landmarks(reported, control.select(slice(0, None, 3)))
     errors = {"reported": residuals(control), "updated": residuals(control, correction_between(reported, updated)),
               "true": residuals(control, correction_between(reported, true))}
     write_accuracy_report(tmp_path / "report.html", control, errors, 2)

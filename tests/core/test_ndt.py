@@ -100,7 +100,7 @@ def test_derivatives_of_a_movement_equal_differences(dimensions):
     pose = RigidMotion.identity(centre)
 
     def at(step):
-        moved = pose.after(step).moved(points)
+        moved = pose.after(step).transform(points)
         return ndt_terms(ndt, moved, mixture).value.sum()
 
     found = rigid_derivatives(points, centre, ndt_terms(ndt, points, mixture))
@@ -119,13 +119,13 @@ def test_a_known_movement_is_found(dimensions):
     ndt, mixture = build_ndt(places, 1.0, 0.03), Mixture.of(0.35, 1.0, dimensions)
     centre = places.mean(axis=0)
     step = np.array([0.15, -0.1, 0.02]) if dimensions == 2 else np.array([0.1, -0.08, 0.05, 0.01, -0.008, 0.015])
-    moved = RigidMotion.identity(centre).after(step).moved(places)
+    moved = RigidMotion.identity(centre).after(step).transform(places)
     # Cells draw points a little: this is where they converge.
     fixed = match_points(places, RigidMotion.identity(centre), ndt, mixture)
     match = match_points(moved, RigidMotion.identity(centre), ndt, mixture)
     assert match.converged
-    assert np.abs(match.pose.moved(moved) - fixed.pose.moved(places)).max() < 0.02
-    assert np.abs(match.pose.moved(moved) - places).max() < 0.06
+    assert np.abs(match.pose.transform(moved) - fixed.pose.transform(places)).max() < 0.02
+    assert np.abs(match.pose.transform(moved) - places).max() < 0.06
 
 
 def test_turns_are_rotations():

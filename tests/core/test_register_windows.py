@@ -432,7 +432,7 @@ def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three
             angle = -np.radians(change[5])
             matrix = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
         expected = (points - windows.place[number]) @ matrix.T + windows.place[number] + change[:3]
-        assert points + movement.at(points, time) == pytest.approx(expected, abs=1e-4)
+        assert points + movement.translations(points, time) == pytest.approx(expected, abs=1e-4)
     assert np.isnan(made.correction.drift_factor) and set(made.correction.status) <= {REGISTERED, DISTRUSTED}
     assert made.windows.three_d == three_d
     if three_d:
@@ -446,7 +446,7 @@ def test_the_letter_moves_each_patch_by_one_matrix(short_street, tmp_path, three
 def test_the_letter_carries_the_matrix_over_windows_without_markings(short_street):
     _, reported, paint, markings = short_street
     along = (np.column_stack([markings.x, markings.y]) - ORIGIN) @ (along_street(1.0, 0.0) - ORIGIN)
-    few = markings.take(along < 25)
+    few = markings.select(along < 25)
     run = RegistrationRun(RegistrationSettings.paper(window_patches=10, feature_count=5))
     made = register_markings(few, reported, Reference.from_polygons(paint), run)
     empty = np.flatnonzero(made.windows.status == NO_MARKINGS)

@@ -164,7 +164,7 @@ def test_records_of_other_times_describe_the_same_orbits():
 
 def test_frame_agrees_with_proj():
     xyz = np.array([[-6950.0, -34100.0, 12.0], [-6800.0, -34250.0, 60.0], [-7100.0, -33900.0, 3.0]])
-    frame = CityFrame.at(CRS, *xyz[0])
+    frame = CityFrame.of(CRS, *xyz[0])
     assert np.abs(frame.earth_fixed(xyz) - earth_fixed(xyz)).max() < 1e-4
     assert np.abs(frame.grid @ frame.grid.T - np.eye(3)).max() < 1e-6
     true = np.degrees(frame.true_azimuth(frame.grid[1]))

@@ -174,6 +174,6 @@ def test_a_course_moves_points_as_the_corrected_trajectory_does():
     points = body + rng.uniform(-15, 15, (300, 3))
     curve = CorrectionCurve(chainage, np.zeros(len(chainage)), shift, turn)
     order = np.argsort(at)
-    moved = curve.moved(PatchPoints(points[order], (points - body)[order], np.interp(at, time, chainage)[order],
+    moved = curve.transform(PatchPoints(points[order], (points - body)[order], np.interp(at, time, chainage)[order],
                                      np.zeros(300, int), np.ones(300)))
     assert np.abs(moved - move_points(points, at, reported, corrected)[order]).max() < 1e-3

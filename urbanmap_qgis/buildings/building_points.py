@@ -47,7 +47,7 @@ def iter_building_blocks(cloud: PointCloud, layout: PointLayout, ids: np.ndarray
             buckets.add(place[keep] // BUILDINGS_AT_ONCE, layout.adapt(chunk, keep))
         for block in range((len(ids) + BUILDINGS_AT_ONCE - 1) // BUILDINGS_AT_ONCE):
             rows = order[block * BUILDINGS_AT_ONCE:(block + 1) * BUILDINGS_AT_ONCE]
-            yield rows, _split(buckets.take(block), ids[rows])
+            yield rows, _split(buckets.pop(block), ids[rows])
 
 
 def _split(records: np.ndarray, ids: np.ndarray) -> list[np.ndarray]:

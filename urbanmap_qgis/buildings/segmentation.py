@@ -237,7 +237,7 @@ def _tiles(tiles: _Tiling, buckets: PointBuckets, layout: PointLayout, footprint
         rows = tiles.rows[near]
         part = Footprints(footprints.ids[rows], footprints.polygons[rows], footprints.notes[rows])
         own = tiles.tile_of_row[near] == name
-        yield Tile(layout, buckets.take(int(name)), part, rows, own, tiles.density, parameters,
+        yield Tile(layout, buckets.pop(int(name)), part, rows, own, tiles.density, parameters,
                    _ground_part(ground, part.polygons))
 
 

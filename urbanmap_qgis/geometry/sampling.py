@@ -26,7 +26,7 @@ class Bilinear:
     grid: Grid
 
     @classmethod
-    def at(cls, grid: Grid, x: np.ndarray, y: np.ndarray) -> Bilinear:
+    def of(cls, grid: Grid, x: np.ndarray, y: np.ndarray) -> Bilinear:
         """Places of points (n,); those outside are drawn to the border, as are those within half a cell of it."""
         left, u = _before(x, 1.0 / grid.cell, -grid.x_min / grid.cell - 0.5, grid.columns)
         top, v = _before(y, -1.0 / grid.cell, grid.y_max / grid.cell - 0.5, grid.rows)
@@ -89,7 +89,7 @@ def sample(grid: Grid, raster: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.n
         raster = np.pad(raster, ((0, 1), (0, 1)), mode="edge")
         grid = Grid(grid.x_min, grid.y_max, grid.cell, grid.rows + 1, grid.columns + 1)
         x, y = np.minimum(x, x_max - grid.cell / 2), np.maximum(y, y_min + grid.cell / 2)
-    place = Bilinear.at(grid, x, y)
+    place = Bilinear.of(grid, x, y)
     height = place.heights(raster)
     gap = np.flatnonzero(np.isnan(height))
     if len(gap):

@@ -119,7 +119,7 @@ def accuracy_map(city: LocalisationMap, places: RoadPlaces, settings: Localisati
     blocks = []
     for begin in range(0, len(places), BLOCK):
         progress.step(begin / len(places))
-        blocks.append(_block(city, places.take(slice(begin, begin + BLOCK)), prepared, settings))
+        blocks.append(_block(city, places.select(slice(begin, begin + BLOCK)), prepared, settings))
     progress.step(1.0)
     return _joined(blocks)
 
@@ -173,7 +173,7 @@ def _block(city: LocalisationMap, places: RoadPlaces, prepared: _Prepared, setti
         figures["samples"][able] = np.bincount(seen[0], minlength=len(able))
         figures["other_level"][able] = seen[2]
     if city.sky is not None and city.walls is not None and len(able):
-        _satellites(city, places.take(able), sensor, able, by_source, figures, settings)
+        _satellites(city, places.select(able), sensor, able, by_source, figures, settings)
     _together(by_source, settings.prior())
     modes = _aliases(prepared, places, sensor, able, scan, seen, city, settings)
     return _described(city, places, refused, by_source, figures, modes, settings)
@@ -214,7 +214,7 @@ def _different_walls(walls: WallMap, scan: WallScan, count: int) -> np.ndarray:
 
 def _satellites(city: LocalisationMap, places: RoadPlaces, antenna: np.ndarray, able: np.ndarray, by_source: dict,
                 figures: dict, settings: LocalisationSettings) -> None:
-    found = satellite_plan(city.walls, antenna, city.sky.at(places.time), settings)
+    found = satellite_plan(city.walls, antenna, city.sky.with_times(places.time), settings)
     figures["satellites"][able], figures["dilution"][able] = found.satellites, found.dilution
     by_source["satellites"][able, :2, :2] = found.covariance
 

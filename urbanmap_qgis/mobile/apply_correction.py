@@ -81,7 +81,7 @@ def apply_correction(paths: Sequence[str | os.PathLike], reported: Trajectory, c
         compress = Path(output).suffix.lower() == ".laz"
         with laspy.open(temporary, mode="w", header=writing.header, do_compress=compress) as writer:
             for chunk in iter_chunks(cloud, progress, _CHUNK):
-                writer.write_points(writing.moved(chunk, np.asarray(chunk.gps_time) + shift, outside, statistics))
+                writer.write_points(writing.transformed(chunk, np.asarray(chunk.gps_time) + shift, outside, statistics))
             _write_evlrs(writer, _evlrs(cloud))
     moved = statistics.result()
     _report(moved, outside, progress)
@@ -180,8 +180,8 @@ class _Writing:
         header.scales, header.offsets = scales, offsets
         self.header = header
 
-    def moved(self, chunk: laspy.ScaleAwarePointRecord, time: np.ndarray, outside: str,
-              statistics: _Statistics) -> laspy.PackedPointRecord:
+    def transformed(self, chunk: laspy.ScaleAwarePointRecord, time: np.ndarray, outside: str,
+                    statistics: _Statistics) -> laspy.PackedPointRecord:
         """The chunk's records with new coordinates."""
         within = self.movement.within(time)
         if outside == "refuse" and not within.all():
@@ -190,7 +190,7 @@ class _Writing:
                                  "with the nearest pose.", time=time[~within][0], time_2=self.movement.time[0],
                                  time_3=self.movement.time[-1]))
         places = np.column_stack([chunk.x, chunk.y, chunk.z])
-        movement = self.movement.at(places, time)
+        movement = self.movement.translations(places, time)
         if outside == "keep":
             movement[~within] = 0.0
         statistics.add(movement, within, self.movement.in_gap(time))

@@ -54,7 +54,7 @@ class ControlPoints:
     def __len__(self) -> int:
         return len(self.id)
 
-    def take(self, rows: np.ndarray) -> ControlPoints:
+    def select(self, rows: np.ndarray) -> ControlPoints:
         """Some of them, by a mask (n,) or row numbers."""
         numbers = np.arange(len(self))[rows]
         return ControlPoints(tuple(self.id[k] for k in numbers), self.true[numbers], self.time[numbers],
@@ -142,7 +142,7 @@ def in_survey_time(control: ControlPoints, trajectory: Trajectory) -> tuple[Cont
     shift = shift_between(span, (float(trajectory.time[0]), float(trajectory.time[-1])), "The control points")
     moved = ControlPoints(control.id, control.true, control.time + shift, control.surveyed)
     within = trajectory.within(moved.time)
-    return moved.take(within), int(np.count_nonzero(~within))
+    return moved.select(within), int(np.count_nonzero(~within))
 
 
 def residuals(control: ControlPoints, movement: PoseCorrection | None = None) -> np.ndarray:
@@ -160,7 +160,7 @@ def residuals(control: ControlPoints, movement: PoseCorrection | None = None) ->
     surveyed = control.surveyed
     if movement is not None:
         places = np.where(np.isfinite(surveyed), surveyed, movement.centre)  # heights not known turn like the vehicle
-        surveyed = surveyed + movement.at(places, control.time)
+        surveyed = surveyed + movement.translations(places, control.time)
     return surveyed - control.true
 
 

@@ -159,7 +159,7 @@ class _Survey:
             return
         self.tiling, keys = Tiling(self.tiling.cell, cells), set()
         for key in self.keys:
-            whole = self.buckets.take(key)
+            whole = self.buckets.pop(key)
             for start in range(0, len(whole), _CHUNK):
                 records = whole[start:start + _CHUNK].copy()  # a part of the whole would keep all of it in memory
                 tile = self.tiling.keys(records["x"], records["y"])
@@ -221,11 +221,11 @@ class _Survey:
         """The points of each tile and of a margin round it, of one pass."""
         known = set(keys)
         for key in keys:
-            box, (column, row) = self.tiling.box(key), self.tiling.place(key)
+            box, (column, row) = self.tiling.box(key), self.tiling.column_row(key)
             parts = [_columns(self._of_pass(key, pass_number))]
             for near in self.tiling.around(key)[1:]:
                 if near in known:  # read anew each time: a slow drive has millions of points in each tile
-                    other_column, other_row = self.tiling.place(near)
+                    other_column, other_row = self.tiling.column_row(near)
                     parts.append(_columns(_beside(self._of_pass(near, pass_number), box, margin,
                                                   other_column - column, other_row - row)))
             in_tile = len(parts[0]["x"])

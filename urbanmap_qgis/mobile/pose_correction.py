@@ -42,7 +42,7 @@ class PoseCorrection:
             inside |= (time > start) & (time < end)
         return inside
 
-    def at(self, points: np.ndarray, time: np.ndarray) -> np.ndarray:
+    def translations(self, points: np.ndarray, time: np.ndarray) -> np.ndarray:
         """Movements (m, 3), m, of points (m, 3) measured at times (m,); outside the table that of its nearest end.
 
         In single precision: exact to a hundredth of a millimetre for points within kilometres of the centre.

@@ -238,7 +238,7 @@ def _heights(records: np.ndarray, reading: TrajectoryReading, name: str) -> tupl
     """Heights (n,) of SBET records, above the geoid where one is given, and a sentence on it."""
     if reading.geoid is None:
         return records["altitude"], ""
-    above = reading.geoid.at(np.degrees(records["longitude"]), np.degrees(records["latitude"]))
+    above = reading.geoid.interpolate(np.degrees(records["longitude"]), np.degrees(records["latitude"]))
     return records["altitude"] - above, (say("{name}: ellipsoidal heights were lowered by {min:.3f} to {max:.3f} m "
                                              "to heights above the geoid ({geoid}).", name=name, min=above.min(),
                                              max=above.max(), geoid=reading.geoid.name))
@@ -314,7 +314,7 @@ def _sbet_records(like: TrajectoryFile, trajectory: Trajectory) -> np.ndarray:
     back = Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)
     longitude, latitude = back.transform(trajectory.place[:, 0], trajectory.place[:, 1])
     records["longitude"], records["latitude"] = np.radians(longitude), np.radians(latitude)
-    above = 0.0 if like.reading.geoid is None else like.reading.geoid.at(longitude, latitude)
+    above = 0.0 if like.reading.geoid is None else like.reading.geoid.interpolate(longitude, latitude)
     records["altitude"] = trajectory.place[:, 2] + above
     heading = trajectory.angles[:, 2] + _convergence(crs, longitude, latitude)
     records["roll"], records["pitch"] = np.radians(trajectory.angles[:, :2].T)

@@ -171,7 +171,7 @@ def bottom_points(x: np.ndarray, y: np.ndarray, z: np.ndarray, grid: Grid, lowes
     cell = node_of_points(x, y, grid)
     height = z - lowest.ravel()[cell]
     points = np.flatnonzero((height >= 0) & (height < 2 * grid.cell))
-    return BottomPoints(points, cell[points], z[points], Bilinear.at(grid, x[points], y[points]))
+    return BottomPoints(points, cell[points], z[points], Bilinear.of(grid, x[points], y[points]))
 
 
 def lowest_layer(bottom: BottomPoints, cloth: np.ndarray) -> np.ndarray:

@@ -60,18 +60,18 @@ class Tiling:
         return (row + _KEY_SHIFT) * (2 * _KEY_SHIFT) + column + _KEY_SHIFT
 
     @staticmethod
-    def place(key: int) -> tuple[int, int]:
+    def column_row(key: int) -> tuple[int, int]:
         """Column and row of a tile."""
         return key % (2 * _KEY_SHIFT) - _KEY_SHIFT, key // (2 * _KEY_SHIFT) - _KEY_SHIFT
 
     def box(self, key: int) -> tuple[float, float, float, float]:
         """(x_min, y_min, x_max, y_max) of a tile."""
-        column, row = self.place(key)
+        column, row = self.column_row(key)
         return (column * self.side, row * self.side, (column + 1) * self.side, (row + 1) * self.side)
 
     def around(self, key: int) -> list[int]:
         """Keys of a tile and its eight neighbours, the tile first."""
-        column, row = self.place(key)
+        column, row = self.column_row(key)
         return [key] + [self.key(column + j, row + i) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
 
 

@@ -65,7 +65,7 @@ class _PolarGrid:
         distance = self.near + self.step * np.arange(self.distances)
         return np.cos(angle) * distance, np.sin(angle) * distance
 
-    def place(self, east: np.ndarray, north: np.ndarray, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def project(self, east: np.ndarray, north: np.ndarray, distance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Column and row (float32) of points at other distances in their own direction."""
         turned = (np.arctan2(north, east) - self.first) % (2 * math.pi)
         return (((distance - self.near) / self.step).astype(np.float32), (turned / self.turn).astype(np.float32))
@@ -106,7 +106,7 @@ def visible_ground(centre: np.ndarray, grid: Grid, ground: np.ndarray, surface: 
     seen = np.empty(grid.shape, bool)
     for top in range(0, grid.rows, _BATCH):
         rows = slice(top, min(top + _BATCH, grid.rows))
-        column, row = fan.place(east[None, :], north[rows, None], distance[rows] - _CLEAR * grid.cell)
+        column, row = fan.project(east[None, :], north[rows, None], distance[rows] - _CLEAR * grid.cell)
         before = cv2.remap(highest, column, row, cv2.INTER_NEAREST, borderMode=cv2.BORDER_CONSTANT, borderValue=0.0)
         with np.errstate(invalid="ignore"):
             seen[rows] = bare[rows] >= before

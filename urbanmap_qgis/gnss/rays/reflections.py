@@ -132,8 +132,8 @@ def _reflected(walls: WallPieces, obstacles: WallObstacles, signals: Signals, ro
     found = mirror_reflections(walls, signals.epochs.place, signals.epoch[rows], signals.direction[rows],
                                settings.max_range, progress=progress)
     found = replace(found, ray=rows[found.ray])
-    return found.take(np.flatnonzero(legs_in_line_of_sight(obstacles, signals.place, signals.direction, found,
-                                                           progress)))
+    return found.select(np.flatnonzero(legs_in_line_of_sight(obstacles, signals.place, signals.direction, found,
+                                                             progress)))
 
 
 def _only(walls: WallPieces, found: WallReflections, count: int) -> tuple[np.ndarray, np.ndarray]:
@@ -157,11 +157,11 @@ def possible_walls(walls: WallPieces, obstacles: WallObstacles, signals: Signals
     place, direction = signals.place[rows], signals.direction[rows]
     possible = _possibly_free(obstacles, place[found.ray], found.arriving, found.length - 0.05 - settings.margin,
                               settings, progress)
-    found = found.take(np.flatnonzero(possible))
+    found = found.select(np.flatnonzero(possible))
     off = found.place.copy()
     off[:, :2] += (0.05 + settings.margin) * obstacles.walls.normal[found.piece]
     possible = _possibly_free(obstacles, off, direction[found.ray], np.inf, settings, progress)
-    found = found.take(np.flatnonzero(possible))
+    found = found.select(np.flatnonzero(possible))
     pairs = np.unique(np.column_stack([found.ray, walls.wall[found.piece]]), axis=0)
     return np.bincount(pairs[:, 0], minlength=len(rows))
 

@@ -224,7 +224,7 @@ class WallReflections:
         """(n,) excess path of the reflected signal, m: 2 D cos(elevation) cos(difference of azimuth)."""
         return 2 * self.distance * self.cosine
 
-    def take(self, rows: np.ndarray) -> WallReflections:
+    def select(self, rows: np.ndarray) -> WallReflections:
         """Some of them."""
         return WallReflections(*(getattr(self, name)[rows] for name in WallReflections.__dataclass_fields__))
 

@@ -149,7 +149,7 @@ def move_buildings(shapes: Sequence[shapely.Geometry | None], row: np.ndarray, w
         chosen[together] = weight[together]
         by = net.displacement(walls, outwards, chosen)
         displacement[check.nodes] = by[check.nodes]
-        current[members] = check.moved(walls, net, by)
+        current[members] = check.translated(walls, net, by)
     return current, displacement, immovable
 
 
@@ -180,7 +180,7 @@ class _MoveCheck:
     beside: shapely.Geometry
     nodes: np.ndarray
 
-    def moved(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
+    def translated(self, walls: WallPieces, net: PlanNet, displacement: np.ndarray) -> np.ndarray:
         """The shapes with their corners moved."""
         follow = _Follower(walls, net, displacement, self.nodes)
         result = np.empty(len(self.shapes), dtype=object)
@@ -197,7 +197,7 @@ class _MoveCheck:
         along = np.einsum("ij,ij->i", after, edge) / length
         if (along < np.minimum(_SHORTEST_EDGE, length) - 1e-6).any():
             return False
-        moved = self.moved(walls, net, displacement)
+        moved = self.translated(walls, net, displacement)
         return all(_sound(before, after) for before, after in zip(self.shapes, moved)) and (
             self._overlap(moved) <= self._overlap(self.shapes) + _OVERLAP)
 

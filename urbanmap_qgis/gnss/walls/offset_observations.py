@@ -85,7 +85,7 @@ def _pass_observations(walls, signals, paths, usable, clock, outwards, block_len
     shares."""
     inside = np.flatnonzero(usable[clock.rows] & np.isfinite(clock.corrected))
     rows = clock.rows[inside]
-    reflection = paths.reflections.take(paths.reflection[rows])
+    reflection = paths.reflections.select(paths.reflection[rows])
     wall = walls.wall[reflection.piece]
     satellite = np.unique(signals.satellite, return_inverse=True)[1].ravel()[rows]
     block = np.floor(signals.time[rows] / block_length).astype(np.int64)

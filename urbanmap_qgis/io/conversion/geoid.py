@@ -47,7 +47,7 @@ class Geoid:
         """The same height everywhere, m."""
         return cls(f"{height:g} m", np.array([[float(height)]]))
 
-    def at(self, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
+    def interpolate(self, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,), m, at longitudes and latitudes (n,) in degrees.
 
         Raises

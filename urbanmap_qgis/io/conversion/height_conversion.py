@@ -78,7 +78,7 @@ class HeightConversion:
     to_degrees: Transformer | None
     change: HeightChange = field(default_factory=HeightChange)
 
-    def at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def heights(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Change of the heights (n,), m, at places (n,).
 
         Raises
@@ -88,7 +88,7 @@ class HeightConversion:
         x, y = np.asarray(x, float), np.asarray(y, float)
         if self.to_degrees is not None:
             x, y = self.to_degrees.transform(x, y)
-        change = self.sign * self.grid.at(x, y)
+        change = self.sign * self.grid.interpolate(x, y)
         self.change.add(change)
         return change
 
@@ -160,7 +160,7 @@ def convert_points(paths: Sequence[str | os.PathLike], output: str | os.PathLike
     with cloud_writer(output, layout) as writer:
         for points in iter_chunks(cloud, progress):
             records = layout.view(layout.adapt(points, np.ones(len(points), bool)))
-            records.z = np.asarray(points.z) + conversion.at(np.asarray(points.x), np.asarray(points.y))
+            records.z = np.asarray(points.z) + conversion.heights(np.asarray(points.x), np.asarray(points.y))
             writer.write(records.array)
     return conversion.change
 
@@ -198,7 +198,7 @@ class _ConvertedRows:
         heights = self.source.read(slice(top, bottom)).astype(float)
         x, y = grid.centres()
         row, column = np.nonzero(np.isfinite(heights))
-        heights[row, column] += self.conversion.at(x[column], y[top:bottom][row])
+        heights[row, column] += self.conversion.heights(x[column], y[top:bottom][row])
         return heights.astype(np.float32)
 
 
@@ -207,7 +207,7 @@ def convert_geometries(geometries: np.ndarray, conversion: HeightConversion) -> 
     def moved(corners: np.ndarray) -> np.ndarray:
         made = corners.copy()
         here = np.isfinite(corners[:, 2])
-        made[here, 2] += conversion.at(corners[here, 0], corners[here, 1])
+        made[here, 2] += conversion.heights(corners[here, 0], corners[here, 1])
         return made
 
     made = geometries.copy()

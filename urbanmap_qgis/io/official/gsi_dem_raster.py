@@ -125,7 +125,7 @@ class _Product:
             np.copyto(place, part, where=np.isfinite(part))
         return made
 
-    def at(self, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
+    def interpolate(self, longitude: np.ndarray, latitude: np.ndarray) -> np.ndarray:
         """Bilinear heights (n,) at places; NaN where the cell at the place has none."""
         cell = self.cell
         left, right = math.floor(longitude.min() / cell) - 1, math.floor(longitude.max() / cell) + 2
@@ -172,7 +172,7 @@ class _Rows:
         for product in self.products:
             gaps = np.flatnonzero(np.isnan(heights) & here)
             if len(gaps):
-                heights[gaps] = product.at(x[gaps], y[gaps])
+                heights[gaps] = product.interpolate(x[gaps], y[gaps])
         return heights.reshape(bottom - top, right - left)
 
 

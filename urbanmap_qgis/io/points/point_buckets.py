@@ -68,7 +68,7 @@ class PointBuckets:
         pieces += self._pieces.get(key, [])
         return np.concatenate(pieces) if pieces else np.zeros(0, dtype=self.dtype)
 
-    def take(self, key: int) -> np.ndarray:
+    def pop(self, key: int) -> np.ndarray:
         """All records of a bucket as `read` gives them; the bucket is empty after that."""
         held, stored = self._pieces.get(key, []), self._path(key)
         alone = len(held) == 1 and not (stored and stored.exists())

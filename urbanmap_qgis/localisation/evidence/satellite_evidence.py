@@ -39,7 +39,7 @@ class SkyTimes:
     crs_wkt: str
     shift: float | None = None
 
-    def at(self, time: np.ndarray) -> SkyTimes:
+    def with_times(self, time: np.ndarray) -> SkyTimes:
         """The sky over places of a drive at times (n,), s; over others the same as ever."""
         return self if self.shift is None else replace(self, times=(time + self.shift)[:, None])
 

@@ -45,7 +45,7 @@ class RoadPlaces:
     def __len__(self) -> int:
         return len(self.heading)
 
-    def take(self, rows: np.ndarray | slice) -> RoadPlaces:
+    def select(self, rows: np.ndarray | slice) -> RoadPlaces:
         """Some of them."""
         return RoadPlaces(*(getattr(self, name)[rows] for name in RoadPlaces.__dataclass_fields__))
 

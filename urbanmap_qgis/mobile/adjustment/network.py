@@ -85,7 +85,7 @@ class NetworkObservations:
     def __len__(self) -> int:
         return len(self.drive)
 
-    def take(self, which: np.ndarray) -> NetworkObservations:
+    def select(self, which: np.ndarray) -> NetworkObservations:
         """Some of the rows, by mask or index."""
         return NetworkObservations(*(getattr(self, field.name)[which] for field in fields(self)))
 

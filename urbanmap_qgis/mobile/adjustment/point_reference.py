@@ -92,7 +92,8 @@ class PointReference:
         """Height of the paint at points (n,), m; NaN where the drive saw none."""
         if not len(x):
             return np.zeros(0)
-        return self.ground_part(float(np.min(x)), float(np.min(y)), float(np.max(x)), float(np.max(y))).at(x, y)
+        ground = self.ground_part(float(np.min(x)), float(np.min(y)), float(np.max(x)), float(np.max(y)))
+        return ground.interpolate(x, y)
 
 
 def _filled(total: np.ndarray, count: np.ndarray) -> np.ndarray:

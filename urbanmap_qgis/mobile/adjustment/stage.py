@@ -223,7 +223,7 @@ def _plane_observations(clouds: Sequence[Sequence[str | os.PathLike]], drives: S
         adjusted = [drive.corrected for drive in preliminary.drives]
     found = plane_ties(planes, reported, adjusted, run.registration.correction.time_weight)
     # Beside a step the drives are not together well enough to tell which planes are the same.
-    return found.take(away_from_steps(found, ties, _STEP_REACH))
+    return found.select(away_from_steps(found, ties, _STEP_REACH))
 
 
 def control_observations(drives: Sequence[Drive], control: ControlPoints, run: AdjustmentRun) -> NetworkObservations:
@@ -306,7 +306,7 @@ def _nodes(trajectory: Trajectory, parameter: np.ndarray, number: int,
 def _networks(count: int, observations: NetworkObservations, inlier: np.ndarray) -> list[bool | None]:
     """For each drive: whether its network has control or reference; None for a drive without any observation."""
     group = list(range(count))
-    for first, second in pairs_of(observations.take(inlier)):
+    for first, second in pairs_of(observations.select(inlier)):
         old, new = group[first], group[second]
         group = [new if item == old else item for item in group]
     absolute = inlier & ~np.isin(observations.kind, RELATIVE_KINDS)

@@ -69,7 +69,7 @@ def passes_of(drives: Sequence[Drive]) -> list[DrivePass]:
         places = BlockPositions()
         places.add(markings.x, markings.y, markings.time)
         number_of = places.passes().of(markings.time)
-        found += [DrivePass(number, markings.take(number_of == k)) for k in np.unique(number_of)]
+        found += [DrivePass(number, markings.select(number_of == k)) for k in np.unique(number_of)]
     return found
 
 

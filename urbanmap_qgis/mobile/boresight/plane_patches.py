@@ -38,7 +38,7 @@ class PlanePatches:
     def __len__(self) -> int:
         return len(self.group)
 
-    def take(self, which: np.ndarray) -> PlanePatches:
+    def select(self, which: np.ndarray) -> PlanePatches:
         """Some of them, by mask or index."""
         return PlanePatches(*(getattr(self, field.name)[which] for field in fields(self)))
 
@@ -103,7 +103,7 @@ class PatchSearch:
         cell, group = _unpacked(keys)
         centre = self._origin + (cell + 0.5) * VOXEL
         sigma = np.sqrt(np.maximum(values[:, 0], 1e-6) / count)
-        return PlanePatches(group, sums[:, 10] / count, centre + mean, vectors[:, :, 0], sigma).take(plane)
+        return PlanePatches(group, sums[:, 10] / count, centre + mean, vectors[:, :, 0], sigma).select(plane)
 
 
 def _unpacked(keys: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

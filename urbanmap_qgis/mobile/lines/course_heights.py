@@ -106,7 +106,7 @@ def course_heights(trajectory: Trajectory, ground: Callable[[np.ndarray, np.ndar
     progress.check()
     walk, used = _fitted(time[used_rows], error[used_rows])
     used_rows = used_rows[used]
-    value, variance = walk.at(trajectory.time)
+    value, variance = walk.interpolate(trajectory.time)
     left = error[used_rows] - np.interp(time[used_rows], trajectory.time, value)
     return CourseHeights(value, np.sqrt(variance), height, found,
                          _rms(error[used_rows]), _rms(left), walk.sigma, len(time), len(time) - len(used_rows),
@@ -183,7 +183,7 @@ class _HeightWalk:
     coefficient: float
     sigma: float
 
-    def at(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def interpolate(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Value and variance at times (m,), linear between nodes and held outside."""
         before = np.clip(np.searchsorted(self.time, time, side="right") - 1, 0, len(self.time) - 2)
         length = self.time[before + 1] - self.time[before]

@@ -97,7 +97,7 @@ class RandomWalkDrift:
     last: float
     alternatives: tuple[tuple[float, RandomWalkDrift], ...] = ()
 
-    def at(self, time: np.ndarray) -> np.ndarray:
+    def interpolate(self, time: np.ndarray) -> np.ndarray:
         """Drift (m, 3) at times (m,), linear between nodes."""
         return np.column_stack([np.interp(time, self.time, column) for column in self.value.T])
 
@@ -118,13 +118,13 @@ class RandomWalkDrift:
         What they tell of it holds for as long a time as they span; farther beyond the first and the last of them
         errors are taken to walk at least twice as fast as is expected of a navigation.
         """
-        drift = self.at(time)
+        drift = self.interpolate(time)
         beyond = np.maximum(self.first - time, time - self.last) - (self.last - self.first)
         total = np.zeros_like(drift)
         for weight, other in self.alternatives:
             known = np.array([other.walk.position_walk, other.walk.position_walk, other.walk.heading_walk])
             unseen = np.maximum((_UNSEEN * np.array([POSITION_WALK, POSITION_WALK, HEADING_WALK])) ** 2 - known**2, 0.0)
-            total += weight * (other.variances(time) + (other.at(time) - drift) ** 2
+            total += weight * (other.variances(time) + (other.interpolate(time) - drift) ** 2
                                + np.maximum(beyond, 0.0)[:, None] * unseen)
         return total
 
@@ -197,7 +197,7 @@ def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.n
     """
     count = int(pairs.sets.max()) + 1
     misfit, sigmas = np.full(count, np.nan), np.full(count, np.nan)
-    drift = model.at(pairs.time)
+    drift = model.interpolate(pairs.time)
     residual = pairs.true - drift[:, :2] - rotated_vectors(pairs.seen, drift[:, 2])
     lever = rotated_vectors(pairs.seen, drift[:, 2] + np.pi / 2)
     for number in range(count) if count > 1 else ():
@@ -218,7 +218,7 @@ def leave_one_out_misfits(pairs: TiePairs, model: RandomWalkDrift) -> tuple[np.n
 
 def misfit_of_excluded(others: TiePairs, model: RandomWalkDrift) -> tuple[float, float]:
     """How far pairs that had no part in a model lie from where it puts them, m, and in sigmas of that."""
-    drift, variance = model.at(others.time), model.variances(others.time)
+    drift, variance = model.interpolate(others.time), model.variances(others.time)
     misfit = np.hypot(*(others.true - drift[:, :2] - rotated_vectors(others.seen, drift[:, 2])).mean(axis=0))
     lever = np.hypot(*others.seen.mean(axis=0))
     spread = variance[:, :2].sum(axis=1).mean() + lever**2 * variance[:, 2].mean()

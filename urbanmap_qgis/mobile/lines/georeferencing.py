@@ -112,7 +112,7 @@ def georeference_scans(paths: Sequence[str | os.PathLike], trajectory: Trajector
           laspy.open(temporary, mode="w", header=_header(trajectory, crs_wkt),
                      do_compress=Path(output).suffix.lower() == ".laz") as writer):
         for scans in read_scans(paths, settings.radians, progress):
-            points, returns = work.place(scans)
+            points, returns = work.georeference(scans)
             if len(returns):
                 writer.write_points(_records(writer.header, points, returns))
             progress.check()
@@ -130,7 +130,7 @@ class _Georeferencer:
         self.by_scanner: dict[int, int] = {}
         self.holes = gaps(trajectory, MAX_GAP)
 
-    def place(self, scans: RangeScans) -> tuple[np.ndarray, RangeScans]:
+    def georeference(self, scans: RangeScans) -> tuple[np.ndarray, RangeScans]:
         """Points (m, 3) and returns of a chunk that can be placed; their scanner numbers are the calibration's."""
         self._count(scans)
         sound = np.isfinite(scans.time) & np.isfinite(scans.angle) & np.isfinite(scans.distance) & (scans.distance > 0)

@@ -371,7 +371,7 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
                model: RandomWalkDrift, settings: RectifySettings) -> Trajectory:
     """Position and heading rectified by the method wanted."""
     if settings.method == "drift":
-        drift = model.at(trajectory.time)
+        drift = model.interpolate(trajectory.time)
         angles = trajectory.angles - np.degrees(drift[:, 2:]) * [0.0, 0.0, 1.0]
         shift = np.column_stack([drift[:, :2], np.zeros(len(drift))])
         return Trajectory(trajectory.time, trajectory.place + shift, angles)
@@ -398,7 +398,7 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
 def _difference(before: Trajectory, made: Trajectory, model: RandomWalkDrift) -> np.ndarray:
     """(n, 3) what a rectified trajectory differs from the model's drift: east and north, m, and rotation, radians."""
     rotation = np.radians(before.angles[:, 2:] - made.angles[:, 2:])
-    return np.hstack([made.place[:, :2] - before.place[:, :2], rotation]) - model.at(before.time)
+    return np.hstack([made.place[:, :2] - before.place[:, :2], rotation]) - model.interpolate(before.time)
 
 
 def _mean(values: Iterable[float]) -> float:

@@ -116,12 +116,12 @@ def _curve(report: Report, curve: IntensityCurve, reference: float) -> None:
     report.facts({
         "C (floor)": curve.floor, "A (at 1 m)": curve.gain, "b (fall)": curve.fall,
         "d (loss near the scanner), m": curve.near or None, "R1, m": curve.r1, "R2, m": curve.r2,
-        "Shortest range, m": curve.nearest, "I_M (largest intensity of asphalt)": float(curve.at(curve.nearest)),
+        "Shortest range, m": curve.nearest, "I_M (largest intensity of asphalt)": float(curve.intensity(curve.nearest)),
         "I_m (smallest)": curve.smallest, "I_ref": reference,
         "Ground points": int(curve.points.sum()), "Bins used": int(curve.used.sum()),
         "Residual of the bins (robust), %": 100.0 * curve.residual,
         "Scatter of single asphalt points, %": 100.0 * curve.scatter})
-    fitted = curve.at(curve.ranges)
+    fitted = curve.intensity(curve.ranges)
     rows = [(float(r), int(n), float(i), float(f), 100.0 * float(i / f - 1), bool(used)) for r, n, i, f, used in
             zip(curve.ranges, curve.points, curve.asphalt, fitted, curve.used)]
     report.table(("Range, m", "Ground points", "Asphalt", "Curve", "Difference, %", "Used"), rows[::_every(len(rows))])
@@ -135,7 +135,7 @@ def _every(count: int) -> int:
 def curve_svg(curve: IntensityCurve) -> str:
     """The plot of a curve."""
     r_max = max(float(curve.ranges.max()), curve.r2) * 1.02
-    i_max = 1.05 * max(float(curve.asphalt.max()), float(curve.at(curve.nearest)))
+    i_max = 1.05 * max(float(curve.asphalt.max()), float(curve.intensity(curve.nearest)))
     width, height = WIDTH - _LEFT - _RIGHT, HEIGHT - _TOP - _BOTTOM
 
     def place(r: np.ndarray, i: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -145,7 +145,7 @@ def curve_svg(curve: IntensityCurve) -> str:
     dots = "".join(f'<circle cx="{a:.1f}" cy="{b:.1f}" r="2.2" fill="{"#2f6f8f" if used else "#bbbbbb"}"/>'
                    for a, b, used in zip(x, y, curve.used))
     r = np.linspace(curve.nearest, curve.r2, 200)
-    line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(*place(r, curve.at(r))))
+    line = "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(*place(r, curve.intensity(r))))
     limits = "".join(f'<path d="M{a:.1f} {_TOP}V{HEIGHT - _BOTTOM}" stroke="#777" stroke-dasharray="4 3"/>'
                      f'<text x="{a - 4:.1f}" y="{_TOP + 10}" text-anchor="end">{name}</text>'
                      for name, a in _limits(curve, lambda at: float(place(at, 0)[0])))

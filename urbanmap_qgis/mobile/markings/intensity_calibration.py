@@ -114,7 +114,7 @@ class IntensityCurve:
     residual: float
     scatter: float
 
-    def at(self, ranges: np.ndarray) -> np.ndarray:
+    def intensity(self, ranges: np.ndarray) -> np.ndarray:
         """Asphalt's intensity f(R) (n,) at ranges (n,) in m, as eq. 4 uses it."""
         r = np.clip(np.asarray(ranges, float), self.nearest, self.r1)
         return _model(r, self.floor, self.gain, self.fall, self.near)
@@ -122,7 +122,7 @@ class IntensityCurve:
     @property
     def smallest(self) -> float:
         """I_m of eq. 4."""
-        return float(self.at(self.r1))
+        return float(self.intensity(self.r1))
 
 
 def _model(r: np.ndarray, floor: float, gain: float, fall: float, near: float) -> np.ndarray:
@@ -132,7 +132,7 @@ def _model(r: np.ndarray, floor: float, gain: float, fall: float, near: float) -
 
 def calibrated(intensity: np.ndarray, ranges: np.ndarray, curve: IntensityCurve, reference: float) -> np.ndarray:
     """Calibrated intensity (n,), NaN beyond R2 (eq. 4); asphalt comes out as `reference`."""
-    values = intensity * (reference / curve.at(ranges))
+    values = intensity * (reference / curve.intensity(ranges))
     return np.where(ranges <= curve.r2, values, np.nan)
 
 
@@ -309,7 +309,8 @@ def scatter_about(histogram: RangeHistogram, curve: IntensityCurve) -> float:
     """Scatter of single asphalt points of a histogram about a curve, as a share of it, where the curve holds."""
     middle = (np.arange(histogram.rows) + 0.5) * BIN
     used = (middle >= curve.nearest) & (middle <= curve.r2)
-    spread, points = _spread(histogram.counts, np.log(curve.at(middle)))[used], histogram.counts.sum(axis=1)[used]
+    spread = _spread(histogram.counts, np.log(curve.intensity(middle)))[used]
+    points = histogram.counts.sum(axis=1)[used]
     return float(np.sqrt((spread**2 * points).sum() / max(points.sum(), 1)))
 
 

@@ -132,7 +132,7 @@ def laser_numbers(records: np.ndarray, told_by: str, track: Track, trajectory: T
 
 def vertical_angles(records: np.ndarray, track: Track, trajectory: Trajectory, mount: Mount | None) -> np.ndarray:
     """Angle (n,), degrees, of each beam above the plane in which the scanner turns (without a mount: the body's)."""
-    beam = np.column_stack([records[name] - at for name, at in zip("xyz", track.at(records["time"]))])
+    beam = np.column_stack([records[name] - at for name, at in zip("xyz", track.interpolate(records["time"]))])
     down = interpolate(trajectory, records["time"], "hold").angles
     # The scanner's axis of rotation in the body's axes, then in the map.
     axis = np.array([0.0, 0.0, 1.0]) if mount is None else _body_axis(mount.angles)

@@ -265,7 +265,7 @@ class _Run:
         curve, intensity = self.curves.get(number), records["intensity"].astype(float)
         silent = intensity < MIN_INTENSITY
         level = np.median(intensity[~silent]) if (~silent).any() else 1.0
-        brightness = intensity / (curve.at(records["range"]) if curve else level)
+        brightness = intensity / (curve.intensity(records["range"]) if curve else level)
         return told_apart(records, brightness, silent, self.survey.tracks.of(source), mount, self.survey.trajectory)
 
     def _count_again(self, ground: PointBuckets, progress: Progress) -> None:
@@ -296,7 +296,7 @@ class _Run:
     @property
     def reference(self) -> float:
         """I_ref: asphalt's intensity at the shortest range, of the scanner that sees it brightest."""
-        return max(float(curve.at(curve.nearest)) for curve in self.curves.values())
+        return max(float(curve.intensity(curve.nearest)) for curve in self.curves.values())
 
     def find_markings(self, ground: PointBuckets, progress: Progress) -> Extraction:
         """The marking points of all stretches."""

@@ -29,7 +29,7 @@ class Track:
     place: np.ndarray
     max_range: float = np.inf
 
-    def at(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def interpolate(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """x, y and z (m,) at times (m,), m; outside the track that of its nearest end."""
         return tuple(np.interp(time, self.time, axis) for axis in self.place.T)
 

@@ -36,6 +36,6 @@ class MarkingPoints:
     def __len__(self) -> int:
         return len(self.x)
 
-    def take(self, which: np.ndarray | slice) -> MarkingPoints:
+    def select(self, which: np.ndarray | slice) -> MarkingPoints:
         """Some of the points, by mask, index or slice."""
         return MarkingPoints(*(getattr(self, field.name)[which] for field in fields(self)))

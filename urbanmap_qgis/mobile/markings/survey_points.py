@@ -169,7 +169,7 @@ class SurveyPoints:
         for number in sources:
             some = slice(None) if len(sources) == 1 else np.flatnonzero(source == number)
             track = self.tracks.of(number)
-            place = track.at(time[some])
+            place = track.interpolate(time[some])
             distance[some] = away = ranges(x[some], y[some], z[some], place)
             height = z[some] - place[2]
             slope = _RISE * away
@@ -207,7 +207,7 @@ class SurveyPoints:
         for first in starts:
             wanted = [unit for unit in range(first - margin, first + length + margin)
                       if unit in self.units and unit // _PART == first // _PART]
-            held = {unit: held[unit] if unit in held else buckets.take(unit) for unit in wanted}
+            held = {unit: held[unit] if unit in held else buckets.pop(unit) for unit in wanted}
             mine = np.repeat([first <= unit < first + length for unit in wanted], [len(held[unit]) for unit in wanted])
             if mine.any():
                 yield np.concatenate([held[unit] for unit in wanted]), mine

@@ -70,7 +70,7 @@ def register_windows(markings: MarkingPoints, trajectory: Trajectory, reference:
     if not usable.any():
         raise InsufficientDataError(say("No marking point was measured within the trajectory's time: check that both "
                                         "are of one survey."))
-    markings = markings.take(usable)
+    markings = markings.select(usable)
     windows = choose_windows(markings.x, markings.y, patches.number_at(markings.time), len(patches), settings)
     points = thin_points(markings, trajectory, patches, settings.subsampling)
     progress.step(0.1)

@@ -180,7 +180,7 @@ def _picture(survey: RegisteredSurvey, patch: int, moved, reference: Reference,
                           & (np.abs(markings.x - x) < _SIDE) & (np.abs(markings.y - y) < _SIDE))
     points = np.column_stack([markings.x[rows], markings.y[rows], markings.z[rows]])
     views = []
-    for places, colour in ((points, _BEFORE), (points + moved.at(points, markings.time[rows]), _AFTER)):
+    for places, colour in ((points, _BEFORE), (points + moved.translations(points, markings.time[rows]), _AFTER)):
         view = ground.copy()
         column = ((places[:, 0] - box[0]) / _PIXEL).astype(int)
         row = ((box[3] - places[:, 1]) / _PIXEL).astype(int)

@@ -42,13 +42,13 @@ class SurveyCorners:
 def survey_corners(markings: MarkingPoints) -> SurveyCorners:
     """Corners of the bars among a survey's marking points, of each pass on its own."""
     order = np.argsort(markings.time, kind="stable")
-    markings = markings.take(order)
+    markings = markings.select(order)
     cell = np.floor(np.column_stack([markings.x, markings.y]) / _CELL).astype(np.int64)
     places, times = [np.zeros((0, 3))], [np.zeros(0)]
     for first in np.arange(markings.time[0] - 5.0, markings.time[-1], 20.0):  # pieces of 20 s that overlap
         rows = np.flatnonzero((markings.time >= first) & (markings.time < first + 30.0))
         if len(rows):
-            found = _corners_of_piece(markings.take(rows), cell[rows])
+            found = _corners_of_piece(markings.select(rows), cell[rows])
             of_pass = (found.time >= first + 5.0) & (found.time < first + 25.0)
             places.append(found.place[of_pass])
             times.append(found.time[of_pass])
@@ -130,7 +130,7 @@ def virtual_control(survey: SurveyCorners, reference: np.ndarray, correction: Po
     if not len(survey.time) or not len(reference):
         raise InsufficientDataError(say("There is no bar among the markings of the survey or of the reference, whose "
                                         "corners could be control points."))
-    moved = survey.place + correction.at(survey.place, survey.time)
+    moved = survey.place + correction.translations(survey.place, survey.time)
     away, nearest = cKDTree(reference[:, :2]).query(moved[:, :2])
     back = cKDTree(moved[:, :2]).query(reference[:, :2])[1]
     pair = np.flatnonzero((away < tolerance) & (back[nearest] == np.arange(len(moved)))

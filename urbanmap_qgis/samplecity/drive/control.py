@@ -71,7 +71,7 @@ def first_sweep(points: np.ndarray, true: SimulatedTrajectory, scanner: Simulate
     The place where the vehicle is at each epoch gives the point's height above the plane; a change of sign is the
     sweep, linear between epochs.
     """
-    place, rotation = true.at(true.time)
+    place, rotation = true.interpolate(true.time)
     origin = place + rotation @ np.array(scanner.lever_arm)
     beams = scanner.directions()
     normal = np.cross(beams[0], beams[len(beams) // 2])

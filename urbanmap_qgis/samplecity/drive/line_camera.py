@@ -59,7 +59,7 @@ class SimulatedLineCamera:
 
     def rays(self, trajectory: SimulatedTrajectory, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where lines at the times (n,) start and whither their pixels look, (n rows, 3) each, line by line."""
-        place, rotation = trajectory.at(time)
+        place, rotation = trajectory.interpolate(time)
         origin = place + rotation @ np.array(self.lever_arm)
         direction = np.einsum("nij,kj->nki", rotation, self.directions())
         return np.repeat(origin, self.rows, axis=0), direction.reshape(-1, 3)

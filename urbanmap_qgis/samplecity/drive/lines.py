@@ -132,7 +132,7 @@ def tie_points(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, repor
     found = []
     for scanner in SCANNERS:
         sightings = first_sweep(corners, true, scanner, TIE_RANGE)
-        place, rotation = true.at(sightings.time)
+        place, rotation = true.interpolate(sightings.time)
         origin = place + rotation @ np.array(scanner.lever_arm)
         vector = corners[sightings.number] - origin
         distance = np.linalg.norm(vector, axis=1)

@@ -178,7 +178,7 @@ def visible_corners(caster: RayCaster, corners: MarkingCorners, true: SimulatedT
     """When the scanner that looks down sees corners of markings that nothing hides."""
     scanner = SCANNERS[0]
     sightings = first_sweep(corners.place, true, scanner)
-    place, rotation = true.at(sightings.time)
+    place, rotation = true.interpolate(sightings.time)
     origin = place + rotation @ np.array(scanner.lever_arm)
     vector = corners.place[sightings.number] - origin
     distance = np.linalg.norm(vector, axis=1)
@@ -204,7 +204,7 @@ def _write_images(path: Path, reported: SimulatedTrajectory) -> None:
     chainage = reported.chainage()
     marks = np.arange(IMAGE_SPACING / 2, chainage[-1], IMAGE_SPACING)
     time = np.round(np.interp(marks, chainage, reported.time), 4)
-    place, rotation = reported.at(time)
+    place, rotation = reported.interpolate(time)
     place = place + rotation @ np.array(CAMERA["lever_arm_m"])
     camera_axes = rotation @ mounting(CAMERA["roll"], CAMERA["pitch"], CAMERA["heading"])
     heading = np.degrees(np.arctan2(camera_axes[:, 0, 0], camera_axes[:, 1, 0])) % 360.0

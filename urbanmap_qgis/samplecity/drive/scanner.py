@@ -96,7 +96,7 @@ class SimulatedScanner:
     def rays(self, trajectory: SimulatedTrajectory, time: np.ndarray, beam: np.ndarray
              ) -> tuple[np.ndarray, np.ndarray]:
         """Where beams start and whither they go (n, 3), east, north, up, for times (n,) and numbers of beams (n,)."""
-        place, rotation = trajectory.at(time)
+        place, rotation = trajectory.interpolate(time)
         origin = place + rotation @ np.array(self.lever_arm)
         return origin, np.einsum("nij,nj->ni", rotation, self.directions()[beam])
 

@@ -33,7 +33,7 @@ class SimulatedTrajectory:
         """The trajectory as its file gives it (0.1 mm, a millionth of a degree)."""
         return SimulatedTrajectory(np.round(self.time, 2), np.round(self.place, 4), np.round(self.angles, 6))
 
-    def at(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def interpolate(self, time: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Place (n, 3) and rotation body to east, north, up (n, 3, 3) at the times (n,)."""
         place = np.column_stack([np.interp(time, self.time, column) for column in self.place.T])
         angles = np.column_stack([np.interp(time, self.time, column) for column in self.angles.T])
@@ -70,7 +70,7 @@ def mounting(roll: float, pitch: float, heading: float) -> np.ndarray:
 def carried_over(points: np.ndarray, time: np.ndarray, source: SimulatedTrajectory,
                  target: SimulatedTrajectory) -> np.ndarray:
     """Points (n, 3) seen at the times (n,) from `source`, as they lie when seen from `target`."""
-    place, rotation = source.at(time)
+    place, rotation = source.interpolate(time)
     body = np.einsum("nji,nj->ni", rotation, points - place)
-    place, rotation = target.at(time)
+    place, rotation = target.interpolate(time)
     return place + np.einsum("nij,nj->ni", rotation, body)

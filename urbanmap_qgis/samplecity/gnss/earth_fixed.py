@@ -31,7 +31,7 @@ class CityFrame:
     transformer: pyproj.Transformer
 
     @classmethod
-    def at(cls, crs: str, x: float, y: float, z: float) -> CityFrame:
+    def of(cls, crs: str, x: float, y: float, z: float) -> CityFrame:
         """Frame of a city whose middle is at x, y, z of the projected CRS (east, north, orthometric height)."""
         crs = pyproj.CRS.from_user_input(crs)
         transformer = pyproj.Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True)

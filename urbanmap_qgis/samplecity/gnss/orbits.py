@@ -70,7 +70,7 @@ class Orbits:
         """(n,) values of a table by system."""
         return np.array([table[name[0]] for name in self.satellite])
 
-    def take(self, index: np.ndarray) -> Orbits:
+    def select(self, index: np.ndarray) -> Orbits:
         """The records of the given numbers."""
         return Orbits(*(getattr(self, item.name)[index] for item in fields(self)))
 
@@ -182,7 +182,7 @@ def make_constellation(reference: float, rng: np.random.Generator) -> Orbits:
         cic=spread(8e-8), cis=spread(8e-8), af0=spread(2.5e-4), af1=spread(4e-12), delay=spread(5e-9),
         delay2=spread(5e-9))
     order = np.argsort([SYSTEMS.index(name[0]) * 100 + int(name[1:]) for name in names])
-    return orbits.take(order)
+    return orbits.select(order)
 
 
 def _walker(planes: int, slots: int, a: float, inclination: float, system: str,

@@ -87,7 +87,7 @@ def write_navigation(path: Path, week: int, records: Orbits) -> None:
         _header(f"{LEAP_SECONDS:6d}", "LEAP SECONDS"),
         _header("", "END OF HEADER")]
     for number in np.lexsort((np.arange(len(records)), records.toe - records.constant(TIME_OFFSET))):
-        lines += _record(week, records.take(np.array([number])))
+        lines += _record(week, records.select(np.array([number])))
     path.write_bytes(("\n".join(lines) + "\n").encode("ascii"))
 
 

@@ -113,7 +113,7 @@ def receive(site: Site, drive: Pass, orbits: Orbits, orbit_error: np.ndarray,
     shape = (len(drive.epochs), len(orbits))
     receiver_clock = _receiver_clock(drive.epochs, rng)
     arrival = drive.epochs - receiver_clock / SPEED_OF_LIGHT
-    antenna, _ = drive.truth.at(arrival)
+    antenna, _ = drive.truth.interpolate(arrival)
     earth_fixed = site.frame.earth_fixed(antenna)
     place, distance, satellite_clock = light_path(orbits, arrival, earth_fixed)
     clock = receiver_clock[:, None] + orbits.constant(SYSTEM_OFFSET)

@@ -72,7 +72,7 @@ def _site(scene: Scene) -> Site:
     faces = scene.static_faces(GROUND)
     x, y = scene.ground.origin
     height = float(scene.ground_height(np.array([x]), np.array([y]))[0])
-    return Site(CityFrame.at(CRS, x, y, height), OpaqueFaces.of(faces), Mirrors.of(faces), scene.crowns, height)
+    return Site(CityFrame.of(CRS, x, y, height), OpaqueFaces.of(faces), Mirrors.of(faces), scene.crowns, height)
 
 
 def _record_time(drive: Pass) -> float:
@@ -91,7 +91,7 @@ def _records(base: Orbits, drives: list[Pass], site: Site) -> Orbits:
         around = time + np.linspace(-RECORD_EVERY, RECORD_EVERY, 9)
         satellite, _, _ = light_path(records, around, np.repeat(place, len(around), axis=0))
         up = site.frame.directions(satellite - place)[..., 2].max(axis=0) > 0
-        kept.append(records.take(np.flatnonzero(up)))
+        kept.append(records.select(np.flatnonzero(up)))
     return Orbits(*(np.concatenate([getattr(part, name) for part in kept]) for name in Orbits.__dataclass_fields__))
 
 

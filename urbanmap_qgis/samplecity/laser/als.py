@@ -66,7 +66,7 @@ class AlsPoints:
     def __len__(self) -> int:
         return len(self.xyz)
 
-    def take(self, rows: np.ndarray) -> AlsPoints:
+    def select(self, rows: np.ndarray) -> AlsPoints:
         """Some of the points."""
         return AlsPoints(*(getattr(self, name)[rows] for name in self.__dataclass_fields__))
 
@@ -176,7 +176,7 @@ def _measure(scene: Scene, caster: RayCaster, pulses: Pulses, number: int, shift
         np.full(len(xyz), number + 1, np.uint16))
     rows = np.lexsort((points.return_number, points.time))
     inside = shapely.contains_xy(scene.extent.buffer(MARGIN, join_style="mitre"), *points.xyz[rows, :2].T)
-    return points.take(rows[inside])
+    return points.select(rows[inside])
 
 
 def classes(scene: Scene, material: np.ndarray, hits: Hits) -> np.ndarray:

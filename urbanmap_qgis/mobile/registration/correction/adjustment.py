@@ -142,7 +142,8 @@ def adjust_correction(windows: WindowResults, trajectory: Trajectory,
     fit = robust_fit(chain, model, allowed, settings, progress.part(0.0, 0.4))
     doubtful = normals.present & ~sure
     if doubtful.any() and (allowed == 0).any():
-        agreeing = doubtful & _only_own_mode_fits(windows, *chain.at(fit.state, fit.covariance, at_patches), settings)
+        value, covariance = chain.interpolate(fit.state, fit.covariance, at_patches)
+        agreeing = doubtful & _only_own_mode_fits(windows, value, covariance, settings)
         if agreeing.any():
             allowed, doubtful = np.where(agreeing, 1.0, allowed), doubtful & ~agreeing
             fit = robust_fit(chain, model, allowed, settings, progress.part(0.4, 0.5))
@@ -234,7 +235,7 @@ def _result(windows: WindowResults, chain: NodeChain, fit: Fit, at_patches: np.n
     normals, n = chain.normals, len(windows)
     active = list(normals.active)
     value, covariance = np.zeros((n, 6)), np.full((n, 6, 6), np.nan)
-    value[:, active], spread = chain.at(fit.state, fit.covariance, at_patches)
+    value[:, active], spread = chain.interpolate(fit.state, fit.covariance, at_patches)
     floor = np.zeros(6)
     floor[:2], floor[2] = settings.reference_sigma**2, settings.reference_sigma_z**2
     covariance[np.ix_(range(n), active, active)] = spread + np.diag(floor[active])

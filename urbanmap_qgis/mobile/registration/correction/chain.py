@@ -125,8 +125,8 @@ class NodeChain:
         rank = np.where(mean > 0, determined.sum(axis=1), self.size) * (count > 0)
         return float(best) - 0.5 * float((rank * np.log(np.maximum(mean, _NO_WEIGHT))).sum())
 
-    def at(self, state: np.ndarray, covariance: np.ndarray,
-           path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def interpolate(self, state: np.ndarray, covariance: np.ndarray,
+                    path_parameter: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Values (n, d) and covariances (n, d, d) at path parameters (n,)."""
         node, ahead = self._next_node(path_parameter)
         value = smooth_between(self.nodes, state, path_parameter)

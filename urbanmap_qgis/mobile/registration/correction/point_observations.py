@@ -78,7 +78,7 @@ class PointObservations:
         none = np.zeros(len(path_parameter))  # the path parameter counts the stops already
         fine = Patches(length / _FINE, *times, *(np.repeat(values, _FINE, axis=0) for values in places),
                        np.zeros(_FINE * count), trajectory.time, path_parameter, none)
-        points = thin_points(markings.take(usable), trajectory, fine, settings.subsampling)
+        points = thin_points(markings.select(usable), trajectory, fine, settings.subsampling)
         return cls(points, middle, pose.angles[:, 2], length, np.linalg.inv(angle_rates(pose.angles)), reference,
                    settings)
 
@@ -136,7 +136,7 @@ class PointObservations:
         """Sums in height of some points by piece; their differences to the ground are appended."""
         moved = transformed.place
         box = (*(moved[:, :2].min(axis=0) - _AROUND), *(moved[:, :2].max(axis=0) + _AROUND))
-        off = self.reference.ground_part(*box).at(moved[:, 0], moved[:, 1]) - moved[:, 2]
+        off = self.reference.ground_part(*box).interpolate(moved[:, 0], moved[:, 1]) - moved[:, 2]
         gradient, hessian = _height_terms(off, transformed.weight, self.settings)
         known = np.abs(off) < 3 * self.settings.height_robust
         heading = np.radians(self.heading[transformed.piece[known]])

@@ -75,7 +75,7 @@ def reweighted_fit(chain: NodeChain, model: PoseErrorModel, allowed: np.ndarray,
     for _ in range(_PASSES):
         scaled = weight / noise
         state, spread, likelihood = chain.solve(model, scaled)
-        value, covariance = chain.at(state, spread, normals.path_parameter)
+        value, covariance = chain.interpolate(state, spread, normals.path_parameter)
         test = _block_tests(normals, value, covariance, block, single, share, noise)
         single = _single_weights(normals.misfit(value), allowed, settings)
         share, found = _block_shares(test, noise, settings)

@@ -43,7 +43,7 @@ class CorrectionCurve:
     rotation: np.ndarray
     fast_drift: np.ndarray | float = 0.0
 
-    def moved(self, points: PatchPoints) -> np.ndarray:
+    def transform(self, points: PatchPoints) -> np.ndarray:
         """(m, 3) the points as this curve corrects them."""
         path_parameter = self.chainage + self.stop_time
         before = np.clip(np.searchsorted(path_parameter, points.path_parameter) - 1, 0, max(len(path_parameter) - 2, 0))

@@ -172,7 +172,7 @@ class RigidMotion:
         zero = np.zeros(len(centre))
         return cls(centre, zero if translation is None else np.asarray(translation, float), np.eye(len(centre)))
 
-    def moved(self, points: np.ndarray) -> np.ndarray:
+    def transform(self, points: np.ndarray) -> np.ndarray:
         """Points (m, d) after the movement."""
         return (points - self.centre) @ self.rotation.T + (self.centre + self.translation)
 
@@ -214,7 +214,7 @@ def match_points(points: np.ndarray, start: RigidMotion, ndt: NdtMap, mixture: M
     extent = max(float(np.sqrt(((points - start.centre) ** 2).sum(axis=1).mean())), 1.0) if len(points) else 1.0
 
     def derivatives_at(pose: RigidMotion) -> Derivatives:
-        moved = pose.moved(points)
+        moved = pose.transform(points)
         return rigid_derivatives(moved, pose.centre + pose.translation, ndt_terms(ndt, moved, mixture, cells))
 
     now = derivatives_at(pose)

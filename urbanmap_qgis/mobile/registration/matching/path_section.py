@@ -131,7 +131,7 @@ def _reweighted(curve: CorrectionCurve, scene: _Scene,
     share = np.clip((contradiction - _CONSISTENT) / _CONSISTENT, 0.0, 1.0)[scene.patch]
     field, whole, converged = MarkingField.of(scene.coverage, 0.0, scene.settings.background), scene, False
     for _ in range(_ROUNDS):
-        weight = _cluster_weights(curve.moved(scene.section.points), field, whole)
+        weight = _cluster_weights(curve.transform(scene.section.points), field, whole)
         scene = replace(whole, point_weight=whole.point_weight * (1 - share + share * weight))
         curve, converged = _converge(curve, scene, _field_sums(scene, 0.0), scene.settings.iterations, _TOLERANCE)
     return curve, converged, scene
@@ -208,14 +208,14 @@ def _ndt_sums(scene: _Scene, grid: float) -> Callable[[CorrectionCurve], PatchSu
     """Sums of the score in the normal distributions of the reference."""
     places = scene.coverage.points()
     if scene.settings.three_d:
-        height = scene.ground.at(places[:, 0], places[:, 1])
+        height = scene.ground.interpolate(places[:, 0], places[:, 1])
         known = np.isfinite(height)
         places = np.column_stack([places, height])[known]
     ndt = build_ndt(places, grid, scene.coverage.grid.cell / np.sqrt(12))
     mixture = Mixture.of(scene.settings.outlier_share, grid, ndt.dimensions)
 
     def sums(curve: CorrectionCurve) -> PatchSums:
-        moved = curve.moved(scene.section.points)
+        moved = curve.transform(scene.section.points)
         return _sums_of_ndt(scene, ndt, mixture, moved)
 
     return sums
@@ -234,7 +234,7 @@ def _field_sums(scene: _Scene, blur: float) -> Callable[[CorrectionCurve], Patch
     field = MarkingField.of(scene.coverage, blur, scene.settings.background)
 
     def sums(curve: CorrectionCurve) -> PatchSums:
-        moved = curve.moved(scene.section.points)
+        moved = curve.transform(scene.section.points)
         terms = field_terms(field, moved[:, 0], moved[:, 1])
         total = scene.sums(moved, *_plan_terms(terms, scene.point_weight))
         if scene.settings.three_d:
@@ -251,7 +251,7 @@ def _plan_terms(terms: FieldTerms, point_weight: np.ndarray) -> tuple[tuple, dic
 
 def _height_terms(scene: _Scene, moved: np.ndarray) -> tuple[tuple, dict]:
     """Heights of points over the ground, robust (Geman and McClure)."""
-    off = scene.ground.at(moved[:, 0], moved[:, 1]) - moved[:, 2]
+    off = scene.ground.interpolate(moved[:, 0], moved[:, 1]) - moved[:, 2]
     known = np.isfinite(off)
     off = np.where(known, off, 0.0)
     sigma, robust = scene.settings.height_sigma, scene.settings.height_robust
@@ -266,8 +266,8 @@ def _level(curve: CorrectionCurve, scene: _Scene) -> CorrectionCurve:
     ------
     InputError : it is so large that the heights belong to another datum.
     """
-    moved = curve.moved(scene.section.points)
-    off = scene.ground.at(moved[:, 0], moved[:, 1]) - moved[:, 2]
+    moved = curve.transform(scene.section.points)
+    off = scene.ground.interpolate(moved[:, 0], moved[:, 1]) - moved[:, 2]
     known = np.isfinite(off)
     if not known.any():
         return curve
@@ -284,7 +284,7 @@ def _normals_about(curve: CorrectionCurve, scene: _Scene) -> tuple[PatchSums, np
     The parts: sums of the patches about their own corrected places, and the points' terms in the coverage field.
     """
     section, field = scene.section, MarkingField.of(scene.coverage, 0.0, scene.settings.background)
-    moved = curve.moved(section.points)
+    moved = curve.transform(section.points)
     terms = field_terms(field, moved[:, 0], moved[:, 1])
     gradient, hessian = _plan_terms(terms, scene.point_weight)
     sums = scene.sums(moved, gradient, hessian)

@@ -96,7 +96,7 @@ def _tile(first: int, last: int, points: _Sorted, patches: Patches, windows: Win
         if len(window) and on_markings is not None:
             match = _match(window, pose, maps, settings)
             pose, converged[row] = match.pose, match.converged
-            overlap[row] = on_markings(pose.moved(window))
+            overlap[row] = on_markings(pose.transform(window))
             score[row] = match.derivatives.value / (len(window) * maps[-1][1].height)
             covariance[row] = _covariance(match, settings)
         motion = pose
@@ -111,7 +111,7 @@ def _carried(motion: RigidMotion | None, centre: np.ndarray, shift: np.ndarray) 
     """The motion of the window before (J: M of patch i - 1), about another centre."""
     if motion is None:
         return RigidMotion.identity(centre, np.r_[shift, np.zeros(len(centre) - 2)])
-    return RigidMotion(centre, motion.moved(centre[None])[0] - centre, motion.rotation)
+    return RigidMotion(centre, motion.transform(centre[None])[0] - centre, motion.rotation)
 
 
 def _maps(points: np.ndarray, reference: Reference, settings: RegistrationSettings, dimensions: int
@@ -126,8 +126,8 @@ def _maps(points: np.ndarray, reference: Reference, settings: RegistrationSettin
     places = coverage.points()
     if dimensions == 3:
         ground = reference.ground_part(x_min, y_min, x_max, y_max)
-        require_same_datum(ground.at(points[:, 0], points[:, 1]) - points[:, 2])
-        height = ground.at(places[:, 0], places[:, 1])
+        require_same_datum(ground.interpolate(points[:, 0], points[:, 1]) - points[:, 2])
+        height = ground.interpolate(places[:, 0], places[:, 1])
         places = np.column_stack([places, height])[np.isfinite(height)]
     grids = [level * settings.ndt_grid for level in settings.ndt_levels]
     maps = [(build_ndt(places, grid), Mixture.of(settings.outlier_share, grid, dimensions)) for grid in grids]

@@ -150,7 +150,7 @@ class GroundPart:
     heights: np.ndarray | None
     reference: Reference
 
-    def at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    def interpolate(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Heights at points (n,), m; NaN where unknown."""
         if self.grid is None:
             return self.reference.heights(x, y)
