@@ -79,11 +79,11 @@ def _courtyards(inner: shapely.Geometry, x: np.ndarray, y: np.ndarray, low: np.n
     courts = []
     for court in range(1, number + 1):
         area = np.count_nonzero(label == court) * cell**2
-        own = low & (of_point == court)
+        members = low & (of_point == court)
         if area < LEAST_AREA:
             continue
         try:
-            drawn = outline_from_points(x[own], y[own], np.count_nonzero(own) / area)
+            drawn = outline_from_points(x[members], y[members], np.count_nonzero(members) / area)
         except InsufficientDataError:
             continue  # too few points to draw its walls: it stays covered
         courts.extend(part for part in shapely.get_parts(shapely.intersection(drawn.outline, inner))

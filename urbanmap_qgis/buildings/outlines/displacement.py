@@ -152,8 +152,8 @@ def _batches(n: int, pairs: np.ndarray) -> list[tuple[np.ndarray, np.ndarray]]:
     for b in np.unique(batch):
         members = by_outline[slice(*np.searchsorted(of_outline[by_outline], (b, b + 1)))]
         number[members] = np.arange(len(members))
-        own = by_pair[slice(*np.searchsorted(of_pair[by_pair], (b, b + 1)))]
-        result.append((members, number[pairs[own]].reshape(-1, 2)))
+        pair_rows = by_pair[slice(*np.searchsorted(of_pair[by_pair], (b, b + 1)))]
+        result.append((members, number[pairs[pair_rows]].reshape(-1, 2)))
     return result
 
 
@@ -176,10 +176,10 @@ def _placed(polygons: np.ndarray, pairs: np.ndarray, sums: np.ndarray, measured:
         shifts, belief = fine_search(network, shifts, step, width)
         beliefs.append(belief)
     shifts = _wall_to_wall(network, shifts, max_shift)
-    apart = separate_overlapping(network, shifts, area, cover, max_shift)
-    if (apart != shifts).any():
-        again = _wall_to_wall(network, apart, max_shift)
-        shifts = np.where(covered_by_others(network, again, area)[:, None], apart, again)
+    separated = separate_overlapping(network, shifts, area, cover, max_shift)
+    if (separated != shifts).any():
+        again = _wall_to_wall(network, separated, max_shift)
+        shifts = np.where(covered_by_others(network, again, area)[:, None], separated, again)
     shifts = separate_overlapping(network, drop_insignificant_shifts(network, shifts), area, cover, max_shift)
     shifts = np.where(seen[:, None], shifts, network.common)
     shifts = np.round(shifts * np.minimum(1, max_shift / np.maximum(np.hypot(*shifts.T), 1e-9))[:, None], 3)

@@ -84,9 +84,9 @@ def meeting_tables(walls: SharedWalls, pairs: int, shifts: np.ndarray, width: fl
     table = np.zeros((pairs, shifts.shape[-2]))
     for begin in range(0, len(walls.pair), 4096):
         part = SharedWalls(*(getattr(walls, name)[begin:begin + 4096] for name in SharedWalls.__dataclass_fields__))
-        own = shifts[part.pair] if shifts.ndim == 3 else np.broadcast_to(shifts, (len(part.pair), *shifts.shape))
+        moves = shifts[part.pair] if shifts.ndim == 3 else np.broadcast_to(shifts, (len(part.pair), *shifts.shape))
         first = np.flatnonzero(np.r_[True, part.pair[1:] != part.pair[:-1]])
-        table[part.pair[first]] += np.add.reduceat(meeting_length(part, own, width), first, axis=0)
+        table[part.pair[first]] += np.add.reduceat(meeting_length(part, moves, width), first, axis=0)
     return table
 
 

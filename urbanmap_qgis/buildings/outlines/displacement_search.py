@@ -75,9 +75,9 @@ class OutlineNetwork:
 
     def only(self, keep: np.ndarray) -> OutlineNetwork:
         """The same outlines with only those pairs that `keep` (p,) marks."""
-        own = keep[self.walls.pair]
+        chosen = keep[self.walls.pair]
         number = np.cumsum(keep) - 1
-        walls = SharedWalls(number[self.walls.pair[own]], self.walls.length[own], self.walls.meeting[own])
+        walls = SharedWalls(number[self.walls.pair[chosen]], self.walls.length[chosen], self.walls.meeting[chosen])
         return replace(self, pairs=self.pairs[keep], walls=walls, overlaps=self.overlaps[keep])
 
     def pair_score(self, relative: np.ndarray, width: float) -> np.ndarray:
@@ -218,8 +218,8 @@ def separate_overlapping(network: OutlineNetwork, shifts: np.ndarray, area: np.n
         first, second = shifts[part.pairs[:, 0]][:, None], shifts[part.pairs[:, 1]][:, None]
         score = unary + _of_both(part, part.pair_score(second - steps, COARSE_WIDTH),
                                  part.pair_score(steps - first, COARSE_WIDTH))
-        here = part.pair_score(part.relative(shifts)[:, None], COARSE_WIDTH)
-        gain = score.max(axis=1) - (network.unary_score(shifts[:, None]) + _of_both(part, here, here))[:, 0]
+        present = part.pair_score(part.relative(shifts)[:, None], COARSE_WIDTH)
+        gain = score.max(axis=1) - (network.unary_score(shifts[:, None]) + _of_both(part, present, present))[:, 0]
         mover = np.where(overlapping, gain, -np.inf).argmax()
         if gain[mover] <= 0:
             return shifts

@@ -234,12 +234,12 @@ def _snapped(lines: list[tuple[float, float, float]], edges: np.ndarray, toleran
 
 def _merged(lines: list[tuple[float, float, float]], merge: float) -> np.ndarray:
     """Drop lines that are parallel to a stronger one and nearer than `merge` to it."""
-    kept: list[tuple[float, float, float]] = []
+    distinct: list[tuple[float, float, float]] = []
     for nx, ny, offset in lines:
-        for mx, my, other in kept:
+        for mx, my, other in distinct:
             dot = nx * mx + ny * my
             if abs(nx * my - ny * mx) < EDGE_PARALLEL and abs(offset - np.sign(dot) * other) < merge:
                 break
         else:
-            kept.append((nx, ny, offset))
-    return np.array(kept).reshape(-1, 3)
+            distinct.append((nx, ny, offset))
+    return np.array(distinct).reshape(-1, 3)

@@ -46,8 +46,8 @@ def _smooth(cost: np.ndarray, pairs: np.ndarray, worth: np.ndarray) -> np.ndarra
     for _ in range(MAX_SWEEPS):
         before = chosen.copy()
         for i in range(n):
-            own = slice(around.indptr[i], around.indptr[i + 1])
-            agree = np.bincount(chosen[around.indices[own]], around.data[own], minlength=k)
+            neighbours = slice(around.indptr[i], around.indptr[i + 1])
+            agree = np.bincount(chosen[around.indices[neighbours]], around.data[neighbours], minlength=k)
             chosen[i] = np.argmin(cost[i] - agree)
         if (chosen == before).all():
             break

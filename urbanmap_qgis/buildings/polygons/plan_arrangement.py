@@ -42,8 +42,8 @@ def arrange(outline: shapely.Geometry, lines: np.ndarray) -> Arrangement:
     pieces = shapely.get_parts(shapely.polygonize([network]))
     inside = shapely.get_coordinates(shapely.point_on_surface(pieces))
     shapely.prepare(outline)
-    own = shapely.contains_xy(outline, inside[:, 0], inside[:, 1])
-    pieces, inside = pieces[own], inside[own]
+    in_outline = shapely.contains_xy(outline, inside[:, 0], inside[:, 1])
+    pieces, inside = pieces[in_outline], inside[in_outline]
     pairs, ends = common_borders(pieces)
     return Arrangement(pieces, inside, pairs, np.hypot(*(ends[:, 1] - ends[:, 0]).T))
 
@@ -76,8 +76,8 @@ def dissolve(pieces: np.ndarray, labels: np.ndarray, outline: shapely.Geometry) 
     """
     polygons, label_of = [], []
     for label in np.unique(labels):
-        own = pieces[labels == label]
-        union = shapely.coverage_union_all(own) if len(own) > 1 else own[0]
+        members = pieces[labels == label]
+        union = shapely.coverage_union_all(members) if len(members) > 1 else members[0]
         if not union.is_valid:  # GEOS leaves a ring that touches itself in a node whole: make it shell and hole
             union = shapely.make_valid(union)
         parts = shapely.get_parts(union)
@@ -120,9 +120,9 @@ def _nodes_needed(xy: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndar
     """Mask of the vertices that are corners or junctions: not in the middle of one straight edge."""
     n = len(xy)
     key = np.unique(np.concatenate([start * n + end, end * n + start]))
-    here, other = key // n, key % n
-    degree = np.bincount(here, minlength=n)
-    first = np.searchsorted(here, np.arange(n))
+    node, other = key // n, key % n
+    degree = np.bincount(node, minlength=n)
+    first = np.searchsorted(node, np.arange(n))
     two = degree == 2
     a, b, c = xy[other[first[two]]], xy[two], xy[other[first[two] + 1]]
     across = c - a

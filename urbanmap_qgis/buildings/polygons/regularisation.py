@@ -39,8 +39,8 @@ def main_directions(edges: np.ndarray) -> np.ndarray:
     free = length > 0
     found: list[float] = []
     while len(found) < 3 and free.any():
-        apart = (angle[:, None] - angle[None, free] + 45.0) % 90.0 - 45.0
-        support = np.where(np.abs(apart) < DIRECTION_WIDTH, length[free], 0.0).sum(axis=1) * free
+        deviation = (angle[:, None] - angle[None, free] + 45.0) % 90.0 - 45.0
+        support = np.where(np.abs(deviation) < DIRECTION_WIDTH, length[free], 0.0).sum(axis=1) * free
         best = int(np.argmax(support))
         if found and support[best] < SECOND_DIRECTION_SHARE * total:
             break
@@ -150,9 +150,9 @@ def regularise_ring(boundary_xy: np.ndarray, parameters: RegularisationParameter
 
 def _corner_indices(ring: np.ndarray, tolerance: float) -> np.ndarray:
     """Indices of the points that a simplification (Douglas and Peucker) of the ring keeps."""
-    kept = shapely.get_coordinates(shapely.simplify(shapely.LinearRing(ring), tolerance, preserve_topology=True))
+    corners = shapely.get_coordinates(shapely.simplify(shapely.LinearRing(ring), tolerance, preserve_topology=True))
     codes = ring[:, 0] + 1j * ring[:, 1]
-    return np.flatnonzero(np.isin(codes, kept[:, 0] + 1j * kept[:, 1]))
+    return np.flatnonzero(np.isin(codes, corners[:, 0] + 1j * corners[:, 1]))
 
 
 def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray,
@@ -165,8 +165,8 @@ def _edges(ring: np.ndarray, corners: np.ndarray, vectors: np.ndarray,
     fitted = np.array([_direction(p, v) for p, v in zip(points, vectors)])
     main = main_directions(fitted * length[:, None])
     angle = np.degrees(np.arctan2(fitted[:, 1].copy(), fitted[:, 0].copy()))
-    apart = (angle[:, None] - main[None, :] + 45.0) % 90.0 - 45.0
-    nearest = apart[np.arange(len(apart)), np.argmin(np.abs(apart), axis=1)]
+    deviation = (angle[:, None] - main[None, :] + 45.0) % 90.0 - 45.0
+    nearest = deviation[np.arange(len(deviation)), np.argmin(np.abs(deviation), axis=1)]
     straight = (np.abs(nearest) < parameters.snap_angle) | (length > 2.0 * parameters.free_edge)
     if length[straight].sum() < parameters.straight_share * length.sum():
         return None

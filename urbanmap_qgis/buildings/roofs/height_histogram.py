@@ -138,11 +138,11 @@ def height_peaks(z: np.ndarray, bin_width: float = BIN_WIDTH, bin_shift: float =
     # The minimum between two maxima, and the middle of the bins that reach it.
     valley = np.array([count[a:b].min() for a, b in zip(last[:-1], first[1:])], dtype=np.int64)
     smaller = np.minimum(value[:-1], value[1:])
-    apart = valley <= (PARAPET_SHARE * smaller if beta is None else beta)
-    group_start = np.flatnonzero(np.r_[True, apart])
+    separate = valley <= (PARAPET_SHARE * smaller if beta is None else beta)
+    group_start = np.flatnonzero(np.r_[True, separate])
     group_end = np.r_[group_start[1:], len(value)]
     top = np.array([a + np.argmax(value[a:b]) for a, b in zip(group_start, group_end)])
-    cut = np.array([_emptiest(centre, count, last[i], first[i + 1]) for i in np.flatnonzero(apart)])
+    cut = np.array([_emptiest(centre, count, last[i], first[i + 1]) for i in np.flatnonzero(separate)])
     return HeightPeaks((centre[first[top]] + centre[last[top]]) / 2, value[top],
                        np.r_[-np.inf, cut], np.r_[cut, np.inf])
 

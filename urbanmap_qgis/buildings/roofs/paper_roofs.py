@@ -66,10 +66,10 @@ def lower_limit(z: np.ndarray, peaks: HeightPeaks, bin_width: float, bin_shift: 
 
 def _table(z: np.ndarray, roof: np.ndarray, count: int, density: float) -> RoofTable:
     """Table of the roofs: `height_max` is the paper's height; the area follows from points and density."""
-    own = [z[roof == number] for number in range(1, count + 1)]
-    height = np.array([np.median(values) for values in own])
-    points = np.array([len(values) for values in own])
-    rmse = np.array([np.sqrt(np.mean((values - level) ** 2)) for values, level in zip(own, height)])
-    highest = np.array([values.max() for values in own])
+    heights_of = [z[roof == number] for number in range(1, count + 1)]
+    height = np.array([np.median(values) for values in heights_of])
+    points = np.array([len(values) for values in heights_of])
+    rmse = np.array([np.sqrt(np.mean((values - level) ** 2)) for values, level in zip(heights_of, height)])
+    highest = np.array([values.max() for values in heights_of])
     return RoofTable(np.arange(1, count + 1, dtype=np.int32), height, highest, points,
                      points / density, np.full(count, float(density)), rmse)

@@ -176,9 +176,9 @@ def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) 
         mean = np.bincount(labels.ravel(), height.ravel()) / np.maximum(n, 1)
         row, column = np.nonzero(_at_boundaries(labels))  # no other cell has a choice
         around = np.pad(labels, 1).ravel()[(row + 1) * (columns + 2) + column + 1 + offsets[:, None]]
-        own, z = labels[row, column], height[row, column]
-        best, lowest = own, None
-        for candidate in (own, around[1], around[3], around[4], around[6]):
+        current, z = labels[row, column], height[row, column]
+        best, lowest = current, None
+        for candidate in (current, around[1], around[3], around[4], around[6]):
             energy = (z - mean[candidate])**2
             for beside in around:
                 energy -= weight * (beside == candidate)
@@ -189,7 +189,7 @@ def _refine(labels: np.ndarray, height: np.ndarray, parameters: RoofParameters) 
                 better = energy < lowest
                 best = np.where(better, candidate, best)
                 lowest = np.where(better, energy, lowest)
-        if np.array_equal(best, own):
+        if np.array_equal(best, current):
             break
         labels = labels.copy()
         labels[row, column] = best
@@ -269,17 +269,17 @@ def _of_this_building(labels: np.ndarray, height: np.ndarray, inside: np.ndarray
     """
     graph = RegionGraph(labels, height)
     inner = np.bincount(labels[inside], minlength=graph.size)
-    own = {r for r in graph.regions()
-           if inner[r] >= smallest / 2 and inner[r] >= MIN_INSIDE * graph.area[r]}
-    if not own:
-        own = {max(graph.regions(), key=lambda r: (inner[r], graph.area[r], -r))}
-    front = list(own)
+    members = {r for r in graph.regions()
+                   if inner[r] >= smallest / 2 and inner[r] >= MIN_INSIDE * graph.area[r]}
+    if not members:
+        members = {max(graph.regions(), key=lambda r: (inner[r], graph.area[r], -r))}
+    front = list(members)
     while front:
         r = front.pop()
         for other in graph.neighbours[r]:
-            if other not in own and graph.step(r, other) < parameters.distinct_step:
-                own.add(other)
+            if other not in members and graph.step(r, other) < parameters.distinct_step:
+                members.add(other)
                 front.append(other)
     number = np.zeros(graph.size, dtype=np.int64)
-    number[sorted(own)] = np.arange(1, len(own) + 1)
+    number[sorted(members)] = np.arange(1, len(members) + 1)
     return number[labels]

@@ -165,9 +165,9 @@ def roofs_of_points(plan: RoofLevels, surface: RoofSurface, z: np.ndarray,
     low, high = _height_ranges(plan)
     labels = plan.labels.ravel()
     cell = surface.cell_of_point
-    own = labels[cell]
-    fits = (own > 0) & (z >= low[own]) & (z <= high[own])
-    roof = np.where(fits, own, 0)
+    cell_roof = labels[cell]
+    fits = (cell_roof > 0) & (z >= low[cell_roof]) & (z <= high[cell_roof])
+    roof = np.where(fits, cell_roof, 0)
 
     rest = np.flatnonzero(~fits)
     columns = surface.grid.columns
@@ -185,14 +185,14 @@ def roofs_of_points(plan: RoofLevels, surface: RoofSurface, z: np.ndarray,
     rest = rest[roof[rest] == 0]
     reach = math.ceil(MAX_PARAPET_WIDTH / 2 / surface.grid.cell)
     border = _drops_beside(plan.labels, middle, parameters.distinct_step, reach).ravel()
-    own = labels[cell[rest]]
-    above = z[rest] - high[own]
-    candidate = border[cell[rest]] & (own > 0) & (above > 0) & (above <= parameters.max_parapet)
+    cell_roof = labels[cell[rest]]
+    above = z[rest] - high[cell_roof]
+    candidate = border[cell[rest]] & (cell_roof > 0) & (above > 0) & (above <= parameters.max_parapet)
     border_cells = np.bincount(labels[border], minlength=len(low))
-    top = _parapet_tops(own[candidate], above[candidate], border_cells)
+    top = _parapet_tops(cell_roof[candidate], above[candidate], border_cells)
     parapet = np.zeros(len(rest), dtype=bool)
-    parapet[candidate] = above[candidate] <= top[own[candidate]]
-    roof[rest[parapet]] = own[parapet]
+    parapet[candidate] = above[candidate] <= top[cell_roof[candidate]]
+    roof[rest[parapet]] = cell_roof[parapet]
     return roof
 
 

@@ -108,20 +108,20 @@ def trace_rings(edges: HalfEdges, directed: Iterable[tuple[int, int]]) -> list[l
     for start in sorted(following):
         while following[start]:
             ring = [start]
-            before, here = start, following[start].pop()
-            while here != start:
-                ring.append(here)
-                before, here = here, _turn(edges, before, here, following[here])
+            before, node = start, following[start].pop()
+            while node != start:
+                ring.append(node)
+                before, node = node, _turn(edges, before, node, following[node])
             rings.append(ring)
     return rings
 
 
-def _turn(edges: HalfEdges, before: int, here: int, choices: list[int]) -> int:
+def _turn(edges: HalfEdges, before: int, node: int, choices: list[int]) -> int:
     """Take from `choices` the first node counterclockwise from the way we came."""
     if len(choices) == 1:
         return choices.pop()
-    came = edges.direction(here, before)
-    turns = [(edges.direction(here, there) - came) % (2 * math.pi) for there in choices]
+    came = edges.direction(node, before)
+    turns = [(edges.direction(node, target) - came) % (2 * math.pi) for target in choices]
     return choices.pop(turns.index(min(turns)))
 
 

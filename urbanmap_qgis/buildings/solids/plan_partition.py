@@ -289,13 +289,13 @@ def _cells(regions: _Regions, edges: HalfEdges, origin, order, heights, ids) -> 
     by_region: dict[int, list[tuple[int, int]]] = {region: [] for region in regions.label}
     for edge, region in merged.cell.items():
         by_region[region].append(edge)
-    made = []
+    cells = []
     for region, directed in by_region.items():
         roof = order[regions.label[region]]
         polygon, first = _polygon(merged, directed, origin)
-        made.append((regions.label[region], first, Cell(polygon, ids[roof], float(heights[roof]))))
-    made.sort(key=lambda item: item[:2])
-    return tuple(cell for _, _, cell in made)
+        cells.append((regions.label[region], first, Cell(polygon, ids[roof], float(heights[roof]))))
+    cells.sort(key=lambda item: item[:2])
+    return tuple(cell for _, _, cell in cells)
 
 
 def _drop_straight_nodes(edges: HalfEdges) -> None:

@@ -90,10 +90,10 @@ class _SlopedFaces(FaceCollector):
 
     def _height(self, cell: int, node: int) -> int:
         """Height of a cell's plane at a node, lattice units."""
-        own = self.roofs[cell]
-        x = self.edges.origin[0] - own.origin[0] + self.edges.x[node] / UNITS
-        y = self.edges.origin[1] - own.origin[1] + self.edges.y[node] / UNITS
-        return round((own.plane[0] * x + own.plane[1] * y + own.plane[2]) * UNITS)
+        roof = self.roofs[cell]
+        x = self.edges.origin[0] - roof.origin[0] + self.edges.x[node] / UNITS
+        y = self.edges.origin[1] - roof.origin[1] + self.edges.y[node] / UNITS
+        return round((roof.plane[0] * x + roof.plane[1] * y + roof.plane[2]) * UNITS)
 
     def _insert_crossings(self) -> None:
         """Put a node where two roofs beside an edge change places in height."""

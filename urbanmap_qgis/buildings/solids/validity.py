@@ -136,15 +136,15 @@ class _Mesh:
 
     def planes(self) -> None:
         """Area vector of each ring and, from the outer ring, unit normal and a point of each face's plane."""
-        here, there = self.points[self.vertex], self.points[self.vertex[self.next]]
-        anchor = here[self.ring_start][self.ring_of]
-        self.area_vector = np.add.reduceat(np.cross(here - anchor, there - anchor), self.ring_start) / 2
+        corner, next_corner = self.points[self.vertex], self.points[self.vertex[self.next]]
+        anchor = corner[self.ring_start][self.ring_of]
+        self.area_vector = np.add.reduceat(np.cross(corner - anchor, next_corner - anchor), self.ring_start) / 2
         outer = self.area_vector[self.first_ring]
         size = np.linalg.norm(outer, axis=1)
         self.collapsed = size < 1e-9
         self.normal = outer / np.where(self.collapsed, 1.0, size)[:, None]
-        total = np.add.reduceat(here, self.ring_start)[self.first_ring]
-        self.centre = total / np.diff(np.append(self.ring_start, len(here)))[self.first_ring][:, None]
+        total = np.add.reduceat(corner, self.ring_start)[self.first_ring]
+        self.centre = total / np.diff(np.append(self.ring_start, len(corner)))[self.first_ring][:, None]
 
     def project(self) -> None:
         """Faces as flat polygons, seen along the axis nearest to their normals."""

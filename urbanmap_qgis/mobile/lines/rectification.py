@@ -150,13 +150,13 @@ class Rectified:
     def figures(self) -> dict[str, float]:
         """Figures of quality, m (see the outputs of `rectifytrajectory`); a height without a ground is missing."""
         between = self.status == BETWEEN
-        made = {"BEFORE": _mean(item.before for item in self.used), "AFTER": _mean(item.after for item in self.used),
-                "PREDICTED": _mean(item.predicted for item in self.used),
-                "MEAN_SIGMA": _mean(self.plan_sigma[between]), "MAX_SIGMA": float(self.plan_sigma.max()),
-                "HELD_SHARE": float(1.0 - between.mean())}
+        values = {"BEFORE": _mean(item.before for item in self.used), "AFTER": _mean(item.after for item in self.used),
+                  "PREDICTED": _mean(item.predicted for item in self.used),
+                  "MEAN_SIGMA": _mean(self.plan_sigma[between]), "MAX_SIGMA": float(self.plan_sigma.max()),
+                  "HELD_SHARE": float(1.0 - between.mean())}
         if self.heights is not None:
-            made.update(HEIGHT_BEFORE=self.heights.before, HEIGHT_AFTER=self.heights.after)
-        return {name: value for name, value in made.items() if np.isfinite(value)}
+            values.update(HEIGHT_BEFORE=self.heights.before, HEIGHT_AFTER=self.heights.after)
+        return {name: value for name, value in values.items() if np.isfinite(value)}
 
 
 def rectify(trajectory: Trajectory, ties: TiePoints, ground: Ground | None = None,
@@ -276,35 +276,35 @@ def _misfit_limit(ties: TiePoints, number: np.ndarray, place: np.ndarray, settin
         return _CONTRADICTION * np.sqrt(2.0) * settings.tie_sigma
     least = _CONTRADICTION * np.sqrt(2.0) * SIGMA
     sets = [np.flatnonzero(number == k) for k in range(number.max() + 1)]
-    shown = [misfit(place[own], ties.measured[own], ties.reference[own]).max() for own in sets if len(own) > 1]
+    shown = [misfit(place[rows], ties.measured[rows], ties.reference[rows]).max() for rows in sets if len(rows) > 1]
     usual = 1.4826 * float(np.median(shown)) if len(shown) >= _MIN_SETS_FOR_SIGMA else 0.0
     return max(least, _CONTRADICTION * usual)
 
 
-def _without_outliers(ties: TiePoints, place: np.ndarray, own: np.ndarray,
+def _without_outliers(ties: TiePoints, place: np.ndarray, members: np.ndarray,
                       limit: float) -> tuple[np.ndarray, float]:
     """Pairs of a set that fit each other, and their largest misfit: of more than two the worst are taken out."""
     def fit(rows: np.ndarray) -> float:
         return float(misfit(place[rows], ties.measured[rows], ties.reference[rows]).max())
 
-    worst = fit(own)
-    while worst > limit and len(own) > 2:
-        worst, own = min(((fit(rest), rest) for rest in (np.delete(own, k) for k in range(len(own)))),
-                         key=lambda found: found[0])
-    return own, worst
+    worst = fit(members)
+    while worst > limit and len(members) > 2:
+        worst, members = min(((fit(rest), rest) for rest in (np.delete(members, k) for k in range(len(members)))),
+                             key=lambda found: found[0])
+    return members, worst
 
 
-def _set_rotation(ties: TiePoints, place: np.ndarray, own: np.ndarray, settings: RectifySettings) -> float:
+def _set_rotation(ties: TiePoints, place: np.ndarray, members: np.ndarray, settings: RectifySettings) -> float:
     """Rotation of a set, radians, with what is expected of it."""
-    return set_drift(place[own], ties.measured[own], ties.reference[own], settings.tie_sigma or SIGMA,
+    return set_drift(place[members], ties.measured[members], ties.reference[members], settings.tie_sigma or SIGMA,
                      np.radians(settings.heading_sigma)).rotation
 
 
 def _pairs(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray) -> tuple[TiePairs, np.ndarray]:
     """Observations of the pairs kept, and the sets that they are of."""
-    sets, own = np.unique(number[keep], return_inverse=True)
+    sets, set_number = np.unique(number[keep], return_inverse=True)
     return TiePairs(ties.measured[keep] - place[keep], ties.reference[keep] - place[keep], ties.time[keep],
-                    own.ravel()), sets
+                    set_number.ravel()), sets
 
 
 def _model(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarray,
@@ -345,8 +345,8 @@ def _warn_of_jumps(ties: TiePoints, number: np.ndarray, keep: np.ndarray, status
     """Warn of neighbouring sets between which no navigation could have drifted so fast."""
     used = [k for k in range(len(names)) if keep[number == k].any()]
     rows = [(number == k) & keep for k in used]
-    time = np.array([ties.time[own].mean() for own in rows])
-    shift = np.array([(ties.reference - ties.measured)[own].mean(axis=0) for own in rows])
+    time = np.array([ties.time[members].mean() for members in rows])
+    shift = np.array([(ties.reference - ties.measured)[members].mean(axis=0) for members in rows])
     change, step = np.hypot(*np.diff(shift, axis=0).T), np.diff(time)
     for k in np.flatnonzero((change > _JUMP) & (change > _MAX_DRIFT_RATE * step)):
         progress.warn(say("Sets {names} and {names_2} contradict each other: within {step:.1f} s the drift would "
@@ -360,8 +360,8 @@ def _weak(ties: TiePoints, number: np.ndarray, place: np.ndarray, keep: np.ndarr
     """Mask (s,) of sets used whose pairs tell the heading worse than what is expected of it."""
     weak = np.zeros(len(status), bool)
     for k in np.flatnonzero(status == USED):
-        own = np.flatnonzero((number == k) & keep)
-        seen = ties.measured[own] - place[own]
+        members = np.flatnonzero((number == k) & keep)
+        seen = ties.measured[members] - place[members]
         spread = np.sqrt(((seen - seen.mean(axis=0)) ** 2).sum())
         weak[k] = walk.sigma >= walk.heading_sigma * spread
     return weak
@@ -378,15 +378,15 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
     epochs, drift = [], []
     paper = settings.method == "paper"
     for k in np.unique(number[keep]):
-        own = np.flatnonzero((number == k) & keep)
-        pairs = place[own], ties.measured[own], ties.reference[own]
+        members = np.flatnonzero((number == k) & keep)
+        pairs = place[members], ties.measured[members], ties.reference[members]
         if paper:
             shift, rotation = two_pair_drift(*pairs)
         else:
             found = set_drift(*pairs, model.walk.sigma, model.walk.heading_sigma)
             shift, rotation = found.shift, found.rotation
         # What two pairs tell by eq. 13 to 17 holds at the first of them.
-        time = ties.time[own[0]] if paper else ties.time[own].mean()
+        time = ties.time[members[0]] if paper else ties.time[members].mean()
         epochs.append(int(np.abs(trajectory.time - time).argmin()))
         drift.append([*shift, rotation])
     # Sets that fall on one epoch count together.
@@ -395,10 +395,10 @@ def _corrected(trajectory: Trajectory, ties: TiePoints, number: np.ndarray, plac
     return adjust_relative_motion(trajectory, once, mean, iterate=settings.method != "relative", equal_parts=paper)
 
 
-def _difference(before: Trajectory, made: Trajectory, model: RandomWalkDrift) -> np.ndarray:
+def _difference(before: Trajectory, rectified: Trajectory, model: RandomWalkDrift) -> np.ndarray:
     """(n, 3) what a rectified trajectory differs from the model's drift: east and north, m, and rotation, radians."""
-    rotation = np.radians(before.angles[:, 2:] - made.angles[:, 2:])
-    return np.hstack([made.place[:, :2] - before.place[:, :2], rotation]) - model.interpolate(before.time)
+    rotation = np.radians(before.angles[:, 2:] - rectified.angles[:, 2:])
+    return np.hstack([rectified.place[:, :2] - before.place[:, :2], rotation]) - model.interpolate(before.time)
 
 
 def _mean(values: Iterable[float]) -> float:
@@ -433,14 +433,16 @@ def _sets(before: Trajectory, after: Trajectory, ties: TiePoints, names: list[st
     off_before, off_after = (np.hypot(*(ties.reference - where).T) for where in (ties.measured, moved))
     pairs, used = _pairs(ties, number, place, keep)
     predicted = dict(zip(used.tolist(), leave_one_out_misfits(pairs, model)[0]))
-    made = []
+    results = []
     for k, name in enumerate(names):
-        own = np.flatnonzero(number == k)
-        left = own[keep[own]]
-        some = left if len(left) else own
+        rows = np.flatnonzero(number == k)
+        left = rows[keep[rows]]
+        some = left if len(left) else rows
         fit = float(misfit(place[some], ties.measured[some], ties.reference[some]).max())
-        made.append(TieSet(name, float(ties.time[some].mean()), was.place[some].mean(axis=0), len(left), len(own),
-                           (pose.place - was.place)[some, :2].mean(axis=0), -float(np.degrees(rotation[some].mean())),
-                           float(off_before[some].mean()), float(off_after[some].mean()), fit,
-                           float(predicted.get(k, np.nan)), str(status[k])))
-    return tuple(made)
+        results.append(TieSet(name, float(ties.time[some].mean()), was.place[some].mean(axis=0), len(left), len(rows),
+                              (pose.place - was.place)[some, :2].mean(axis=0),
+                              -float(np.degrees(rotation[some].mean())),
+                              float(off_before[some].mean()), float(off_after[some].mean()), fit,
+                              float(predicted.get(k, np.nan)), str(status[k])))
+    return tuple(results)
+

@@ -36,64 +36,65 @@ _MAX_POINTS = 3000
 _WIDTH = 900
 
 
-def write_report(path: str | os.PathLike, before: Trajectory, made: Rectified,
+def write_report(path: str | os.PathLike, before: Trajectory, rectified: Rectified,
                  notes: Sequence[str] = (), more: Callable[[Report], None] = lambda report: None) -> None:
     """Write the HTML report of a rectification; `notes` (warnings) are shown as they are, `more` adds to it."""
     report = Report("Rectified trajectory")
-    _verdict(report, made, notes)
+    _verdict(report, rectified, notes)
     for note in notes:
         report.warning(note)
     report.section("Result")
-    report.facts(_facts(before, made))
-    report.figure(course_map(before, made), "The course as reported (grey) and rectified (blue; dashed where it is "
+    report.facts(_facts(before, rectified))
+    report.figure(course_map(before, rectified),
+                  "The course as reported (grey) and rectified (blue; dashed where it is "
                   "extrapolated beyond the sets), and the sets of tie points: green used, orange suspect, red left "
                   "out.")
     report.section("Drift")
-    _drift(report, before, made)
+    _drift(report, before, rectified)
     report.section("Sets of tie points")
     report.table(("Set", "Time, s", "Pairs", "Before, m", "After, m", "East, m", "North, m", "Heading, °",
                   "Misfit within, m", "Off without itself, m", "Status"),
                  [(item.name, Fixed.of(item.time), say("{pairs} of {given}", pairs=item.pairs,
                                              given=item.given), item.before, item.after, item.shift[0],
                    item.shift[1], item.heading, item.misfit, item.predicted,
-                   MEANING[item.status]) for item in made.sets])
+                   MEANING[item.status]) for item in rectified.sets])
     report.paragraph("Before and after: mean distance of the set's pairs from the reference. Off without itself: how "
                      "far the set would lie from the reference if it were not used, which is more than what to expect "
                      "halfway between sets.")
-    if made.settings.tie_sigma is None:
+    if rectified.settings.tie_sigma is None:
         report.paragraph("The sigma of the tie points was found from how well they fit each other. An error that they "
                          "share, such as that of the reference, is not in it nor in the sigmas of the epochs.")
-    if made.heights is not None:
+    if rectified.heights is not None:
         report.section("Heights")
-        _heights(report, before, made.heights)
+        _heights(report, before, rectified.heights)
     more(report)
     report.write(path)
 
 
-def _verdict(report: Report, made: Rectified, notes: Sequence[str]) -> None:
+def _verdict(report: Report, rectified: Rectified, notes: Sequence[str]) -> None:
     """What to expect between the sets, and whether to look further."""
-    figures = made.figures()
-    left_out = len(made.sets) - len(made.used)
+    figures = rectified.figures()
+    left_out = len(rectified.sets) - len(rectified.used)
     text = (say("{used_count} of {sets_count} sets of tie points are used; after the rectification they lie "
-                "{figures:.2f} m from the reference on average.", used_count=len(made.used), sets_count=len(made.sets),
-                figures=figures.get("AFTER", float("nan"))))
+                "{figures:.2f} m from the reference on average.", used_count=len(rectified.used),
+                sets_count=len(rectified.sets), figures=figures.get("AFTER", float("nan"))))
     if left_out:
         text += say(" {left_out} were left out: look at them in the table below.", left_out=left_out)
     if np.isfinite(figures.get("PREDICTED", float("nan"))):
         text += " " + say("Halfway between sets expect less than {predicted:.2f} m.", predicted=figures["PREDICTED"])
     if notes:
         text += " " + say("Read the remarks below first.")
-    report.verdict(BAD if not made.used else LOOK if left_out or notes else GOOD, text)
+    report.verdict(BAD if not rectified.used else LOOK if left_out or notes else GOOD, text)
 
 
-def _facts(before: Trajectory, made: Rectified) -> dict[str, object]:
-    used, walk = made.used, made.drift.walk
-    moved = np.hypot(*(made.trajectory.place - before.place)[:, :2].T)
-    figures = made.figures()
+def _facts(before: Trajectory, rectified: Rectified) -> dict[str, object]:
+    used, walk = rectified.used, rectified.drift.walk
+    moved = np.hypot(*(rectified.trajectory.place - before.place)[:, :2].T)
+    figures = rectified.figures()
     return {
-        "Method": _METHOD[made.settings.method],
+        "Method": _METHOD[rectified.settings.method],
         "Epochs": len(before),
-        "Sets of tie points used": f"{len(used)} of {len(made.sets)}",
+        "Sets of tie points used": f"{len(used)} of {len(rectified.sets)}",
         "Distance of the tie points from the reference before, m": figures.get("BEFORE"),
         "after, m": figures.get("AFTER"),
         "Off without itself, mean over the sets, m": figures.get("PREDICTED"),
@@ -106,35 +107,35 @@ def _facts(before: Trajectory, made: Rectified) -> dict[str, object]:
         "Random walk of the position, m per root second": walk.position_walk,
         "of the heading, ° per root second": float(np.degrees(walk.heading_walk)),
         "Sigma of a tie point's coordinate, m": walk.sigma,
-        "Sigmas are multiplied by": made.sigma_factor,
+        "Sigmas are multiplied by": rectified.sigma_factor,
     }
 
 
-def _drift(report: Report, before: Trajectory, made: Rectified) -> None:
+def _drift(report: Report, before: Trajectory, rectified: Rectified) -> None:
     """Profiles of the corrections over time."""
     time = before.time - before.time[0]
-    change = made.trajectory.place - before.place
-    extrapolated = _extrapolated(made, time)
-    sets = np.searchsorted(before.time, [item.time for item in made.used]).clip(0, len(time) - 1)
+    change = rectified.trajectory.place - before.place
+    extrapolated = _extrapolated(rectified, time)
+    sets = np.searchsorted(before.time, [item.time for item in rectified.used]).clip(0, len(time) - 1)
     at_sets = np.full((len(time), 2), np.nan)
     at_sets[sets] = change[sets, :2]
     for axis, name in enumerate(("East", "North")):
         curve = change[:, axis]
         report.figure(profile(time, [Series(f"{name} correction", curve), Series("sets", at_sets[:, axis], COLOURS[1],
                                                                                 True)], "time (s)", "m",
-                              (curve - made.plan_sigma, curve + made.plan_sigma), extrapolated),
+                              (curve - rectified.plan_sigma, curve + rectified.plan_sigma), extrapolated),
                       say("Correction to the {name} with its sigma. A set that lies beside the curve's band does not "
                           "fit the others.", name=name.lower()))
-    change_of_heading = made.trajectory.angles[:, 2] - before.angles[:, 2]
+    change_of_heading = rectified.trajectory.angles[:, 2] - before.angles[:, 2]
     report.figure(profile(time, [Series("Heading correction", change_of_heading, COLOURS[2])], "time (s)", "°",
-                          (change_of_heading - made.heading_sigma, change_of_heading + made.heading_sigma),
+                          (change_of_heading - rectified.heading_sigma, change_of_heading + rectified.heading_sigma),
                           extrapolated),
                   "Correction to the heading with its sigma.")
 
 
-def _extrapolated(made: Rectified, time: np.ndarray) -> list[ShadedInterval]:
+def _extrapolated(rectified: Rectified, time: np.ndarray) -> list[ShadedInterval]:
     """The parts before the first and after the last set."""
-    first, last = made.drift.first - made.drift.time[0], made.drift.last - made.drift.time[0]
+    first, last = rectified.drift.first - rectified.drift.time[0], rectified.drift.last - rectified.drift.time[0]
     name = say("beyond the sets")
     return [ShadedInterval(start, end, "#e09a2b", name) for start, end in ((0.0, first), (last, float(time[-1])))
             if end > start]
@@ -164,10 +165,10 @@ def _heights(report: Report, before: Trajectory, heights: CourseHeights) -> None
                   "Correction to the height with its sigma, and the samples of the ground.")
 
 
-def course_map(before: Trajectory, made: Rectified) -> str:
+def course_map(before: Trajectory, rectified: Rectified) -> str:
     """An SVG plan of the course before and after, with the sets."""
     rows = np.unique(np.linspace(0, len(before) - 1, min(len(before), _MAX_POINTS)).astype(int))
-    old, new = before.place[rows, :2], made.trajectory.place[rows, :2]
+    old, new = before.place[rows, :2], rectified.trajectory.place[rows, :2]
     low, high = np.minimum(old.min(axis=0), new.min(axis=0)), np.maximum(old.max(axis=0), new.max(axis=0))
     span = np.maximum(high - low, 1.0)
     scale = (_WIDTH - 40) / max(span[0], span[1] * 1.3)
@@ -177,10 +178,10 @@ def course_map(before: Trajectory, made: Rectified) -> str:
         return np.column_stack([20 + (xy[:, 0] - low[0]) * scale, 20 + (high[1] - xy[:, 1]) * scale])
 
     parts = [_line(place(old), "#999", 1.0)]
-    status = made.status[rows]
+    status = rectified.status[rows]
     for run in np.split(np.arange(len(rows)), np.flatnonzero(np.diff(status)) + 1):
         parts.append(_line(place(new[run]), COLOURS[0], 1.8, status[run[0]] == EXTRAPOLATED))
-    for item in made.sets:
+    for item in rectified.sets:
         x, y = place(item.place[None, :2])[0]
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="{_SET_COLOURS[item.status]}" stroke="#fff"/>'
                      f'<text x="{x + 6:.1f}" y="{y - 5:.1f}">{html.escape(item.name)}</text>')

@@ -97,13 +97,13 @@ def _iterated(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: 
     """The paper's iteration (eq. 8, 9): every step takes its part of the open loop, as seen from where it starts."""
     part = np.diff(time) / (time[-1] - time[0])
     best = np.inf
-    kept = place, kappa
+    best_pose = place, kappa
     for _ in range(MAX_ITERATIONS):
         rotation, translation = _motion(place[-1], kappa[-1], to_place, to_kappa)
         open_loop = abs(to_place - place[-1]) + abs(rotation) * CLOSED / CLOSED_ROTATION
         if open_loop >= best:
             break
-        best, kept = open_loop, (place, kappa)
+        best, best_pose = open_loop, (place, kappa)
         if abs(to_place - place[-1]) < CLOSED and abs(rotation) < CLOSED_ROTATION:
             break
         back = np.exp(-1j * kappa[:-1])
@@ -112,4 +112,4 @@ def _iterated(time: np.ndarray, place: np.ndarray, kappa: np.ndarray, to_place: 
         step = part * whole + np.exp(1j * part * rotation) * step
         kappa = kappa[0] + np.concatenate([[0.0], np.cumsum(rotations + part * rotation)])
         place = place[0] + np.concatenate([[0.0], np.cumsum(np.exp(1j * kappa[:-1]) * step)])
-    return kept
+    return best_pose

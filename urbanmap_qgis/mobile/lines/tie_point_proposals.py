@@ -244,11 +244,11 @@ def _corner_candidates(cells: WallCells, view: np.ndarray, corners: OutlineCorne
             where = _intersection(first, second)
             if where is None or np.hypot(*where) > search:
                 continue
-            apart = [np.hypot(*(place[wall.rows] - where).T) for wall in (first, second)]
-            if max(distance.min() for distance in apart) > _FROM_CORNER:
+            distances = [np.hypot(*(place[wall.rows] - where).T) for wall in (first, second)]
+            if max(distance.min() for distance in distances) > _FROM_CORNER:
                 continue
             rows = np.concatenate([wall.rows[distance < 2 * _FROM_CORNER] for wall, distance in
-                                   zip((first, second), apart)])
+                                   zip((first, second), distances)])
             time = cells.time[view[rows]]
             if np.ptp(time) <= 2 * _SET_SECONDS:
                 found.append(_Candidate(number, float(np.median(time)), corner + where, -where,
@@ -332,9 +332,9 @@ def _agreeing(candidates: list[_Candidate], limit: float) -> tuple[list[_Candida
         key = (item.corner, int(time[k] // PASS))
         if support >= 2 and support >= _AGREE * around and (support, -item.fit) > best.get(key, (0, 0.0, 0))[:2]:
             best[key] = support, -item.fit, k
-    kept = sorted(entry[2] for entry in best.values())
+    chosen = sorted(entry[2] for entry in best.values())
     support = {entry[2]: entry[0] for entry in best.values()}
-    return [candidates[k] for k in kept], np.array([support[k] for k in kept], int)
+    return [candidates[k] for k in chosen], np.array([support[k] for k in chosen], int)
 
 
 def _in_sets(chosen: list[_Candidate], trajectory: Trajectory) -> list[tuple[int, int]]:

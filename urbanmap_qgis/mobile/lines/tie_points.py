@@ -106,12 +106,12 @@ def tie_points_from_columns(columns: Mapping[str, Sequence], name: str = "The ti
     order = np.argsort(table[:, 0], kind="stable")
     sets = np.array([str(columns[known["set"]][row]).strip() for row in order])
     time, measured, reference = table[order, 0], table[order, 1:3], table[order, 3:5]
-    apart = np.hypot(*(reference - measured).T)
-    if apart.max() > _MAX_SEPARATION:
-        worst = int(apart.argmax())
+    distance = np.hypot(*(reference - measured).T)
+    if distance.max() > _MAX_SEPARATION:
+        worst = int(distance.argmax())
         raise InputError(say("{name}: in set {sets} survey and reference are {apart:,.0f} m apart; both must be in "
                              "the survey's coordinate reference system.", name=name, sets=sets[worst],
-                             apart=apart[worst]))
+                             apart=distance[worst]))
     return TiePoints(sets, time, measured, reference)
 
 

@@ -24,7 +24,7 @@ LARGE_SCATTER = 0.3
 LOW_CONTRAST = 1.5
 
 
-def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequence[str]) -> None:
+def write_curve_report(path: str | os.PathLike, extraction: Extraction, files: Sequence[str]) -> None:
     """Write the page.
 
     Parameters
@@ -36,59 +36,59 @@ def write_curve_report(path: str | os.PathLike, made: Extraction, files: Sequenc
     OutputError : it cannot be written there.
     """
     report = Report("Intensity over range")
-    doubtful = doubts(made)
-    report.verdict(BAD if not len(made.points) else LOOK if doubtful or made.failed else GOOD,
+    doubtful = doubts(extraction)
+    report.verdict(BAD if not len(extraction.points) else LOOK if doubtful or extraction.failed else GOOD,
                    say("{points_count:,} marking points on {marked_share:.0f} % of the path. ",
-                       points_count=len(made.points), marked_share=100 * made.marked_share)
+                       points_count=len(extraction.points), marked_share=100 * extraction.marked_share)
                    + (" ".join(doubtful) if doubtful else say(
                        "Their intensities follow the curves of the scanners. Look at them over an aerial image before "
                        "they are matched.")))
     report.paragraph("Asphalt's intensity falls with range and incidence. The curve f(R) = C + A R^-b "
                      "(1 - exp(-(R/d)^2)) is fitted to the asphalt of each scanner; intensities are divided by it up "
                      "to R1, by the smallest value from there to R2, and left out beyond (Javanmardi 2018, eq. 4).")
-    _survey(report, made, files)
-    for number, curve in sorted(made.curves.items()):
+    _survey(report, extraction, files)
+    for number, curve in sorted(extraction.curves.items()):
         report.section(say("Scanner {number}", number=number))
-        if number in made.lasers:
-            _lasers(report, made.lasers[number])
-        _curve(report, curve, made.reference)
-    for number, reason in sorted(made.failed.items()):
+        if number in extraction.lasers:
+            _lasers(report, extraction.lasers[number])
+        _curve(report, curve, extraction.reference)
+    for number, reason in sorted(extraction.failed.items()):
         report.warning(say("Scanner {number} has no curve and its points are left out: {reason}.", number=number,
                            reason=reason))
     report.write(path)
 
 
-def _survey(report: Report, made: Extraction, files: Sequence[str]) -> None:
+def _survey(report: Report, extraction: Extraction, files: Sequence[str]) -> None:
     """What was read and found."""
     report.section("Survey")
-    count = len(made.points)
+    count = len(extraction.points)
     report.facts({
-        "Files": ", ".join(files), "Points read": made.read,
-        "Outside the trajectory's time": made.outside, "Measured while standing (left out)": made.standing,
-        "Within range of the vehicle": made.near, "On the ground": made.ground,
-        "Ground told by": "classes" if made.ground_method == "classes" else "cloth filter",
-        "Ground within R2": made.in_range, "Marking points": count,
-        "Share of marking points among these, %": 100.0 * count / max(made.in_range, 1),
-        "Contrast of paint to the ground beside it (median)": contrast_of(made),
-        "Path with markings, %": 100.0 * made.marked_share,
-        "Scatter of the ground's heights, m": made.height_scatter,
-        "Reference intensity": made.reference})
+        "Files": ", ".join(files), "Points read": extraction.read,
+        "Outside the trajectory's time": extraction.outside, "Measured while standing (left out)": extraction.standing,
+        "Within range of the vehicle": extraction.near, "On the ground": extraction.ground,
+        "Ground told by": "classes" if extraction.ground_method == "classes" else "cloth filter",
+        "Ground within R2": extraction.in_range, "Marking points": count,
+        "Share of marking points among these, %": 100.0 * count / max(extraction.in_range, 1),
+        "Contrast of paint to the ground beside it (median)": contrast_of(extraction),
+        "Path with markings, %": 100.0 * extraction.marked_share,
+        "Scatter of the ground's heights, m": extraction.height_scatter,
+        "Reference intensity": extraction.reference})
 
 
-def contrast_of(made: Extraction) -> float:
+def contrast_of(extraction: Extraction) -> float:
     """Median intensity of marking points over that of the ground beside them; NaN without any."""
-    return float(np.median(made.contrast)) if len(made.contrast) else float("nan")
+    return float(np.median(extraction.contrast)) if len(extraction.contrast) else float("nan")
 
 
-def doubts(made: Extraction) -> list[str]:
+def doubts(extraction: Extraction) -> list[str]:
     """Sentences on what should not be trusted."""
     sentences = []
-    if not len(made.points):
+    if not len(extraction.points):
         sentences.append(say("No marking points were found: the road has no paint, or its intensity does not show it."))
-    elif contrast_of(made) < LOW_CONTRAST:
+    elif contrast_of(extraction) < LOW_CONTRAST:
         sentences.append(say("The marking points are only {contrast_of:.1f} times as bright as the ground beside "
-                             "them: look at them before they are used.", contrast_of=contrast_of(made)))
-    for number, curve in sorted(made.curves.items()):
+                             "them: look at them before they are used.", contrast_of=contrast_of(extraction)))
+    for number, curve in sorted(extraction.curves.items()):
         if curve.residual > POOR_RESIDUAL:
             sentences.append(say("The asphalt of scanner {number} does not follow one curve over range (residual "
                                  "{residual:.0f} %): several surfaces may have been taken together.", number=number,
@@ -186,11 +186,13 @@ def _ticks(top: float) -> np.ndarray:
     return np.arange(0.0, top + 1e-9, step)
 
 
-def facts_of(made: Extraction) -> Mapping[str, float]:
+def facts_of(extraction: Extraction) -> Mapping[str, float]:
     """Numbers of an extraction for the results of a run."""
-    worst = max(made.curves.values(), key=lambda curve: curve.residual)
-    return {"POINTS_READ": made.read, "GROUND_POINTS": made.ground, "MARKING_POINTS": len(made.points),
-            "MARKING_SHARE": len(made.points) / max(made.in_range, 1), "PAINT_CONTRAST": contrast_of(made),
-            "FIT_RESIDUAL": worst.residual, "FIT_SCATTER": worst.scatter, "SCANNERS": len(made.curves),
-            "FARTHEST_RANGE": max(curve.r2 for curve in made.curves.values()), "MARKED_WAY": made.marked_share,
-            "LEFT_OUT": made.outside + made.standing}
+    worst = max(extraction.curves.values(), key=lambda curve: curve.residual)
+    return {"POINTS_READ": extraction.read, "GROUND_POINTS": extraction.ground,
+            "MARKING_POINTS": len(extraction.points),
+            "MARKING_SHARE": len(extraction.points) / max(extraction.in_range, 1),
+            "PAINT_CONTRAST": contrast_of(extraction),
+            "FIT_RESIDUAL": worst.residual, "FIT_SCATTER": worst.scatter, "SCANNERS": len(extraction.curves),
+            "FARTHEST_RANGE": max(curve.r2 for curve in extraction.curves.values()),
+            "MARKED_WAY": extraction.marked_share, "LEFT_OUT": extraction.outside + extraction.standing}

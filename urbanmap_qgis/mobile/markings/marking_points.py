@@ -253,9 +253,9 @@ def _above_middle(some: np.ndarray, cell: np.ndarray, brightness: np.ndarray, im
     base = ground.ravel()[cell[some]]
     value = brightness[some]
     bright = value > 0.5 * (highest[cell[some]] + base)
-    here = cell[some[bright]]
+    bright_cell = cell[some[bright]]
     sigma = _PAINT_REACH / CELL / 1.5
-    count, total = (_blurred(_few_sums(here, values, grid), sigma).ravel()[cell[some]]
+    count, total = (_blurred(_few_sums(bright_cell, values, grid), sigma).ravel()[cell[some]]
                     for values in (None, value[bright]))
     level = np.where(count > 1e-6, total / np.maximum(count, 1e-6), highest[cell[some]])
     return value > 0.5 * (level + base), level
@@ -286,9 +286,9 @@ def _large_enough(some: np.ndarray, cell: np.ndarray, bright: np.ndarray, grid: 
     points = np.bincount(label[bright], minlength=count)
     size = boxes[:, [cv2.CC_STAT_WIDTH, cv2.CC_STAT_HEIGHT]] * CELL - settings.join
     length = np.hypot(*size.T)
-    kept = ((points >= settings.min_points) & (length >= settings.min_length)) | (length >= settings.longest)
-    kept[0] = False
-    return kept[label]
+    large = ((points >= settings.min_points) & (length >= settings.min_length)) | (length >= settings.longest)
+    large[0] = False
+    return large[label]
 
 
 def _answer(n: int, paint: np.ndarray, brightness: np.ndarray, ground: np.ndarray, level: np.ndarray) -> MarkingAnswer:

@@ -193,10 +193,10 @@ class _Run:
         margin = _MARGIN if self.method == "cloth" else 0
 
         def pieces() -> Iterator[tuple[np.ndarray, np.ndarray]]:
-            for records, own in self.survey.stretches(near, self.length, margin):
-                first = int(own.argmax())  # a stretch's own points follow each other
-                owned.append(records[first:first + int(np.count_nonzero(own))])
-                yield records[["x", "y", "z", "ground"]], own
+            for records, in_stretch in self.survey.stretches(near, self.length, margin):
+                first = int(in_stretch.argmax())  # a stretch's own points follow each other
+                owned.append(records[first:first + int(np.count_nonzero(in_stretch))])
+                yield records[["x", "y", "z", "ground"]], in_stretch
 
         scatters = []
         for step, (mask, scatter) in enumerate(in_order(work, pieces(), self.executor, progress.check)):
@@ -307,13 +307,13 @@ class _Run:
                 partial(_plain_markings_of_stretch, white=self._white(), settings=plain))
 
         def pieces() -> Iterator[tuple[np.ndarray, ...]]:
-            for records, own in self.survey.stretches(ground, self.length, _MARGIN):
+            for records, in_stretch in self.survey.stretches(ground, self.length, _MARGIN):
                 brightness = self._calibrated(records)
                 keep = np.isfinite(brightness)
-                mine = np.flatnonzero(keep & own)
+                mine = np.flatnonzero(keep & in_stretch)
                 owned.append((records, mine))
                 self.in_range += len(mine)
-                yield (*(records[name][keep] for name in "xyz"), brightness[keep], own[keep])
+                yield (*(records[name][keep] for name in "xyz"), brightness[keep], in_stretch[keep])
 
         found = []
         for step, (rows, weight, contrast, brightness) in enumerate(
@@ -378,11 +378,11 @@ def _first_ids(survey: SurveyPoints) -> np.ndarray:
 def _ground_of_stretch(piece: tuple[np.ndarray, np.ndarray], settings: ClothSettings,
                        by_class: bool) -> tuple[np.ndarray, float]:
     """Which of a stretch's own points are ground, (own,) bool, and how much their heights scatter, m."""
-    records, own = piece
+    records, in_stretch = piece
     x, y, z = (np.ascontiguousarray(records[name]) for name in "xyz")
     ground = records["ground"] if by_class else classify_ground(x, y, z, settings)
-    mine = ground & own
-    return ground[own], roughness(x[mine], y[mine], z[mine])
+    mine = ground & in_stretch
+    return ground[in_stretch], roughness(x[mine], y[mine], z[mine])
 
 
 def _markings_of_stretch(piece: tuple[np.ndarray, ...], noise: Noise,
@@ -402,15 +402,15 @@ def _plain_markings_of_stretch(piece: tuple[np.ndarray, ...], white: float,
 def _answer_of_own(piece: tuple[np.ndarray, ...], reach: float,
                    find: Callable[..., MarkingAnswer]) -> tuple[np.ndarray, ...]:
     """What `find` answers for a stretch's own points, from the points within `reach` m of them."""
-    x, y, z, brightness, own = piece
-    if not own.any():
+    x, y, z, brightness, in_stretch = piece
+    if not in_stretch.any():
         return np.empty(0, int), *(np.empty(0, np.float32) for _ in range(3))
-    box = x[own].min(), x[own].max(), y[own].min(), y[own].max()
+    box = x[in_stretch].min(), x[in_stretch].max(), y[in_stretch].min(), y[in_stretch].max()
     near = ((x >= box[0] - reach) & (x <= box[1] + reach) & (y >= box[2] - reach) & (y <= box[3] + reach))
     answer = find(x[near], y[near], z[near], brightness[near])
-    mine = own[near]
+    mine = in_stretch[near]
     rows = np.flatnonzero(answer.paint[mine])
-    return rows, answer.weight[mine][rows], answer.contrast[mine][rows], brightness[own][rows]
+    return rows, answer.weight[mine][rows], answer.contrast[mine][rows], brightness[in_stretch][rows]
 
 
 def markings_to_file(paths: Sequence[str | os.PathLike], output: str | os.PathLike, trajectory: Trajectory,
@@ -422,12 +422,12 @@ def markings_to_file(paths: Sequence[str | os.PathLike], output: str | os.PathLi
     """
     cloud = open_cloud(paths)
     with decoded_once():
-        made = extract_markings(cloud, trajectory, calibration, settings, progress.part(0.0, 0.75), executor)
-        _write(cloud, output, made, progress.part(0.75, 1.0))
-    return made
+        extraction = extract_markings(cloud, trajectory, calibration, settings, progress.part(0.0, 0.75), executor)
+        _write(cloud, output, extraction, progress.part(0.75, 1.0))
+    return extraction
 
 
-def _write(cloud: PointCloud, output: str | os.PathLike, made: Extraction, progress: Progress) -> None:
+def _write(cloud: PointCloud, output: str | os.PathLike, extraction: Extraction, progress: Progress) -> None:
     layout = PointLayout(cloud)
     known = set(layout.header.point_format.dimension_names)
     layout.header.add_extra_dims([laspy.ExtraBytesParams(name, np.float32, text) for name, text in (
@@ -436,10 +436,10 @@ def _write(cloud: PointCloud, output: str | os.PathLike, made: Extraction, progr
     first = 0
     with cloud_writer(output, layout) as writer:
         for chunk in iter_chunks(cloud, progress):
-            start, end = np.searchsorted(made.number, [first, first + len(chunk)])
+            start, end = np.searchsorted(extraction.number, [first, first + len(chunk)])
             keep = np.zeros(len(chunk), dtype=bool)
-            keep[made.number[start:end] - first] = True
+            keep[extraction.number[start:end] - first] = True
             view = layout.view(layout.adapt(chunk, keep))
-            view[CALIBRATED], view[WEIGHT] = made.intensity[start:end], made.points.weight[start:end]
+            view[CALIBRATED], view[WEIGHT] = extraction.intensity[start:end], extraction.points.weight[start:end]
             writer.write(view.array)
             first += len(chunk)

@@ -129,15 +129,15 @@ class SurveyPoints:
         self.read_counts.least = min(self.read_counts.least, float(intensity.min()))
         self.read_counts.most = max(self.read_counts.most, float(intensity.max()))
         near, distance = self._near(x, y, z, time, source)
-        kept = np.flatnonzero(near)
-        self.read_counts.kept += len(kept)
-        if not len(kept):
+        nearby = np.flatnonzero(near)
+        self.read_counts.kept += len(nearby)
+        if not len(nearby):
             return
-        rows, time = rows[kept], time[kept]
-        records = np.empty(len(kept), dtype=RECORD)
+        rows, time = rows[nearby], time[nearby]
+        records = np.empty(len(nearby), dtype=RECORD)
         for name, values in zip(("x", "y", "z", "range", "intensity", "source"),
                                 (x, y, z, distance, intensity, source)):
-            records[name] = values[kept]
+            records[name] = values[nearby]
         records["time"], records["number"] = time, first + rows
         records["laser"] = np.asarray(chunk[self.laser_dimension])[rows].astype(np.int64) & 0xFF
         records["ground"] = np.isin(classes[rows], GROUND_CLASSES)
@@ -191,10 +191,11 @@ class SurveyPoints:
                                  most=read_counts.most))
         if not read_counts.kept:
             heights = read_counts.heights
-            apart = say(" (they lie {heights:+.0f} m above the scanner)", heights=np.median(heights)) if heights else ""
+            difference = (say(" (they lie {heights:+.0f} m above the scanner)", heights=np.median(heights)) if heights
+                          else "")
             raise InputError(say("No point of {name} lies within {max_range:g} m of the trajectory{apart}: give both "
                                  "in the same coordinate and height system.", name=name, max_range=self.max_range,
-                                 apart=apart))
+                                 apart=difference))
 
     def stretches(self, buckets: PointBuckets, length: int, margin: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Records of stretches of `length` units with those of `margin` units before and after, and which are own.
@@ -202,15 +203,16 @@ class SurveyPoints:
         `buckets` hold records by unit and are empty afterwards; stretches without own records are left out. No stretch
         reaches over a break.
         """
-        held: dict[int, np.ndarray] = {}
+        loaded: dict[int, np.ndarray] = {}
         starts = sorted({unit // _PART * _PART + unit % _PART // length * length for unit in self.units})
         for first in starts:
             wanted = [unit for unit in range(first - margin, first + length + margin)
                       if unit in self.units and unit // _PART == first // _PART]
-            held = {unit: held[unit] if unit in held else buckets.pop(unit) for unit in wanted}
-            mine = np.repeat([first <= unit < first + length for unit in wanted], [len(held[unit]) for unit in wanted])
+            loaded = {unit: loaded[unit] if unit in loaded else buckets.pop(unit) for unit in wanted}
+            mine = np.repeat([first <= unit < first + length for unit in wanted],
+                             [len(loaded[unit]) for unit in wanted])
             if mine.any():
-                yield np.concatenate([held[unit] for unit in wanted]), mine
+                yield np.concatenate([loaded[unit] for unit in wanted]), mine
 
 
 def breaks(trajectory: Trajectory, chainage: np.ndarray) -> np.ndarray:

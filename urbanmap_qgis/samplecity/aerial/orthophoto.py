@@ -39,12 +39,12 @@ class Orthophoto:
             rows = slice(top, min(top + ROWS_AT_ONCE, len(self.mask)))
             x, y = np.meshgrid(self.corner[0] + (np.arange(self.mask.shape[1]) + 0.5) * CELL,
                                self.corner[1] - (np.arange(rows.start, rows.stop) + 0.5) * CELL)
-            here = np.argmin([(x - e.x) ** 2 + (y - e.y) ** 2 for e in self._exposures], axis=0) == number
-            if not here.any():
+            nearest = np.argmin([(x - e.x) ** 2 + (y - e.y) ** 2 for e in self._exposures], axis=0) == number
+            if not nearest.any():
                 continue
-            points = np.column_stack([x[here], y[here], self._scene.ground_height(x[here], y[here])])
-            pixels = np.full((*here.shape, 2), -1.0, np.float32)
-            pixels[here] = project(self._camera, self._exposures[number], points)
+            points = np.column_stack([x[nearest], y[nearest], self._scene.ground_height(x[nearest], y[nearest])])
+            pixels = np.full((*nearest.shape, 2), -1.0, np.float32)
+            pixels[nearest] = project(self._camera, self._exposures[number], points)
             for source, target, how in ((frame.image, self.image, cv2.INTER_CUBIC),
                                         (frame.mask, self.mask, cv2.INTER_NEAREST)):
-                target[rows][here] = cv2.remap(source, pixels[..., 0], pixels[..., 1], how)[here]
+                target[rows][nearest] = cv2.remap(source, pixels[..., 0], pixels[..., 1], how)[nearest]

@@ -77,8 +77,8 @@ def seen_colours(scene: Scene, epoch: str, points: np.ndarray, hits: Hits) -> np
     colour = COLOUR[material].astype(float)
     met = np.flatnonzero(hits.source == Hit.FACE)
     faces = scene.static_faces(epoch)
-    own = met[material[met] != Material.GLASS]
-    colour[own] = faces.colour[hits.index[own]]
+    opaque = met[material[met] != Material.GLASS]
+    colour[opaque] = faces.colour[hits.index[opaque]]
     vehicle = np.flatnonzero(hits.source == Hit.VEHICLE)
     if len(vehicle):
         colour[vehicle] = np.array([v.colour for v in scene.moving(epoch)])[hits.index[vehicle]]

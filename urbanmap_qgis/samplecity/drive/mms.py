@@ -138,12 +138,13 @@ def _with_ghosts(points: Points, rng: np.random.Generator) -> Points:
     row = np.concatenate([np.arange(len(points.time)), rows])
     order = np.argsort(row, kind="stable")
     columns = {item.name: getattr(points, item.name) for item in fields(Points)}
-    made = {name: None if column is None else column[row[order]] for name, column in columns.items()}
+    merged = {name: None if column is None else column[row[order]] for name, column in columns.items()}
     ghost = order >= len(points.time)
-    made["place"] = made["place"].copy()
-    made["place"][ghost, 2] -= depth[order[ghost] - len(points.time)]
-    made["ground"], made["label"] = (np.where(ghost, 0, made[name]).astype(np.uint8) for name in ("ground", "label"))
-    return Points(**made)
+    merged["place"] = merged["place"].copy()
+    merged["place"][ghost, 2] -= depth[order[ghost] - len(points.time)]
+    merged["ground"], merged["label"] = (np.where(ghost, 0, merged[name]).astype(np.uint8)
+                                         for name in ("ground", "label"))
+    return Points(**merged)
 
 
 def simulate_survey(scene: Scene, caster: RayCaster, true: SimulatedTrajectory, reported: SimulatedTrajectory,

@@ -161,9 +161,9 @@ def simulate_scans(scene: Scene, caster: RayCaster, scanner: SimulatedScanner, s
     reflectance = REFLECTANCE[material]
     spot = (point[ground], direction[met][ground], hits.distance[ground], hits.cosine[ground])
     reflectance[ground] = spot_reflectance(scene, material[ground], *spot)
-    intensity, kept = scanner.received(reflectance, material == Material.GLASS, hits.distance, hits.cosine, rng)
+    intensity, received = scanner.received(reflectance, material == Material.GLASS, hits.distance, hits.cosine, rng)
     columns = (time[met], beam[met], scanner.measured_range(hits.distance, rng), intensity, material, ground)
-    return Returns(*(column[kept] for column in columns))
+    return Returns(*(column[received] for column in columns))
 
 
 def spot_reflectance(scene: Scene, material: np.ndarray, point: np.ndarray, direction: np.ndarray,

@@ -232,14 +232,14 @@ def _walls(building: Building, number: int, lines: _Lines, ring: np.ndarray, fac
     """Walls of a part; enters their numbers in the `lookup` of the faces."""
     true, normal = lines.edges(number)
     shift = lines.outward_shift(number)
-    own = np.flatnonzero((faces.kind == FaceKind.WALL) & (faces.building == building.id) & (faces.part == number))
-    middle = faces.corners[own].mean(axis=1)[:, :2]
+    of_part = np.flatnonzero((faces.kind == FaceKind.WALL) & (faces.building == building.id) & (faces.part == number))
+    middle = faces.corners[of_part].mean(axis=1)[:, :2]
     walls = []
     for i, ends in enumerate(true):
         edge = ends[1] - ends[0]
         across, along = (middle - ends[0]) @ normal[i], (middle - ends[0]) @ edge / (edge @ edge)
-        mine = own[(np.abs(across) < _ON_LINE) & (along > 0) & (along < 1)
-                   & (faces.normal[own, :2] @ normal[i] > 0.999)]
+        mine = of_part[(np.abs(across) < _ON_LINE) & (along > 0) & (along < 1)
+                       & (faces.normal[of_part, :2] @ normal[i] > 0.999)]
         lookup[mine] = before + i + 1
         heights = faces.corners[mine, :, 2]
         low, top = (heights.min(), heights.max()) if len(mine) else (np.nan, np.nan)

@@ -186,10 +186,10 @@ def _meets(faces: Faces, face: np.ndarray, start: np.ndarray, end: np.ndarray) -
     before = np.einsum("ij,ij->i", normal, start) - offset
     after = np.einsum("ij,ij->i", normal, end) - offset
     meets = before * after < 0
-    kept = np.flatnonzero(meets)
-    share = before[kept] / (before[kept] - after[kept])
-    place = start[kept] + share[:, None] * (end[kept] - start[kept])
-    meets[kept] = _inside(faces, face[kept], place)
+    candidates = np.flatnonzero(meets)
+    share = before[candidates] / (before[candidates] - after[candidates])
+    place = start[candidates] + share[:, None] * (end[candidates] - start[candidates])
+    meets[candidates] = _inside(faces, face[candidates], place)
     return meets
 
 

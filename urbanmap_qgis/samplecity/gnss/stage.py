@@ -85,14 +85,14 @@ def _records(base: Orbits, drives: list[Pass], site: Site) -> Orbits:
     times = np.unique([_record_time(drive) for drive in drives])
     times = np.arange(times[0] - RECORD_EVERY, times[-1] + 1.5 * RECORD_EVERY, RECORD_EVERY)
     place = site.frame.earth_fixed(np.array([[*_middle(drives), site.height]]))
-    kept = []
+    parts = []
     for time in times:
         records = base.moved_to(float(time))
         around = time + np.linspace(-RECORD_EVERY, RECORD_EVERY, 9)
         satellite, _, _ = light_path(records, around, np.repeat(place, len(around), axis=0))
         up = site.frame.directions(satellite - place)[..., 2].max(axis=0) > 0
-        kept.append(records.select(np.flatnonzero(up)))
-    return Orbits(*(np.concatenate([getattr(part, name) for part in kept]) for name in Orbits.__dataclass_fields__))
+        parts.append(records.select(np.flatnonzero(up)))
+    return Orbits(*(np.concatenate([getattr(part, name) for part in parts]) for name in Orbits.__dataclass_fields__))
 
 
 def _middle(drives: list[Pass]) -> np.ndarray:

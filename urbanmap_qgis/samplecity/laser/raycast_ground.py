@@ -45,8 +45,8 @@ def ground_normal(ground: Ground, point: np.ndarray) -> np.ndarray:
     """Unit normals (n, 3) of the ground at points (n, 3); the face of a kerb looks sideways."""
     x, y = point[:, 0], point[:, 1]
     reach = 0.002
-    here = ground.height(x, y)
-    east, north = (ground.height(x + reach, y) - here) / reach, (ground.height(x, y + reach) - here) / reach
+    height = ground.height(x, y)
+    east, north = (ground.height(x + reach, y) - height) / reach, (ground.height(x, y + reach) - height) / reach
     normal = np.column_stack([-east, -north, np.ones(len(x))])
     return normal / np.linalg.norm(normal, axis=1, keepdims=True)
 

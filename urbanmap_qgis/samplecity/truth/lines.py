@@ -68,13 +68,13 @@ def _rows(axes: Sequence[np.ndarray], numbers: Sequence[int]) -> list[list[int]]
     rows: list[list[int]] = []
     before = None
     for k in sorted(range(len(axes)), key=key):
-        here = key(k)
-        follows = before is not None and here[0] == before[0] and abs(here[1] - before[1]) < SAME
-        if follows and abs(here[2] - before[2] - DASH - GAP) < SAME:
+        line_key = key(k)
+        follows = before is not None and line_key[0] == before[0] and abs(line_key[1] - before[1]) < SAME
+        if follows and abs(line_key[2] - before[2] - DASH - GAP) < SAME:
             rows[-1].append(numbers[k])
         else:
             rows.append([numbers[k]])
-        before = here
+        before = line_key
     return rows
 
 
