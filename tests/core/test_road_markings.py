@@ -20,10 +20,11 @@ from urbanmap_qgis.aerial.markings.marking_filter import CleanSettings
 from urbanmap_qgis.aerial.markings.road_markings import (
     MarkingSettings,
     find_markings,
+    ground_figures,
     level_adjustment_of,
-    noise_of,
     paint_brightness,
 )
+from urbanmap_qgis.aerial.markings.road_model import road_model_of
 from urbanmap_qgis.errors import Cancelled, InputError
 from urbanmap_qgis.progress import Progress
 
@@ -81,8 +82,7 @@ def search(bands, settings, roads=None):
     everywhere = np.ones(bands.shape[1:], dtype=bool)
     levels = level_adjustment_of(paint_brightness(bands).ravel())
     if settings.cleaning:
-        noise = np.percentile(noise_of(bands, everywhere, PIXEL, levels, settings), 5)
-        levels = replace(levels, noise=float(noise))
+        levels = replace(levels, road=road_model_of([ground_figures(bands, everywhere, PIXEL, levels, settings)]))
     return find_markings(bands, everywhere, roads, PIXEL, levels, settings)
 
 

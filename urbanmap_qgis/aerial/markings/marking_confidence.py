@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 
 from .image_strips import STRIP, row_strips
+from .road_model import RoadModel
 
 
 @dataclass(frozen=True)
@@ -23,10 +24,11 @@ class ConfidenceSettings:
 
     Parameters
     ----------
-    max_texture : standard deviation over `texture_lag`, grey values after level adjustment, that smooth ground has at
-    most; in noisy images `noise_factor` times the image's own noise.
-    max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness that grey ground
-    has at most.
+    texture_factor : standard deviation over `texture_lag`, in those of the image's own road, that smooth ground has at
+    most; `min_texture`, grey values after level adjustment, where that is less: no camera shows the grain of asphalt
+    finer.
+    max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness, less those of
+    the image's own road, that grey ground has at most.
     max_step : difference from the mean brightness of such ground within 4 m, as a share of it.
     beside : share of smooth grey ground within 0.7 m of the paint. around : the same within 5 m.
     both_sides : the same on the poorer of two opposite sides, 0.8 m away: kerbs, rails, roof edges and banks have a
@@ -38,10 +40,10 @@ class ConfidenceSettings:
     ground, as lines of bus lanes are; less is glass or metal.
     """
 
-    max_texture: float = 5.0
-    noise_factor: float = 3.0
+    texture_factor: float = 3.0
+    min_texture: float = 5.0
     texture_lag: float = 0.2
-    max_warmth: float = 0.06
+    max_warmth: float = 0.15
     max_green: float = 0.07
     max_step: float = 0.5
     worn: float = 1.2
@@ -142,18 +144,16 @@ def _clear(bright: np.ndarray, seen: np.ndarray, pixel: float) -> np.ndarray:
 
 
 def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright: np.ndarray, seen: np.ndarray,
-                  pixel: float, noise: float, settings: ConfidenceSettings) -> GroundBeside:
+                  pixel: float, model: RoadModel, settings: ConfidenceSettings) -> GroundBeside:
     """The smooth grey ground of a piece of image.
 
     Parameters
     ----------
     bands : (1 or 3 and more, rows, columns), red, green, blue first. image : levelled brightness. road : the same
-    without what is as narrow as paint. bright : bool, what may be paint. seen : bool. noise : texture of the image's
-    smoothest ground.
+    without what is as narrow as paint. bright : bool, what may be paint. seen : bool. model : the image's own road.
     """
     clear = _clear(bright, seen, pixel)
-    limit = max(settings.max_texture, settings.noise_factor * noise)
-    smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, limit, settings)
+    smooth, even, shades = _grey_and_smooth(bands, image, clear, pixel, model, settings)
     smooth = _as_bright_as_around(road, smooth, pixel, settings)
     brightness = np.empty(road.shape, np.float32)
     for own, wide, inner in row_strips(len(road), _box_pixels(_BRIGHTNESS_BOX, pixel) // 2, 2 * STRIP):
@@ -162,7 +162,7 @@ def ground_beside(bands: np.ndarray, image: np.ndarray, road: np.ndarray, bright
     return GroundBeside(clear, even, smooth, brightness, shades)
 
 
-def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pixel: float, limit: float,
+def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pixel: float, model: RoadModel,
                      settings: ConfidenceSettings) -> tuple[np.ndarray, np.ndarray, np.ndarray | None]:
     """Clear ground with a texture below the limit and without colour, likewise with wider limits, uint8 (rows,
     columns); and its warmth in whole shades, int16, None for grey images."""
@@ -172,14 +172,18 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
     for own, wide, inner in row_strips(len(clear), max(halo, 2)):
         weight = clear[wide].astype(np.float32)
         rough = texture(image[wide], weight, pixel, settings.texture_lag)[inner]
+        limit = max(settings.min_texture, settings.texture_factor * model.texture)
         calm, fair = rough < limit, rough < settings.worn * limit
         if shades is not None:
             warmth, green = (values[inner] for values in colours_of(bands[:, wide], weight))
+            green -= model.green
             np.abs(green, out=green)
+            warmth -= model.warmth
             calm &= warmth < settings.max_warmth
             calm &= green < settings.max_green
             fair &= warmth < settings.worn * settings.max_warmth
             fair &= green < settings.worn * settings.max_green
+            warmth += model.warmth
             warmth *= _SHADES
             np.rint(warmth, out=warmth)
             shades[own] = np.maximum(warmth, np.float32(-32000), out=warmth)  # the colder ones are no ground

@@ -37,11 +37,12 @@ from .road_markings import (
     Markings,
     MarkingSettings,
     find_markings,
+    ground_figures,
     image_brightness,
     level_adjustment_of,
     margin_pixels,
-    noise_of,
 )
+from .road_model import road_model_of
 
 MIN_PIXEL = 0.06
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
@@ -352,7 +353,7 @@ def _write(target: rasterio.io.DatasetWriter, mask: np.ndarray, rows: slice, col
 
 
 def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progress) -> LevelAdjustment | None:
-    """Levels and noise from small pieces spread over the image; None where there is nothing to look at.
+    """Levels and road from small pieces spread over the image; None where there is nothing to look at.
 
     They are taken once for the whole image, so that tiles do not differ.
     """
@@ -368,8 +369,8 @@ def _levels(scene: _OrthophotoReader, settings: MarkingSettings, progress: Progr
     levels = level_adjustment_of(values)
     if settings.cleaning is None:
         return levels
-    found = np.concatenate([noise_of(bands, seen, scene.pixel, levels, settings) for bands, seen, _ in samples])
-    return replace(levels, noise=float(np.percentile(found, 5)) if len(found) else 0.0)
+    return replace(levels, road=road_model_of(ground_figures(bands, seen, scene.pixel, levels, settings)
+                                              for bands, seen, _ in samples))
 
 
 def _samples(scene: _OrthophotoReader, progress: Progress

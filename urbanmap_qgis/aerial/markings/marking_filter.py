@@ -14,6 +14,7 @@ import numpy as np
 
 from .image_strips import STRIP, flat_places, grown, row_strips, within
 from .marking_confidence import GROUND_REACH, ConfidenceSettings, along_strokes, ground_beside, marking_confidence
+from .road_model import RoadModel
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,8 @@ class Candidates:
     ----------
     core : bool, bright pixels. bands : (1 or 3 and more, rows, columns). image : levelled brightness. road : the same
     without all that is narrower than `max_width`. threshold : grey values that paint stands out by. seen : bool, where
-    ground is seen. roads : bool, None where unknown. noise : of the image, see `marking_confidence.texture`.
+    ground is seen. roads : bool, None where unknown. model : the
+    image's own road.
     """
 
     core: np.ndarray
@@ -87,7 +89,7 @@ class Candidates:
     threshold: np.ndarray
     seen: np.ndarray
     roads: np.ndarray | None
-    noise: float
+    model: RoadModel
 
 
 @dataclass(frozen=True)
@@ -117,7 +119,7 @@ def remove_non_markings(found: Candidates, pixel: float, settings: CleanSettings
     near = grown(wanted, math.ceil((settings.max_length + settings.wear_gap) / pixel) + 4, shape)
     inside = flat_places(narrow, near)
     ground = ground_beside(found.bands, found.image, found.road, found.core, found.seen, pixel,
-                           found.noise, settings.confidence)
+                           found.model, settings.confidence)
     relief = (found.image.take(inside) - found.road.take(inside)) / found.threshold.take(inside)
     confidence = marking_confidence(narrow, found.bands, relief, ground, found.roads, pixel, settings.confidence, near)
     brightness = ground.brightness

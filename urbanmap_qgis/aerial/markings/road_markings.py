@@ -7,7 +7,7 @@ can be worked on in overlapping tiles without seams.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import astuple, dataclass, field
 from functools import lru_cache
 
 import cv2
@@ -16,8 +16,9 @@ import numpy as np
 from ...errors import InputError
 from ...wording import say
 from .image_strips import grown, row_strips, within
-from .marking_confidence import clear_of_paint, texture
+from .marking_confidence import clear_of_paint, colours_of, texture
 from .marking_filter import Candidates, Cleaned, CleanSettings, disc_kernel, remove_non_markings
+from .road_model import RoadModel
 
 YELLOW_WEIGHT = 0.5
 """How much of red less blue is added to red: yellow paint on light paving is no brighter than it, but warmer."""
@@ -78,32 +79,32 @@ PAPER_MARKINGS = MarkingSettings(paper=True, cleaning=None)
 class LevelAdjustment:
     """Level adjustment: brightness `low` becomes 0, `high` 255; `middle` is the median after it.
 
-    noise : texture of the smoothest ground of the image, grey values, see `noise_of`.
+    road : the image's own road, see `ground_figures`.
     """
 
     low: float
     high: float
     middle: float
-    noise: float = 0.0
+    road: RoadModel = field(default_factory=RoadModel)
 
     @property
     def text(self) -> str:
-        """The four numbers, to the last bit."""
-        return " ".join(repr(value) for value in (self.low, self.high, self.middle, self.noise))
+        """The seven numbers, to the last bit."""
+        return " ".join(repr(value) for value in (self.low, self.high, self.middle, *astuple(self.road)))
 
     @classmethod
     def of_text(cls, text: str) -> LevelAdjustment | None:
-        """What `text` gave; None of an empty one. Raises `InputError` where it holds no four such numbers."""
+        """What `text` gave; None of an empty one. Raises `InputError` where it holds no seven such numbers."""
         try:
             numbers = [float(word) for word in text.split()]
         except ValueError:
             numbers = []
         if not text.strip():
             return None
-        if len(numbers) != 4 or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
-            raise InputError(say("Levels are four numbers, low, high, middle and noise, the second above the first: "
-                                 "give those, or none."))
-        return cls(*numbers)
+        if len(numbers) != 7 or not np.isfinite(numbers).all() or numbers[1] <= numbers[0]:
+            raise InputError(say("Levels are seven numbers, low, high, middle and the road's texture, warmth, green "
+                                 "and brightness, the second above the first: give those, or none."))
+        return cls(*numbers[:3], RoadModel(*numbers[3:]))
 
 
 @dataclass(frozen=True)
@@ -197,7 +198,7 @@ def find_markings(bands: np.ndarray, seen: np.ndarray, roads: np.ndarray | None,
         unknown = np.full(core.shape, np.nan, np.float32)
         return _refined(core, image, road, bands, allowed, pixel, unknown).part(wanted)
     _leave_out_green(core, bands)
-    found = Candidates(core, bands, image, road, threshold, seen, roads, levels.noise)
+    found = Candidates(core, bands, image, road, threshold, seen, roads, levels.road)
     near = grown(wanted, math.ceil((2 * settings.cleaning.fill_width + 4 * EDGE_SPREAD) / pixel) + 4, core.shape)
     made = remove_non_markings(found, pixel, settings.cleaning, near)
     image, road, allowed, bands = image[near], road[near], allowed[near], bands[:, near[0], near[1]]
@@ -245,13 +246,15 @@ def _without_narrow(image: np.ndarray, disc: np.ndarray) -> np.ndarray:
     return road
 
 
-def noise_of(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
-             settings: MarkingSettings) -> np.ndarray:
-    """Textures (n,) of the clear ground of a sample, grey values; the least of them are the image's own noise."""
+def ground_figures(bands: np.ndarray, seen: np.ndarray, pixel: float, levels: LevelAdjustment,
+                   settings: MarkingSettings) -> np.ndarray:
+    """Texture, warmth, green and brightness (n, 4) of the clear ground of a sample, for `road_model_of`."""
     image, _, bright = _bright(bands, seen, pixel, levels, settings)
     clear = clear_of_paint(bright, seen, pixel)
     found = texture(image, clear, pixel, settings.cleaning.confidence.texture_lag)
-    return found[np.isfinite(found) & (clear > 0)]
+    told = np.isfinite(found) & (clear > 0)
+    warmth, green = colours_of(bands, clear) if len(bands) >= 3 else (np.zeros_like(found), np.zeros_like(found))
+    return np.column_stack([values[told] for values in (found, warmth, green, image)])
 
 
 def _filled(made: Cleaned, image: np.ndarray, road: np.ndarray, allowed: np.ndarray, pixel: float,

@@ -1,0 +1,84 @@
+"""Scores of road markings found in aerial tiles of which only the lanes' centre lines are known.
+
+    python scripts/score_lane_tiles.py FOLDER [TILE ...] [--masks FOLDER]
+
+FOLDER holds tile_N.jpg with world files, and lanes_N.geojson. With --masks the masks are written there.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import cv2
+import numpy as np
+import rasterio
+import shapely
+from rasterio.features import rasterize
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from urbanmap_qgis.aerial.markings.marking_files import markings_from_orthophoto  # noqa: E402
+
+TILES = (0, 7, 12, 20)
+"""Numbers of the tiles."""
+
+NEAR = 2.6
+"""m from a lane's centre line that its own paint lies at most."""
+
+FAR = 6.0
+"""m from every lane beyond which there is little paint."""
+
+
+@dataclass(frozen=True)
+class LaneTileScore:
+    """Share of the centre lines' pixels with a find within `NEAR`; finds beyond `FAR` of all lanes, m2 a hectare of the
+    ground there; share of the found area that lies within `FAR`."""
+
+    recall: float
+    stray: float
+    within: float
+
+
+def score_lanes(mask: np.ndarray, lanes: list, place: rasterio.Affine) -> LaneTileScore:
+    """Score a mask (rows, columns) by centre lines in the CRS that `place` leads to."""
+    pixel = place.a
+    line = rasterize([(lane, 1) for lane in lanes], mask.shape, transform=place) > 0
+    from_find = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, 5) * pixel
+    from_lane = cv2.distanceTransform((~line).astype(np.uint8), cv2.DIST_L2, 5) * pixel
+    far = from_lane > FAR
+    stray = (mask & far).sum() / max(far.sum(), 1) * 1e4
+    return LaneTileScore(float((from_find[line] <= NEAR).mean()) if mask.any() else 0.0, float(stray),
+                         float((mask & ~far).sum() / max(mask.sum(), 1)))
+
+
+def score_tile(folder: Path, tile: int, work: Path) -> LaneTileScore:
+    """Find the markings of a tile, write them to `work`, and score them."""
+    held = json.loads((folder / f"lanes_{tile}.geojson").read_text(encoding="utf-8"))
+    lanes = [shapely.geometry.shape(item["geometry"]) for item in held["features"]]
+    path = work / f"mask_{tile}.tif"
+    markings_from_orthophoto(folder / f"tile_{tile}.jpg", path)
+    with rasterio.open(path) as source:
+        return score_lanes(source.read(1) > 0, lanes, source.transform)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("tiles", type=int, nargs="*")
+    parser.add_argument("--masks", type=Path)
+    given = parser.parse_args()
+    with tempfile.TemporaryDirectory() as work:
+        for tile in given.tiles or TILES:
+            made = score_tile(given.folder, tile, given.masks or Path(work))
+            print(f"tile {tile}: recall {made.recall:.3f} stray {made.stray:.0f} m2/ha, {made.within:.2f} near lanes",
+                  flush=True)
+
+
+if __name__ == "__main__":
+    main()

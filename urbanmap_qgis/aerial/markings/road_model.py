@@ -1,0 +1,60 @@
+"""The image's own road: how rough, warm and bright its smooth grey ground in the light is.
+
+A drone photo under clouds and a sharpened one in the sun differ by five times in the texture of the same asphalt, and
+films, haze and cameras cast colours: limits are told from what the image itself shows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+_LIT = 0.6
+"""Times the median brightness: what is darker may be shade, whose texture says little."""
+
+_GREY = 0.35, 0.1
+"""Warmth and green, shares of the brightness, up to which ground may be a road in an image with a cast."""
+
+_SMOOTH = 2.0
+"""Times the texture of smooth ground that a road's stays below."""
+
+_PERCENTILE = 15
+_FEWEST = 100
+
+
+@dataclass(frozen=True)
+class RoadModel:
+    """Smooth grey ground of an image.
+
+    Attributes
+    ----------
+    texture : that of its smoothest seventh, grey values after level adjustment, see `marking_confidence.texture`.
+    warmth, green : its median colour, shares of the brightness, see `marking_confidence.colours_of`. brightness : its
+    median, grey values after level adjustment.
+    """
+
+    texture: float = 0.0
+    warmth: float = 0.0
+    green: float = 0.0
+    brightness: float = 0.0
+
+
+def road_model_of(ground: Iterable[np.ndarray]) -> RoadModel:
+    """Model from (n, 4) texture, warmth, green and brightness at places where ground is seen and no paint is near.
+
+    With hardly any grey ground all of it stands for it; of no ground at all the model is that of a flat grey image.
+    """
+    rows = np.concatenate([np.empty((0, 4), np.float32), *ground])
+    if not len(rows):
+        return RoadModel()
+    level = rows[:, 3]
+    lit = level > _LIT * np.median(level)
+    grey = lit & (np.abs(rows[:, 1]) < _GREY[0]) & (np.abs(rows[:, 2]) < _GREY[1])
+    chosen = rows[grey if np.count_nonzero(grey) >= _FEWEST else lit]
+    if not len(chosen):
+        chosen = rows
+    rough = float(np.percentile(chosen[:, 0], _PERCENTILE))
+    _, warmth, green, brightness = np.median(chosen[chosen[:, 0] <= max(_SMOOTH * rough, 1e-6)], axis=0)
+    return RoadModel(rough, float(warmth), float(green), float(brightness))
