@@ -24,11 +24,12 @@ class ConfidenceSettings:
 
     Parameters
     ----------
-    texture_factor : standard deviation over `texture_lag`, in those of the image's own road, that smooth ground has at
-    most; `min_texture`, grey values after level adjustment, where that is less: no camera shows the grain of asphalt
-    finer.
-    max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness, less those of
-    the image's own road, that grey ground has at most.
+    texture_factor, texture_less : standard deviation over `texture_lag`, grey values after level adjustment, that
+    smooth ground has at most: so many times that of the image's own road, less so much; `min_texture` where that is
+    less, as in soft light.
+    max_warmth, max_green : (red - blue) and |green - mean of red and blue| as shares of the brightness that grey ground
+    has at most. warmer_than_road : in hard light, where that texture is exceeded, it may be warmer than the image's own
+    road by so much.
     max_step : difference from the mean brightness of such ground within 4 m, as a share of it.
     beside : share of smooth grey ground within 0.7 m of the paint. around : the same within 5 m.
     both_sides : the same on the poorer of two opposite sides, 0.8 m away: kerbs, rails, roof edges and banks have a
@@ -40,10 +41,12 @@ class ConfidenceSettings:
     ground, as lines of bus lanes are; less is glass or metal.
     """
 
-    texture_factor: float = 3.0
+    texture_factor: float = 3.5
+    texture_less: float = 5.0
     min_texture: float = 5.0
     texture_lag: float = 0.2
-    max_warmth: float = 0.15
+    max_warmth: float = 0.06
+    warmer_than_road: float = 0.12
     max_green: float = 0.07
     max_step: float = 0.5
     worn: float = 1.2
@@ -169,21 +172,21 @@ def _grey_and_smooth(bands: np.ndarray, image: np.ndarray, clear: np.ndarray, pi
     smooth, even = np.empty_like(clear), np.empty_like(clear)
     shades = np.empty(clear.shape, np.int16) if len(bands) >= 3 else None
     halo = _box_pixels(_TEXTURE_BOX, pixel) // 2 + _lag_pixels(settings.texture_lag, pixel)
+    limit = max(settings.min_texture, settings.texture_factor * model.texture - settings.texture_less)
+    warmest = settings.max_warmth
+    if limit > settings.min_texture:  # soft light warms no road: what is warm there is earth
+        warmest = max(warmest, model.warmth + settings.warmer_than_road)
     for own, wide, inner in row_strips(len(clear), max(halo, 2)):
         weight = clear[wide].astype(np.float32)
         rough = texture(image[wide], weight, pixel, settings.texture_lag)[inner]
-        limit = max(settings.min_texture, settings.texture_factor * model.texture)
         calm, fair = rough < limit, rough < settings.worn * limit
         if shades is not None:
             warmth, green = (values[inner] for values in colours_of(bands[:, wide], weight))
-            green -= model.green
             np.abs(green, out=green)
-            warmth -= model.warmth
-            calm &= warmth < settings.max_warmth
+            calm &= warmth < warmest
             calm &= green < settings.max_green
-            fair &= warmth < settings.worn * settings.max_warmth
+            fair &= warmth < settings.worn * warmest
             fair &= green < settings.worn * settings.max_green
-            warmth += model.warmth
             warmth *= _SHADES
             np.rint(warmth, out=warmth)
             shades[own] = np.maximum(warmth, np.float32(-32000), out=warmth)  # the colder ones are no ground

@@ -42,7 +42,7 @@ from .road_markings import (
     level_adjustment_of,
     margin_pixels,
 )
-from .road_model import road_model_of
+from .road_model import RoadModel, road_model_of
 
 MIN_PIXEL = 0.06
 """m. Finer pixels are taken together to this size or just below twice it: paint has no smaller detail."""
@@ -81,13 +81,14 @@ class MarkingResult:
     ----------
     polygons : markings with their attributes. pixel : side, m. searched_area : m2 of the image that could have shown
         some.
-    marked_area : m2 of paint in the mask.
+    marked_area : m2 of paint in the mask. road : the image's own road; None where it was not looked at.
     """
 
     polygons: MarkingPolygons
     pixel: float
     searched_area: float
     marked_area: float
+    road: RoadModel | None = None
 
 
 class _OrthophotoReader:
@@ -225,7 +226,8 @@ def markings_from_orthophoto(path: str | os.PathLike, output: str | os.PathLike,
         try:
             with written_beside(output) as temporary, rasterio.open(temporary, "w", **profile) as target:
                 found = _found_in_tiles(given, scene, levels, settings, tile, progress.part(0.1, 1.0), executor)
-                return _gathered(found, scene, settings, target, metres_per_unit)
+                made = _gathered(found, scene, settings, target, metres_per_unit)
+                return replace(made, road=levels.road if levels and settings.cleaning else None)
         except RasterioError as error:
             raise OutputError(say("{output} cannot be written ({error}): choose another output.",
                                   output=Path(output).name, error=error)) from error

@@ -28,6 +28,7 @@ _LINE_COLOUR = (0, 200, 83)  # blue, green, red
 _COARSE = 0.15
 _FAINT = 1.5  # times the contrast asked for
 _ONE_VIEW = 0.2
+_ROUGH = 2.5  # grey values; overcast drone photos measured 1 to 2.2, sunlit and sharpened tiles above 3.7
 
 
 @dataclass(frozen=True)
@@ -104,6 +105,7 @@ def write_marking_report(path: str | os.PathLike, orthophoto: str | os.PathLike,
     for doubt in doubts:
         report.warning(doubt)
     _result(report, found)
+    _road(report, found)
     _agreement(report, evidence)
     if len(found.polygons):
         report.section("Figures of the markings")
@@ -128,6 +130,17 @@ def _result(report: Report, found: MarkingResult) -> None:
                   "Total length of strokes (m)": round(float(markings.length.sum()), 1)})
 
 
+def _road(report: Report, found: MarkingResult) -> None:
+    """What the image's own road is like, by which all limits of the ground are set."""
+    if found.road is None:
+        return
+    report.section("The image's own road")
+    report.paragraph("Smooth grey ground in the light. What is much rougher or warmer is taken for no road.")
+    report.facts({"Texture (grey values)": round(found.road.texture, 2),
+                  "Warmth (share of the brightness)": round(found.road.warmth, 3),
+                  "Brightness (grey values)": round(found.road.brightness, 1)})
+
+
 def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[str]:
     """Sentences on what a surveyor should not trust before looking."""
     doubts = []
@@ -144,6 +157,11 @@ def quality_warnings(found: MarkingResult, evidence: OrthophotoQuality) -> list[
     if not evidence.roads:
         doubts.append(say("No roads were given: edges of flat roofs, kerbs, rims of vehicles, reeds at water and "
                           "lines of car parks may be among the markings; cut by their confidence, or give roads."))
+    if found.road is not None and found.road.texture > _ROUGH:
+        doubts.append(say("Smooth ground has a texture of {texture:.1f} grey values in this image, as in hard light or "
+                          "after sharpening: paint is missed and other things are taken for paint more often than in "
+                          "soft light. Look at the markings over the image, or give roads.",
+                          texture=found.road.texture))
     alone = evidence.views[1] / max(1 - evidence.views[0], 1e-9) if evidence.views is not None else 0.0
     if alone > _ONE_VIEW:
         doubts.append(say("{alone:.0%} of the ground in the image is seen by one frame only: vehicles stay there, "
