@@ -68,9 +68,8 @@ class RoadMarkingsFromOrthophoto(UrbanMapAlgorithm):
         self.add_raster("FRAME_COUNT", "Frames that see the ground", "Raster of “Orthorectify frames”; shown in the "
                         "report.", optional=True)
         self.add_text("NOTE", "Note for the report", "Text that the report shows with its settings.", advanced=True)
-        self.add_text("LEVELS", "Levels", "Low, high and middle of the brightness of the image that this one is a "
-                      "part of, and four figures of its road; a run over tiles gives them. Left out: of this image "
-                      "itself.", advanced=True)
+        self.add_text("LEVELS", "Levels", "Brightness (three numbers) and road (four) of the whole image that this one "
+                      "is a part of; a run over tiles gives them. Left out: of this image.", advanced=True)
         self.add_workers()
         self.add_raster_output("OUTPUT", "Marking mask", "255 where there is a marking, otherwise 0; pixels as the "
                                "orthophoto's.")
