@@ -121,3 +121,23 @@ def test_the_modeller_keeps_its_own_field(qgis_app, name):
     window.model, window.childId, window.context = QgsProcessingModelAlgorithm("a", "b"), "", QgsProcessingContext()
     made = WidgetWrapperFactory.create_wrapper(algorithm.parameterDefinition(name), window)
     assert type(made).__name__ == "QgsProcessingModelerParameterWidget"
+
+
+def test_field_takes_pasted_and_dropped_files(qgis_app, plugin):
+    from qgis.PyQt.QtCore import QMimeData, QPoint, Qt, QUrl
+    from qgis.PyQt.QtGui import QDropEvent
+
+    module = plugin("algorithms.framework.declaring.files_widget")
+    field, told = module.FilesField("Points"), []
+    field.changed.connect(lambda: told.append(list(field.files)))
+    field.line.setText('"/data/a b.laz" "/data/c.laz"')
+    field.line.editingFinished.emit()
+    assert field.files == ["/data/a b.laz", "/data/c.laz"]
+    field.line.editingFinished.emit()  # "2 files" is what the field says, not a path
+    assert len(told) == 1 and field.line.text() == "2 files"
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile("/data/d.laz"), QUrl("https://example.org/e.laz")])
+    field.dropEvent(QDropEvent(QPoint(1, 1), Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton,
+                               Qt.KeyboardModifier.NoModifier))
+    assert field.files == ["/data/d.laz"] == module.paths_in("file:///data/d.laz")
+    assert module.paths_in(" /a.laz ; /b.laz\n/c.laz ") == ["/a.laz", "/b.laz", "/c.laz"]

@@ -5,13 +5,14 @@ QGIS's own field takes such values for layers and opens them; files that are non
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
 from processing.gui.wrappers import WidgetWrapper
 from qgis.core import QgsProject
 from qgis.gui import QgsGui
-from qgis.PyQt.QtCore import QSettings, Qt, pyqtSignal
+from qgis.PyQt.QtCore import QSettings, Qt, QUrl, pyqtSignal
 from qgis.PyQt.QtWidgets import (
     QAbstractItemView,
     QDialog,
@@ -70,7 +71,9 @@ class FilesField(QWidget):
         super().__init__(parent)
         self.title, self.with_layers, self.files = title, with_layers, []
         self.line, button = QLineEdit(), QToolButton()
-        self.line.setReadOnly(True)
+        self.line.setAcceptDrops(False)  # the field itself takes files that are dropped
+        self.line.editingFinished.connect(self._typed)
+        self.setAcceptDrops(True)
         button.setText("…")
         button.clicked.connect(self.choose)
         layout = QHBoxLayout(self)
@@ -91,10 +94,33 @@ class FilesField(QWidget):
         if dialog.exec():
             self.set_files(dialog.chosen())
 
+    def dragEnterEvent(self, event):
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event):
+        self.set_files([url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()])
+        event.acceptProposedAction()
+
+    def _typed(self) -> None:
+        """Take paths that were typed or pasted for those that are chosen."""
+        if self.line.text() != self._shown():
+            self.set_files(paths_in(self.line.text()))
+
+    def _shown(self) -> str:
+        return self.files[0] if len(self.files) == 1 else tr("{0} files").format(len(self.files))
+
     def _show(self) -> None:
-        names = [Path(file).name for file in self.files]
-        self.line.setText(names[0] if len(names) == 1 else tr("{0} files").format(len(names)))
+        self.line.setText(self._shown())
         self.line.setToolTip("\n".join(self.files))
+
+
+def paths_in(text: str) -> list[str]:
+    """Paths in a pasted text: in quotation marks, as file managers copy them, or between semicolons."""
+    quoted = re.findall(r'"([^"]+)"', text)
+    parts = quoted or re.split(r"[;\r\n]", text)
+    urls = (part.strip() for part in parts)
+    return [QUrl(part).toLocalFile() if part.startswith("file:") else part for part in urls if part]
 
 
 class FilesDialog(QDialog):
